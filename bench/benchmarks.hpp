@@ -8,14 +8,14 @@
 #include <string_view>
 #include <vector>
 
-// The benchmarks: a row each, a file each. All times are CPU times of this process, medians of
-// several runs; those of other programs are what they tell themselves.
+// The benchmarks: one row and one file each. All times are CPU times of this process, medians of
+// several runs. Times of other programs are those that they report themselves.
 namespace mahlwerk::bench {
 
 struct Row {
   std::string benchmark, what, code, metric;
   double value = 0;
-  double least = NAN, most = NAN;  ///< among the runs that `value` stands for, where told
+  double least = NAN, most = NAN;  ///< range over the runs that `value` summarises, if reported
 };
 
 std::vector<Row> one_ball();
@@ -46,19 +46,20 @@ inline constexpr std::array benchmarks{
     Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
     Benchmark{"fluid", "elastic periodic fluid, 1000 to 97 336 balls, event engine", fluid},
     Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
-    Benchmark{"soft", "soft engine: every law in a planetary mill, hops in a vibrating vial", soft},
-    Benchmark{"observers", "what everything that is observed costs, beside bare engines",
-              observers},
+    Benchmark{"soft", "every contact law in a planetary mill, free-flight skip in a vibrating vial",
+              soft},
+    Benchmark{"observers", "cost of all observers, compared with bare engines", observers},
     Benchmark{"grinding", "sizes after 20 hours from 2 s of a run; hits on a sample of grains",
               grinding},
-    Benchmark{"campaign", "campaigns: paper A's, the store, cores kept busy, 100 000 runs; minutes",
+    Benchmark{"campaign", "campaigns: paper A's, the store, use of cores, 100 000 runs; minutes",
               campaign, true},
     Benchmark{"peers",
-              "beside LAMMPS, LIGGGHTS, YADE: five balls, then crowd; a quarter of an hour",
+              "comparison with LAMMPS, LIGGGHTS, YADE: few and crowd; a quarter of an hour",
               beside_peers},
-    Benchmark{"few", "of it five balls in a planetary mill; minutes", few, true},
-    Benchmark{"crowd", "of it drums of 10 000 and 100 000, five balls in powder; minutes", crowd,
-              true},
+    Benchmark{"few", "part of peers: five balls in a planetary mill; minutes", few, true},
+    Benchmark{"crowd",
+              "part of peers: drums of 10 000 and 100 000 balls, five balls in powder; minutes",
+              crowd, true},
     Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
               cost_curve},
     Benchmark{"mixing", "two layers of grains in a drum, case 2 of Dosta et al. 2024; half an hour",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What campaigns cost beside their runs: paper A's, a large one, one of few balls, and the store
-// alone.
+// Overhead of campaigns beside their runs: those of paper A, a large one, one with few balls, and
+// the store alone.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -36,8 +36,8 @@ double cpu_of_children() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// The program beside this one, to its end. Wall times here: a campaign is about keeping cores
-/// busy.
+/// Runs the program `mahlwerk` from the folder of this one to its end. Times are wall times here: a
+/// campaign has to keep the cores busy.
 Timing run(const std::vector<std::string>& words, const fs::path& folder) {
   std::vector<std::string> all{
       (fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk").string()};
@@ -53,7 +53,7 @@ Timing run(const std::vector<std::string>& words, const fs::path& folder) {
           cpu_of_children() - before, ended.peak_memory};
 }
 
-/// Figures 4, 5 and 6: 15 settings, five times a minute each.
+/// Figures 4, 5 and 6: 15 settings, five runs of a minute each.
 void paper_a(std::vector<Row>& rows) {
   for (const std::string kept : {"all", "summary"}) {
     std::vector<double> walls;
@@ -100,7 +100,7 @@ replicates = 1
 "mill.frequency" = {{ from = "10 Hz", to = "20 Hz", steps = {} }}
 )";
 
-/// As many one-ball runs as asked for: memory must not grow with them.
+/// Large campaigns of one-ball runs: memory must not grow with the number of runs.
 void large(std::vector<Row>& rows) {
   for (const int points : {1000, 10'000, 100'000}) {
     const TemporaryFolder folder;
@@ -135,7 +135,7 @@ void few_balls(std::vector<Row>& rows) {
       {"campaign", "paper B, five balls by speed", "mahlwerk", "seconds", median(walls)});
 }
 
-/// What a run costs in the store: its row with a hundred quantities, as one transaction.
+/// Cost of a run in the store: its row with a hundred quantities, as one transaction.
 void store(std::vector<Row>& rows) {
   constexpr std::size_t points = 2000;
   const TemporaryFolder folder;

@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/event/engine.hpp"
 
-// What the benchmarks of many balls share.
+// Shared code of the benchmarks with many balls.
 namespace mahlwerk::bench {
 
 struct Counter final : scene::Observer {
@@ -47,8 +47,8 @@ inline std::vector<scene::Ball> lattice(int n, double packing, double diameter, 
   return balls;
 }
 
-/// Lets an engine run for a second or so, then tells its collisions per CPU second: the median of
-/// five stretches of about `work` [s]. `step` [s] is simulated between two looks at the clock.
+/// Collisions of an engine per CPU second, after a warm-up of a second or so: the median of five
+/// intervals of about `work` [s]. `step` [s] is simulated between two readings of the clock.
 inline double collisions_per_second(scene::Engine& engine, double step, double work) {
   Counter counter;
   double time = 0;
@@ -64,8 +64,8 @@ inline double collisions_per_second(scene::Engine& engine, double step, double w
   return median(found);
 }
 
-/// What the fastest programs for this reached on such a machine, best of EDMD's three and DynamO
-/// (docs/performance.md), by packing 0.20 or 0.49 and n = 10, 22 or 46.
+/// Results of the fastest programs for this problem on such a machine: the best of EDMD's three,
+/// and DynamO (docs/performance.md), for a packing of 0.20 or 0.49 and n = 10, 22 or 46.
 struct Peers {
   int n;
   double packing, edmd, dynamo;

@@ -29,8 +29,8 @@ using Clock = std::chrono::steady_clock;
 
 volatile std::sig_atomic_t wished_to_end = 0;
 
-/// While this lives a wish to end this program is only noted, so that the child can be ended and
-/// its folder removed first.
+/// During the lifetime of this object, signals to end this program are only recorded, so the child
+/// can be ended and its folder removed first.
 class SignalGuard {
  public:
   SignalGuard() {
@@ -75,7 +75,7 @@ std::vector<char*> pointers(std::vector<std::string>& words) {
   return found;
 }
 
-/// Our environment, with the child's entries in place of ours of the same name.
+/// The environment of this process. Entries of the child replace entries of the same name.
 std::vector<std::string> environment_of(const Child& child) {
   const auto name = [](std::string_view entry) { return entry.substr(0, entry.find('=') + 1); };
   std::vector<std::string> all = child.environment;
@@ -86,7 +86,8 @@ std::vector<std::string> environment_of(const Child& child) {
   return all;
 }
 
-/// Starts the child in a process group of its own, so that whatever it starts can be ended with it.
+/// Starts the child in its own process group, which can be ended together with everything that it
+/// starts.
 pid_t start(const Child& child, int output) {
   std::vector<std::string> words = child.words, environment = environment_of(child);
   const std::vector<char*> arguments = pointers(words), variables = pointers(environment);
@@ -97,7 +98,7 @@ pid_t start(const Child& child, int output) {
     return id;
   }
   setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // should this process be killed outright
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // if this process is killed outright
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   const int complaints = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
   if (getppid() == parent && nothing >= 0 && complaints >= 0 && chdir(folder.c_str()) == 0 &&
@@ -106,7 +107,7 @@ pid_t start(const Child& child, int output) {
   _exit(127);
 }
 
-/// Cuts what arrives into lines.
+/// Splits the received text into lines.
 class Lines {
  public:
   explicit Lines(const std::function<void(std::string_view)>& line) : line_(line) {}
@@ -125,7 +126,7 @@ class Lines {
   std::string begun_;
 };
 
-/// Looks at a process's memory every now and then.
+/// Samples the memory of a process now and then.
 class MemoryWatch {
  public:
   explicit MemoryWatch(pid_t id) : id_(id) {}
@@ -138,21 +139,21 @@ class MemoryWatch {
   double peak() const { return peak_; }
 
  private:
-  // At first it is still a copy of this process.
+  // Right after the fork the child is still a copy of this process.
   static constexpr std::chrono::milliseconds first{100}, between{400};
   pid_t id_;
   Clock::time_point next_ = Clock::now() + first;
   double peak_ = 0;
 };
 
-/// Reads until the child writes no more. Tells whether that was before the time was up.
+/// Reads until the child closes its output. Returns false if the time is up before.
 bool read_all(int input, Clock::time_point last, Lines lines, MemoryWatch& memory) {
   std::vector<char> buffer(1 << 16);
   while (Clock::now() < last) {
     if (wished_to_end != 0) throw Interrupted{wished_to_end};
     memory.sample();
     pollfd ready{input, POLLIN, 0};
-    constexpr int patience = 200;  // [ms] a wish to end may come just before poll begins to wait
+    constexpr int patience = 200;  // [ms] a signal may come just before poll waits
     if (poll(&ready, 1, patience) <= 0) continue;
     const ssize_t count = read(input, buffer.data(), buffer.size());
     if (count == 0) return true;
@@ -161,7 +162,7 @@ bool read_all(int input, Clock::time_point last, Lines lines, MemoryWatch& memor
   return false;
 }
 
-/// The child's end is ours to bring about, whatever happens.
+/// Owns the child process: the destructor ends it if it still runs.
 class ChildProcess {
  public:
   explicit ChildProcess(pid_t id) : id_(id) {}
@@ -173,7 +174,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Its status once it has ended by itself; -1 if it has not when the time is up.
+  /// The exit status of a child that has ended by itself; -1 if the time is up before.
   int ended(Clock::time_point last) {
     int status = 0;
     while (waitpid(id_, &status, WNOHANG) == 0) {
@@ -232,7 +233,7 @@ ChildResult watch_child(const Child& child, const std::function<void(std::string
   const int status = closed ? running.ended(last) : -1;
   ChildResult ended{{}, memory.peak()};
   if (status == -1)
-    ended.fault = fmt::format("not ready after {:.0f} s, ended", child.limit);
+    ended.fault = fmt::format("not finished after {:.0f} s, killed", child.limit);
   else if (WIFSIGNALED(status))
     ended.fault = fmt::format("ended by signal {}", WTERMSIG(status));
   else if (WEXITSTATUS(status) != 0)

@@ -11,7 +11,7 @@
 // Other programs, run by the benchmarks.
 namespace mahlwerk::bench {
 
-/// A folder of its own under the system's place for such things; gone with this object.
+/// A new folder in the system's folder for temporary files; removed with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -25,33 +25,33 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Where PATH finds a program; empty if it does not.
+/// Path of a program found through PATH; empty if there is none.
 std::filesystem::path find_program(std::string_view name);
 
 struct Child {
   std::vector<std::string> words;        ///< the program and its arguments
-  std::filesystem::path folder;          ///< it works there; its errors go to errors.txt
-  std::vector<std::string> environment;  ///< NAME=VALUE, beside what this process has
-  double limit = 0;                      ///< [s] it is ended after that
+  std::filesystem::path folder;          ///< working folder; errors go to errors.txt
+  std::vector<std::string> environment;  ///< NAME=VALUE, in addition to this process's
+  double limit = 0;                      ///< [s] the child is ended after this time
 };
 
-/// Ctrl-C, or another wish that this program end. The child has ended when this is thrown.
+/// Ctrl-C, or another signal to end this program. The child has ended when this is thrown.
 struct Interrupted {
   int signal;
 };
 
 struct ChildResult {
-  std::string fault;       ///< what went wrong; nothing if all went well
-  double peak_memory = 0;  ///< [MB] of the program and those it started, as last seen
+  std::string fault;       ///< description of the failure; empty on success
+  double peak_memory = 0;  ///< [MB] of the program and its children, at the last sample
 };
 
-/// Runs a program to its end and hands over each line that it writes, without the line's end.
+/// Runs a program to its end and passes on each line of its output, without the line's end.
 ChildResult watch_child(const Child& child, const std::function<void(std::string_view)>& line);
 
-/// The same; tells what went wrong.
+/// The same; returns only the description of the failure.
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line);
 
-/// What a program said last about why it gave up, in its errors.txt and log.txt.
+/// The last error message of a program in its errors.txt and log.txt.
 std::string complaint(const std::filesystem::path& folder);
 
 }  // namespace mahlwerk::bench

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a ball and step costs on one core, in CPU time, and what memory is held, as the same bed of
-// a drum is made of ever smaller balls. Every bed has jostled and fallen for as many steps of its
-// own.
+// CPU time per ball and step on one core, and memory, for the same bed of a drum made of ever
+// smaller balls. Every bed has been in motion for the same number of its own time steps before.
 #include <fmt/format.h>
 
 #include <algorithm>

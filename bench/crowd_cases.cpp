@@ -18,8 +18,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Balls on a lattice of `pitch`, where `keep` says so, in the order of `height`, the lowest
-/// `count`.
+/// The lowest `count` points, in the order of `height`, of those points of a lattice of `pitch`
+/// that `keep` accepts.
 template <class Keep, class Height>
 std::vector<Vec3> lattice(double pitch, int half, int count, const Keep& keep,
                           const Height& height) {
@@ -39,7 +39,7 @@ constexpr double drum_radius = 0.1;  // [m]
 
 std::vector<scene::Ball> bed(int count, double diameter, double length, double speed) {
   const double room = drum_radius - diameter / 2 - 1e-6, along = length / 2 - diameter / 2 - 1e-6;
-  const double lean = 46 * pi / 180;  // about where the bed of such a drum lies
+  const double lean = 46 * pi / 180;  // approximate slope of the bed in such a drum
   const Vec3 spin{speed, 0, 0};
   Random random(1, 0);
   std::vector<scene::Ball> balls;
@@ -76,13 +76,13 @@ std::vector<scene::Ball> balls_and_grains() {
         balls, [&](const scene::Ball& b) { return norm(p - b.position) > ball + grain + 1e-6; });
   };
   for (const Vec3& x : lattice(2.008 * grain, 25, 20000, keep, [&](const Vec3& p) {
-         return -std::hypot(p.x + orbit, p.y);  // outwards first
+         return -std::hypot(p.x + orbit, p.y);  // outermost first
        }))
     add(x, grain, 4930, 1);
   return all;
 }
 
-/// What differs between the drums; all turn at 60 % of their critical speed.
+/// Parameters that differ between the drums. All drums turn at 60 % of their critical speed.
 struct Drum {
   int count;
   double diameter, length, speed;  // [m], [m], [rad/s]
@@ -95,7 +95,7 @@ struct Drum {
 constexpr std::array drums{
     Drum{10000, 0.005, 0.0992, 6.02, 1e-5, 10000, 2000, {2000, 1000, 300}, 2e-3},
     Drum{100000, 0.0025, 0.124, 5.98, 5e-6, 12000, 500, {500, 200, 30}, 2.5e-4},
-    // The largest falls and jostles for a short while only: that is the cost curve's.
+    // The largest drum has only a short warm-up: it is for the cost curve.
     Drum{1000000, 0.00125, 0.155, 5.96, 2.5e-6, 1000, 100, {}, 0},
 };
 
@@ -165,7 +165,7 @@ std::unique_ptr<scene::Engine> engine(const CrowdCase& c, const std::vector<scen
   soft::Settings rules;
   rules.time_step = c.step;
   rules.threads = threads;
-  rules.max_overlap = 0.1;  // states in motion hold hard hits
+  rules.max_overlap = 0.1;  // states in motion contain hard hits
   return soft::engine(c.mill, balls, rules, {2, geometry::Cylinder::faces, pair}, start);
 }
 

@@ -13,10 +13,10 @@
 #include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
 
-// Many balls: drums that hold the same bed of ever smaller spheres, and balls among grains.
+// Cases with many balls: drums with the same bed of ever smaller spheres, and balls among grains.
 namespace mahlwerk::bench {
 
-/// The other codes, in the order of everything that is told for each of them.
+/// The other codes, in the order of all arrays with an element for each code.
 enum Peer { lammps, liggghts, yade };
 inline constexpr int peers = 3;
 
@@ -24,13 +24,13 @@ struct CrowdCase {
   std::string name, what;
   scene::Chamber mill;
   double radius = 0, height = 0;                   ///< [m] of the jar
-  std::function<std::vector<scene::Ball>()> fill;  ///< before the warming up
+  std::function<std::vector<scene::Ball>()> fill;  ///< before the warm-up
   double youngs_modulus = 0;                       ///< [Pa]
   double step = 0;                                 ///< [s]
   int warm_up = 0;                                 ///< [steps]
   int steps = 0;                                   ///< measured
-  std::array<int, peers> peer_steps{};             ///< the others' turn takes seconds, too
-  std::string processors, search;                  ///< how LAMMPS splits space and finds pairs
+  std::array<int, peers> peer_steps{};             ///< a turn of the others takes seconds, too
+  std::string processors, search;                  ///< LAMMPS: domain decomposition, pair search
   double skin = 0;                                 ///< [m] about the best for LAMMPS and LIGGGHTS
   double margin = 0;                               ///< [1] YADE's skin over the smallest radius
   double rolling_stiffness = 0;                    ///< LAMMPS's

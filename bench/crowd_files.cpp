@@ -29,7 +29,8 @@ const kinematics::Planetary* planetary(const CrowdCase& c) {
 
 void write_state(const fs::path& file, const CrowdCase& c, const std::vector<scene::Ball>& balls) {
   const auto frame = frame_motion_of(c);
-  // Space just large enough for the jar while it is watched: the others divide all of it into bins.
+  // The box is just large enough for the jar during the measurement: the other codes divide all of
+  // it into bins.
   const Vec3 axis = c.mill.mount * Vec3{0, 0, 1};
   const double spare = 0.006, across = c.radius + spare, along = c.height / 2 + spare;
   const auto extent = [&](double a) { return std::abs(a) > 0.5 ? along : across; };
@@ -55,7 +56,8 @@ void write_state(const fs::path& file, const CrowdCase& c, const std::vector<sce
   }
 }
 
-/// Speeds [rad/s] of the disc, none for a drum, and of the jar about its own axis.
+/// Speeds [rad/s] of the disc, 0 for a drum, and of the jar about its own axis; radius [m] of the
+/// orbit.
 struct Speeds {
   double disc, spin, orbit;
 };
@@ -101,7 +103,7 @@ void write_region(const fs::path& file, const CrowdCase& c) {
       s.orbit, c.radius, -half, half);
 }
 
-/// A jar on a disc is moved by two turnings: with the disc, then about its own axis.
+/// Two rotations move a jar on a disc: one with the disc, then one about its own axis.
 void write_motion(const fs::path& file, const CrowdCase& c) {
   const Speeds s = speeds_of(c);
   fmt::ostream out = fmt::output_file(file.string());
@@ -124,7 +126,7 @@ void write_mesh(const fs::path& file, const CrowdCase& c) {
   };
   fmt::ostream out = fmt::output_file(file.string());
   const auto write = [&](const std::array<Vec3, 3>& triangle) {
-    out.print("facet normal 0 0 0\n outer loop\n");  // the reader works the normal out
+    out.print("facet normal 0 0 0\n outer loop\n");  // the reader computes the normal
     for (const Vec3& one : triangle) {
       const Vec3 p = c.mill.mount * one + centre;
       out.print("  vertex {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);

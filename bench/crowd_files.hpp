@@ -7,15 +7,15 @@
 
 #include "crowd_cases.hpp"
 
-// A case of many balls as files, for programs that read their own kind of script.
+// Writes a case with many balls as files for programs with their own kind of script.
 namespace mahlwerk::bench {
 
-/// In the laboratory frame, as it is after whole turns of the mill:
+/// Writes the case in the laboratory frame, in its state after whole turns of the mill:
 ///   state.data  the balls, as LAMMPS and LIGGGHTS read them
 ///   case.in     every number of the case
-///   jar.in      the jar as LAMMPS's region
-///   jar.stl     the jar in triangles that touch its cylinder from outside
-///   mesh.in     their motion, for LIGGGHTS
+///   jar.in      the jar as a region of LAMMPS
+///   jar.stl     the jar as triangles that touch its cylinder from outside
+///   mesh.in     the motion of the triangles, for LIGGGHTS
 void write_crowd(const std::filesystem::path& folder, const CrowdCase& c,
                  const std::vector<scene::Ball>& balls);
 

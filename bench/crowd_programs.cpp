@@ -32,7 +32,8 @@ std::vector<std::string> command_of(Peer peer, int steps, int cores) {
   return words;
 }
 
-/// Speed and energy, from the words of LAMMPS, which the decks for others use, too.
+/// Reads speed and energy from a log in the format of LAMMPS, which the decks for the other codes
+/// use, too.
 ProgramResult read_log(const fs::path& log, int last_step) {
   ProgramResult result{NAN, NAN, NAN, 0, {}};
   double particle_steps = NAN;
@@ -60,10 +61,9 @@ ProgramResult run_program(const Child& child, int last_step) {
   ProgramResult result = read_log(child.folder / "log.txt", last_step);
   result.memory = ended.peak_memory;
   result.fault = ended.fault;
-  if (result.fault.empty() && !std::isfinite(result.speed))
-    result.fault = "did not come to its end";
+  if (result.fault.empty() && !std::isfinite(result.speed)) result.fault = "did not finish";
   if (result.fault.empty() && !std::isfinite(result.kinetic))
-    result.fault = "lost its balls: what they do is not a number";
+    result.fault = "lost its balls: their energy is not a number";
   const std::string said = result.fault.empty() ? "" : complaint(child.folder);
   if (!said.empty()) result.fault += ": " + said;
   return result;
@@ -78,7 +78,7 @@ ProgramResult run_mahlwerk(const CrowdRun& run, const fs::path& folder) {
 }
 
 ProgramResult run_peer(Peer peer, const fs::path& folder, int steps, int cores) {
-  // Open MPI refuses to serve root, as whom containers commonly run, unless told twice.
+  // Open MPI refuses to run as root, the usual user in containers, unless both variables allow it.
   const Child child{
       command_of(peer, steps, cores),
       folder,

@@ -9,13 +9,13 @@
 #include "crowd_cases.hpp"
 #include "crowd_run.hpp"
 
-// Mahlwerk and the other codes: how each is asked to run a case, one after the other, in a folder
-// that holds the files of crowd_files.hpp and, in balls.bin, the balls.
+// Runs Mahlwerk and the other codes on a case, one after the other, in a folder with the files of
+// crowd_files.hpp and with the balls in balls.bin.
 namespace mahlwerk::bench {
 
 struct CrowdProgram {
   std::string_view name, command;
-  std::string_view package;  ///< Debian's
+  std::string_view package;  ///< Debian package
   std::string_view deck;     ///< in bench/peers/
 };
 
@@ -26,18 +26,18 @@ inline constexpr std::array<CrowdProgram, peers> crowd_programs{{
 }};
 
 struct ProgramResult {
-  double speed = 0;    ///< [particle-steps/s] of the program's own clock, in its loop of steps
-  double cost = 0;     ///< [s] CPU time of a particle and step; where the program tells it
+  double speed = 0;    ///< [particle-steps/s] by the program's own clock, in its loop of time steps
+  double cost = 0;     ///< [s] CPU time per particle and step, if the program reports it
   double kinetic = 0;  ///< [J] at the end, translation and rotation
-  double memory = 0;   ///< [MB] the most it held, all its processes together
-  std::string fault;   ///< why there is nothing of that
+  double memory = 0;   ///< [MB] peak of all its processes together
+  std::string fault;   ///< why there is no result
 };
 
 ProgramResult run_mahlwerk(const CrowdRun& run, const std::filesystem::path& folder);
 
 ProgramResult run_peer(Peer peer, const std::filesystem::path& folder, int steps, int cores);
 
-/// Whether the program is here, and on more than one core what starts it there, too.
+/// Whether the program is installed and, if it needs it on several cores, mpirun.
 bool is_installed(Peer peer, int cores);
 
 }  // namespace mahlwerk::bench

@@ -31,7 +31,7 @@ void write_balls(const std::filesystem::path& file, const std::vector<scene::Bal
 }
 
 CrowdRun parse_run(const std::vector<std::string>& words) {
-  if (words.size() != 7) throw std::runtime_error("seven words are meant");
+  if (words.size() != 7) throw std::runtime_error("expected seven arguments");
   return {words[0],
           std::stoi(words[1]),
           std::stoi(words[2]),
@@ -45,7 +45,7 @@ void perform(const CrowdRun& run) {
   using Clock = std::chrono::steady_clock;
   const CrowdCase c = crowd_case(run.name);
   std::size_t count = 0;
-  const auto engine_of_run = [&] {  // the balls that it is made from are gone then
+  const auto engine_of_run = [&] {  // frees the initial balls after its return
     const std::vector<scene::Ball> balls = run.from == "-" ? c.fill() : read_balls(run.from);
     count = balls.size();
     return engine(c, balls, run.threads, run.start);

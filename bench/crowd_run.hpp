@@ -9,8 +9,8 @@
 
 #include "mahlwerk/scene/balls.hpp"
 
-// Mahlwerk's own runs of many balls, each in a process that holds nothing else, as the other
-// programs' are.
+// Mahlwerk's own runs with many balls, each in a separate process, as the runs of the other
+// programs.
 namespace mahlwerk::bench {
 
 struct CrowdRun {
@@ -18,15 +18,15 @@ struct CrowdRun {
   int threads = 1;
   int lead = 0, steps = 0;           ///< not measured, then measured
   double start = 0;                  ///< [s] on the mill's clock
-  std::string from = "-", to = "-";  ///< files of balls; "-": the case's filling, nowhere
+  std::string from = "-", to = "-";  ///< files of balls; "-": from the case's filling, to nowhere
 };
 
-/// The first word of a command line that asks this program for such a run; the others are those of
-/// `words`.
+/// First argument of a command line that requests such a run of this program. The other arguments
+/// are `words`.
 inline constexpr std::string_view crowd_run_option = "--crowd-run";
 std::vector<std::string> arguments_for(const CrowdRun& run);
 
-/// Writes log.txt in the words of LAMMPS: the kinetic energy and the times of the measured steps.
+/// Writes log.txt in the format of LAMMPS: the kinetic energy and the times of the measured steps.
 int perform_crowd_run(const std::vector<std::string>& words);
 
 std::vector<scene::Ball> read_balls(const std::filesystem::path& file);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The event engine doing a mill's work: steel balls of 1 mm in a box shaken at 20 Hz by 5 mm, e =
-// 0.9, friction 0.3, spin, gravity, the TC rule. Beside it what EDMD reaches without any of these.
+// The event engine with the physics of a mill: steel balls of 1 mm in a box shaken at 20 Hz by 5
+// mm, e = 0.9, friction 0.3, spin, gravity, the TC rule. For comparison, the speed of EDMD without
+// any of these.
 #include <fmt/format.h>
 
 #include "charges.hpp"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The elastic periodic fluid that event-driven codes are measured by: equal smooth spheres, e = 1,
-// no gravity. The whole engine, with records of all collisions and the energy account.
+// The elastic periodic fluid, the usual benchmark of event-driven codes: equal smooth spheres, e =
+// 1, no gravity. The whole engine is measured, with records of all collisions and the energy
+// balance.
 #include <fmt/format.h>
 
 #include <array>

@@ -53,7 +53,7 @@ int perform(int argc, char** argv) {
     else if (name.empty() && word[0] != '-')
       name = word;
     else
-      return usage(("bench: what is '" + word + "'?").c_str());
+      return usage(("bench: unknown argument '" + word + "'").c_str());
   }
   std::vector<Row> rows;
   bool found = name.empty();
@@ -63,7 +63,7 @@ int perform(int argc, char** argv) {
     const std::vector<Row> more = one.run();
     rows.insert(rows.end(), more.begin(), more.end());
   }
-  if (!found) return usage(("bench: there is no '" + name + "'").c_str());
+  if (!found) return usage(("bench: unknown benchmark '" + name + "'").c_str());
   if (json) {
     using results::Json;
     Json list = Json::array();

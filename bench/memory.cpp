@@ -14,7 +14,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-/// Who started whom: pairs of a process and its parent.
+/// Pairs of a process and its parent.
 std::vector<std::pair<int, int>> process_parents() {
   std::vector<std::pair<int, int>> found;
   std::error_code gone;
@@ -22,7 +22,7 @@ std::vector<std::pair<int, int>> process_parents() {
     std::ifstream file(entry.path() / "stat");
     std::string line;
     if (!std::getline(file, line)) continue;
-    // The name, in brackets, may hold anything.
+    // The process name, in brackets, may contain any character.
     const std::size_t after = line.rfind(')');
     int process = 0, parent = 0;
     if (after != std::string::npos && std::sscanf(line.c_str(), "%d", &process) == 1 &&

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Two layers of grains mix in a drum: case 2 of Dosta et al. 2024, which eight codes have run. A
-// quarter of the drum empties and fills as the bed goes round.
+// Two layers of grains mix in a drum: case 2 of Dosta et al. 2024, which eight codes have run. The
+// result is the number of small grains in a quarter of the drum, which falls and rises as the bed
+// circulates.
 #include <fmt/format.h>
 
 #include <numbers>
@@ -17,7 +18,7 @@ namespace mahlwerk::bench {
 namespace {
 
 constexpr double drum_radius = 0.1, drum_length = 0.06, drum_speed = 2;  // [m], [m], [rad/s]
-/// On every Young's modulus. Without it the same takes ten times as many steps.
+/// Factor on every Young's modulus. Without it the run takes ten times as many steps.
 constexpr double softening = 0.01;
 constexpr double step = 1e-5;  // [s]: 0.12 of the Rayleigh time of the small grains
 constexpr double settling = 0.4, mixing_time = 5, between = 0.1;  // [s]
@@ -28,7 +29,8 @@ struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
-/// On a lattice from `bottom` up, loosely, with a little speed, so that rows fall apart.
+/// Adds a loose lattice of grains from `bottom` up, with small velocities that make the rows fall
+/// apart. Returns the top of the layer.
 double layer(std::vector<scene::Ball>& balls, int count, double radius, double density, int kind,
              double bottom) {
   Random random(1, static_cast<std::uint32_t>(kind));
@@ -75,7 +77,7 @@ std::unique_ptr<scene::Engine> engine(const std::vector<scene::Ball>& balls, dou
   return soft::engine(drum, balls, rules, pairs, 0);
 }
 
-/// Small grains in the lower quarter on the side where the wall comes down.
+/// Number of small grains in the lower quarter on the side where the wall moves down.
 double in_quarter(const scene::Engine& drum) {
   double count = 0;
   for (const scene::Ball& b : drum.balls())

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What it costs to be told: each run once as a bare engine that nobody listens to, once as a
-// replicate with everything that is observed, in turn.
+// Cost of the observers: each run once as a bare engine without observers, once as a replicate with
+// all of them, in turn.
 #include <fmt/format.h>
 
 #include "benchmarks.hpp"
@@ -18,7 +18,7 @@ struct NullObserver final : scene::Observer {
 
 struct Example {
   std::string_view name, folder;
-  double time;  // [s] counted, long enough to be timed
+  double time;  // [s] simulated, long enough to be timed
 };
 constexpr Example examples[] = {
     {"one ball, lasting contacts roll, event engine", "01-one-ball", 3000},
@@ -30,17 +30,17 @@ constexpr Example examples[] = {
 };
 constexpr int runs = 7;
 
-double bare(const cases::Case& what) {
+double bare(const cases::Case& mill_case) {
   const double began = cpu_seconds();
-  const auto engine = campaign::engine(what, 0);
+  const auto engine = campaign::engine(mill_case, 0);
   NullObserver observer;
-  engine->advance(what.run.time, observer);
+  engine->advance(mill_case.run.time, observer);
   return cpu_seconds() - began;
 }
 
-double observed(const cases::Case& what, std::int64_t& collisions) {
+double observed(const cases::Case& mill_case, std::int64_t& collisions) {
   const double began = cpu_seconds();
-  campaign::ReplicateRun replica(what, 0);
+  campaign::ReplicateRun replica(mill_case, 0);
   while (!replica.done()) replica.run_slice();
   const double spent = cpu_seconds() - began;
   collisions = replica.energy_balance().collisions;
@@ -54,18 +54,19 @@ std::vector<Row> observers() {
   const cases::Catalogue catalogue(std::filesystem::path(MAHLWERK_HOME) / "catalogue");
   for (const Example& e : examples) {
     const auto file = std::filesystem::path(MAHLWERK_HOME) / "examples" / e.folder / "case.toml";
-    cases::Case what = cases::read(file, catalogue, {});
-    what.run.settle = 0;
-    what.run.time = e.time;
-    if (what.run.engine == cases::EngineName::automatic) what.run.engine = cases::EngineName::event;
+    cases::Case mill_case = cases::read(file, catalogue, {});
+    mill_case.run.settle = 0;
+    mill_case.run.time = e.time;
+    if (mill_case.run.engine == cases::EngineName::automatic)
+      mill_case.run.engine = cases::EngineName::event;
     if (e.name.find("TC") != std::string_view::npos) {
-      what.contact.lasting = cases::SustainedContactModel::tc;
-      what.contact.contact_time = 1e-4;
+      mill_case.contact.lasting = cases::SustainedContactModel::tc;
+      mill_case.contact.contact_time = 1e-4;
     }
     std::int64_t collisions = 0;
     std::vector<double> costs, shares;
     for (int i = 0; i < runs; ++i) {
-      const double without = bare(what), with = observed(what, collisions);
+      const double without = bare(mill_case), with = observed(mill_case, collisions);
       shares.push_back(with / without - 1);
       costs.push_back((with - without) / static_cast<double>(collisions) * 1e9);
     }

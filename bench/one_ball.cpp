@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One ball in paper A's vial: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9. The guaranteed
-// search with its whole engine and statistics, beside textbook scanning that only finds touches.
+// One ball in paper A's vial: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9. Conservative
+// advancement with the whole engine and statistics, compared with textbook scanning, which only
+// finds touches.
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -57,8 +58,8 @@ Speed engine(event::SustainedContactMode lasting, std::uint32_t stream) {
           running->energy_balance().contact_time / time};
 }
 
-/// The textbook way: look at the gap every 0.1 ms, halve the interval when it closes; no
-/// statistics, TC rule.
+/// Textbook scanning: tests the gap every 0.1 ms and bisects the interval in which it closes. TC
+/// rule, no statistics.
 Speed scanning(std::uint32_t stream) {
   const double w = 2 * pi * frequency, h = 0.5 * vial().height, room = 0.5 * diameter - radius;
   Random random(1, stream);
@@ -122,10 +123,9 @@ double peak_memory_mb() {
 
 std::vector<Row> one_ball() {
   std::vector<Speed> tc, roll, scan;
-  engine(event::SustainedContactMode::tc, 99);  // warm
+  engine(event::SustainedContactMode::tc, 99);  // warm-up
   const double memory = peak_memory_mb();
-  for (std::uint32_t i = 0; i < runs;
-       ++i) {  // in turn, so that a drifting machine touches all alike
+  for (std::uint32_t i = 0; i < runs; ++i) {  // in turn: drifts of the machine affect all alike
     tc.push_back(engine(event::SustainedContactMode::tc, i));
     roll.push_back(engine(event::SustainedContactMode::roll, i));
     scan.push_back(scanning(i));

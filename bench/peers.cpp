@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Mahlwerk and the other open soft-sphere codes side by side: five balls in a planetary mill. The
-// codes take turns. What the balls do is told over several starts, since they fall into one of two
-// modes of motion, and the smallest difference decides which.
+// Comparison of Mahlwerk with the other open soft-sphere codes: five balls in a planetary mill. The
+// codes take turns. The motion of the balls is reported over several starts, because the balls fall
+// into one of two modes of motion, and the smallest difference decides which one.
 #include "peers.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ namespace mahlwerk::bench {
 namespace {
 
 constexpr int turns = 3, replicates = 5, our_steps = 1000000;
-constexpr double between_modes = 3.5;  // [W] power in the two modes is above or below
+constexpr double between_modes = 3.5;  // [W] separates the power of the two modes
 constexpr const char* name = "peers";
 constexpr const char* what = "planetary mill, 5 balls of 15 mm";
 
@@ -30,7 +30,7 @@ void say(const std::string& text) {
   fmt::print(stderr, "{}: {}\n", name, text);
 }
 
-/// The codes that are here; the others are named with what would bring them.
+/// The installed codes. The others are reported with the package to install.
 std::vector<Program> present() {
   std::vector<Program> found;
   for (const Program& one : programs)
@@ -42,14 +42,14 @@ std::vector<Program> present() {
   return found;
 }
 
-/// How many starts of a code are looked at; LIGGGHTS and YADE take two minutes for each.
+/// Number of starts of a code for the physics; LIGGGHTS and YADE take two minutes for each.
 int starts_of(const Program& program) {
   const char* wish = std::getenv("MAHLWERK_PEERS_PHYSICS");
   const bool full = wish != nullptr && std::string_view(wish) == "full";
   if (program.name == "LAMMPS") return replicates;
-  if (program.numbers != "once") return 0;  // the same physics as the other deck's
+  if (program.numbers != "once") return 0;  // the same physics as with the other deck
   if (full) return program.name == "LIGGGHTS" ? 2 : 1;
-  say(fmt::format("{}, physics left out; MAHLWERK_PEERS_PHYSICS=full asks for it", program.name));
+  say(fmt::format("{}, physics left out; set MAHLWERK_PEERS_PHYSICS=full for it", program.name));
   return 0;
 }
 
@@ -75,8 +75,8 @@ void add_speeds(std::vector<Row>& rows, const std::vector<Speeds>& all) {
                       median(ours) / median(one.found)});
 }
 
-/// Every code's speed, in turns, so that a drifting machine touches all alike. Ours come first. A
-/// code that fails is not asked again.
+/// Speeds of all codes, measured in turns, so that drifts of the machine affect all alike. Mahlwerk
+/// comes first. A code that fails is not run again.
 std::vector<Speeds> measure_speeds(const std::vector<Program>& peers) {
   std::vector<Speeds> all{{"mahlwerk", {}}};
   for (const Program& peer : peers) all.push_back({std::string(peer.name), {}});

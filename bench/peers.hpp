@@ -13,10 +13,10 @@
 #include "mahlwerk/scene/balls.hpp"
 #include "peers_physics.hpp"
 
-// Five steel balls of 15 mm in a planetary mill, side by side with other open soft-sphere codes.
+// Five steel balls of 15 mm in a planetary mill, for comparison with other open soft-sphere codes.
 namespace mahlwerk::bench {
 
-/// What is the same in every run and for every code. The vial stands upright.
+/// Parameters of every run and every code. The vial stands upright.
 struct PlanetaryCase {
   kinematics::Planetary mill{0.07, 400.0 / 60 * 2 * std::numbers::pi, -2};
   geometry::Cylinder vial{0.042, 0.03248};
@@ -38,17 +38,18 @@ struct PlanetaryCase {
 };
 inline constexpr PlanetaryCase planetary_case;
 
-/// Where the balls are at first, in the jar frame: at rest in the vial that turns, not spinning.
+/// Initial state of the balls in the jar frame: at rest in the rotating vial, without spin.
 using Start = std::array<scene::Ball, 5>;
 
-/// Replicate 0 is the start of the case; the others have each ball up to 0.1 mm beside it.
+/// Replicate 0 is the start of the case. In the others each ball is displaced by up to 0.1 mm.
 Start start(int replicate);
 
 struct MahlwerkSpeed {
   double particle_steps_per_second = 0;
 };
 
-/// Mahlwerk's own soft engine, one core, for so many steps; nothing while there is none.
+/// Speed of Mahlwerk's own soft engine on one core over `steps` steps; empty while there is no such
+/// engine.
 std::optional<MahlwerkSpeed> mahlwerk_speed(const Start& start, int steps);
 std::optional<Physics> mahlwerk_physics(const Start& start);
 

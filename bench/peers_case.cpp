@@ -16,13 +16,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// From the jar frame to the laboratory's at time 0.
+/// From the jar frame to the laboratory frame at time 0.
 constexpr Vec3 to_laboratory{planetary_case.mill.orbit_radius, 0, planetary_case.vial.height / 2};
 
 using Triangle = std::array<Vec3, 3>;
 
 void write(fmt::ostream& out, const Triangle& triangle) {
-  out.print("facet normal 0 0 0\n outer loop\n");  // the reader works the normal out
+  out.print("facet normal 0 0 0\n outer loop\n");  // the reader computes the normal
   for (const Vec3& corner : triangle) {
     const Vec3 p = corner + to_laboratory;
     out.print("  vertex {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Many balls beside LAMMPS, LIGGGHTS and YADE: drums of 10 000 and 100 000 spheres, and five balls
-// among 20 000 grains in a planetary mill. All go on from one state in motion, in turns, each in a
-// process of its own, on one core and on two.
+// Comparison with LAMMPS, LIGGGHTS and YADE for many balls: drums of 10 000 and 100 000 spheres,
+// and five balls among 20 000 grains in a planetary mill. All codes continue from one state in
+// motion, in turns, each in its own process, on one core and on two.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ void say(const std::string& text) {
   fmt::print(stderr, "crowd: {}\n", text);
 }
 
-/// What one code told in its turns.
+/// Results of one code in its turns.
 struct Series {
   std::string code;
   int steps = 0;
@@ -48,7 +48,7 @@ CrowdRun measured(const CrowdCase& c, int steps, int threads) {
   return {.name = c.name, .threads = threads, .steps = steps, .from = "balls.bin"};
 }
 
-/// Every code's turns, ours first. A code that fails is not asked again.
+/// Runs all codes in turns, Mahlwerk first. A code that fails is not run again.
 std::vector<Series> take_turns(const CrowdCase& c, const std::filesystem::path& folder, int cores) {
   std::vector<Series> all{{.code = "mahlwerk", .steps = c.steps}};
   for (int i = 0; i < peers; ++i)
@@ -82,7 +82,8 @@ void add_speeds(std::vector<Row>& rows, const std::string& what, const std::vect
   for (const Series& one : all) row(one, "peak_memory_MB", one.memories);
 }
 
-/// At the end of each code's steps, and how it stands to ours after as many.
+/// Kinetic energy at the end of each code's steps, and its ratio to that of Mahlwerk after as many
+/// steps.
 void add_energies(std::vector<Row>& rows, const CrowdCase& c, const std::vector<Series>& all,
                   const std::filesystem::path& folder) {
   for (const Series& one : all) {
@@ -96,8 +97,8 @@ void add_energies(std::vector<Row>& rows, const CrowdCase& c, const std::vector<
   }
 }
 
-/// From the case's filling to a state in motion, as the others have it at their time 0: the mill
-/// stands as it did at the start.
+/// Runs from the case's filling to a state in motion, which the other codes have at their time 0:
+/// the mill is then where it was at the start.
 void warm_up(const CrowdCase& c, const std::filesystem::path& folder) {
   say(c.what + ", warming up");
   const ProgramResult told = run_mahlwerk({.name = c.name,

@@ -26,7 +26,7 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
                            .rolling_friction = c.rolling_friction};
   soft::Settings rules;
   rules.time_step = c.step;
-  rules.model.rolling = contact::Rolling::epsd;  // nearest to what the peers have
+  rules.model.rolling = contact::Rolling::epsd;  // nearest to the models of the peers
   return soft::engine(mill, {start.begin(), start.end()}, rules,
                       {1, geometry::Cylinder::faces, pair});
 }

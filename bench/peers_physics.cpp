@@ -14,7 +14,7 @@ namespace {
 
 constexpr double radius = planetary_case.diameter / 2;
 
-/// The next number of a line; no number if there is none.
+/// The next number of a line; NaN if there is none.
 double take(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   double value = NAN;

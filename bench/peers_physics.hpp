@@ -8,12 +8,12 @@
 
 #include "mahlwerk/base/vec3.hpp"
 
-// What balls in the planetary mill of bench/peers.hpp do, told from samples of their motion,
-// whichever program they come from.
+// Means of the motion of balls in the planetary mill of bench/peers.hpp, from samples of their
+// motion by any program.
 namespace mahlwerk::bench {
 
-/// A moment, in the jar frame: axes of the laboratory, origin at the vial's centre, velocities
-/// relative to it.
+/// State of the balls at one time, in the jar frame: axes of the laboratory, origin at the vial's
+/// centre, velocities relative to it.
 struct Sample {
   struct Ball {
     Vec3 position;  ///< [m]
@@ -26,37 +26,37 @@ struct Sample {
   std::vector<Ball> balls;
 };
 
-/// Means over a window.
+/// Means over a time window.
 struct Physics {
   struct Impacts {
     double rate = 0;      ///< [1/s] touches faster than `slowest_impact`, of all balls together
     double speed = 0;     ///< [m/s] their mean normal speed
     double all_rate = 0;  ///< [1/s] touches at any speed
   };
-  double power = 0;             ///< [W] of the vial's walls on the balls: in the mean what is lost
+  double power = 0;             ///< [W] of the vial's walls on the balls; its mean is the loss
   double kinetic = 0;           ///< [J] of translation, laboratory frame
   double rotational = 0;        ///< [J]
   double kinetic_on_plate = 0;  ///< [J] of translation, in the frame that turns with the disc
   Impacts ball_ball, ball_side;
 };
 
-/// [m/s] Slower touches depend on how a program treats lasting contacts and a vial's facets.
+/// [m/s] Slower touches depend on how a program treats sustained contacts and a vial's facets.
 inline constexpr double slowest_impact = 0.1;
 
-/// Takes samples in the order of time and keeps none.
+/// Evaluates samples in the order of time without storing them.
 class Analysis {
  public:
   /// Samples from `from` to `to` [s] count.
   Analysis(double from, double to) : from_(from), to_(to) {}
 
   void add_sample(const Sample& sample);
-  /// No numbers if no two samples lay in the window.
+  /// NaN unless at least two samples lay in the window.
   Physics physics() const;
   double last_sample_time() const { return last_sample_time_; }  ///< [s] time of the last sample
 
  private:
-  /// Of the pairs that may touch: when two come to touch their speed is that at which the gap
-  /// shrank since the sample before.
+  /// Gaps of the pairs that may touch. The speed of a touch is the rate at which the gap has shrunk
+  /// since the sample before.
   struct Gaps {
     std::vector<double> now, before;  ///< [m]
     double touches = 0, impacts = 0, speeds = 0;
@@ -74,12 +74,12 @@ class Analysis {
   Gaps ball_ball_, ball_side_;
 };
 
-/// Reads what LAMMPS and LIGGGHTS write for "dump custom id x y z vx vy vz fx fy fz omegax omegay
-/// omegaz tqx tqy tqz", in the laboratory frame, and hands each moment to `analysis`. Lines that
-/// belong to no such moment are passed over.
+/// Reads the output of "dump custom id x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz" of
+/// LAMMPS and LIGGGHTS, in the laboratory frame, and passes each sample to `analysis`. Other lines
+/// are ignored.
 class DumpReader {
  public:
-  /// `step` [s] is the time from one step of the program to the next.
+  /// `step` [s] is the time step of the program.
   DumpReader(int balls, double step, Analysis& analysis);
 
   void line(std::string_view text);

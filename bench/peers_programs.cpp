@@ -22,7 +22,7 @@ constexpr int never = 1000000000;  // [steps]
 Child child_for(const Program& program, const fs::path& folder, int steps, int every) {
   const std::string deck = fmt::format("{}/bench/peers/{}", MAHLWERK_HOME, program.deck);
   const std::string count = fmt::format("{}", steps), often = fmt::format("{}", every);
-  // Open MPI refuses to serve root, as whom containers commonly run, unless told twice.
+  // Open MPI refuses to run as root, the usual user in containers, unless both variables allow it.
   Child child{{},
               folder,
               {"OMP_NUM_THREADS=1", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
@@ -39,7 +39,7 @@ Child child_for(const Program& program, const fs::path& folder, int steps, int e
   return child;
 }
 
-/// [s] of the loop of steps, from the program's log; no number if it has not come so far.
+/// [s] duration of the loop of time steps, from the program's log; NaN if it is not there.
 double loop_time(const fs::path& folder) {
   std::ifstream file(folder / "log.txt");
   double seconds = NAN;
@@ -48,8 +48,8 @@ double loop_time(const fs::path& folder) {
   return seconds;
 }
 
-/// Runs the program in a folder of its own, where it writes the balls down `every` so many steps;
-/// tells its loop's time [s].
+/// Runs the program in a folder of its own, where it writes the balls every `every` steps. Returns
+/// the duration of its loop of time steps [s].
 Expected<double> run(const Program& program, const Start& start, int steps, int every,
                      const std::function<void(std::string_view)>& line) {
   const TemporaryFolder folder;
@@ -57,7 +57,7 @@ Expected<double> run(const Program& program, const Start& start, int steps, int 
   write_vial(folder.path() / "vial.stl");
   std::string fault = run_child(child_for(program, folder.path(), steps, every), line);
   const double taken = loop_time(folder.path());
-  if (fault.empty() && !std::isfinite(taken)) fault = "did not come to its end";
+  if (fault.empty() && !std::isfinite(taken)) fault = "did not finish";
   if (fault.empty()) return {taken, {}};
   const std::string said = complaint(folder.path());
   return {NAN, said.empty() ? fault : fault + ": " + said};
@@ -82,9 +82,9 @@ Expected<Physics> physics_of(const Program& program, const Start& start) {
   if (!taken.fault.empty()) return {{}, taken.fault};
   const Physics physics = analysis.physics();
   if (!(analysis.last_sample_time() > c.to - c.between_samples / 2))
-    return {{}, fmt::format("was seen only to {} s", analysis.last_sample_time())};
+    return {{}, fmt::format("gave samples only up to {} s", analysis.last_sample_time())};
   if (!std::isfinite(physics.power) || !std::isfinite(physics.kinetic))
-    return {{}, "lost its balls: what they do is not a number"};
+    return {{}, "lost its balls: their energy is not a number"};
   return {physics, {}};
 }
 

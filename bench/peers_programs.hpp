@@ -8,15 +8,15 @@
 
 #include "peers.hpp"
 
-// The other codes: how each is asked to run the case, on one core.
+// The other codes, and their runs of the case on one core.
 namespace mahlwerk::bench {
 
 struct Program {
   std::string_view name, command;
-  std::string_view package;           ///< Debian's
+  std::string_view package;           ///< Debian package
   std::string_view deck;              ///< in bench/peers/
-  int steps;                          ///< that take a few seconds
-  std::string_view numbers = "once";  ///< of LAMMPS's deck
+  int steps;                          ///< number that takes a few seconds
+  std::string_view numbers = "once";  ///< variable of LAMMPS's deck
 };
 
 inline constexpr std::array programs{
@@ -26,14 +26,14 @@ inline constexpr std::array programs{
     Program{"YADE", "yade", "yade", "planetary_yade.py", 30000},
 };
 
-/// Either what was found, or why there is nothing.
+/// Either a value, or the reason why there is none.
 template <typename T>
 struct Expected {
   T value{};
   std::string fault;
 };
 
-/// Particle-steps per second of the program's own clock, in its loop of steps alone.
+/// Particle-steps per second by the program's own clock, in its loop of time steps alone.
 Expected<double> speed_of(const Program& program, const Start& start);
 
 Expected<Physics> physics_of(const Program& program, const Start& start);

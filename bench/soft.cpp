@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The soft engine alone: five balls in a planetary mill by law, and what hops save in a vibrating
-// vial, where a ball flies most of the time.
+// The soft engine alone: five balls in a planetary mill for each contact law, and the gain of
+// free-flight skips (hops) in a vibrating vial, where a ball flies most of the time.
 #include <fmt/format.h>
 
 #include <span>
@@ -62,8 +62,8 @@ VibrationResult run_vibration(bool free_flight_skip) {
   motion.amplitude = 0.025;
   const scene::Chamber mill{geometry::Capsule{0.012, 0.03621}, motion, {}, {0, 0, -9.81}};
   soft::Settings rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
-                    .time_step = 5e-7,
-                    .free_flight_skip = free_flight_skip};
+                       .time_step = 5e-7,
+                       .free_flight_skip = free_flight_skip};
   const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
                                    {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
   Count count;

@@ -15,10 +15,10 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
 
-// The charges that tests of many balls share.
+// Charges shared by the tests of many balls.
 namespace mahlwerk::tests {
 
-/// Counts collisions and keeps none.
+/// Counts collisions without storing them.
 struct Counter final : scene::Observer {
   std::int64_t count = 0;
   void collisions(std::span<const scene::Collision> finished) override {
@@ -27,7 +27,7 @@ struct Counter final : scene::Observer {
 };
 
 /// n^3 smooth balls of diameter and mass 1 on a lattice in a periodic box, with random velocities
-/// of mean 0 and rms speed 1, and spins to match if `rough`.
+/// of mean 0 and rms speed 1. If `rough`, the balls have random spins of matching magnitude.
 inline std::vector<scene::Ball> lattice(int n, double packing, bool rough = false,
                                         std::uint64_t seed = 1) {
   const int count = n * n * n;
@@ -65,8 +65,8 @@ inline std::unique_ptr<scene::Engine> gas(const std::vector<scene::Ball>& balls,
   return event::many_balls(box, balls, rules, {1, 0, rule});
 }
 
-/// The deepest overlap of any two balls over the smaller's radius; `side` of a periodic box, or
-/// infinite.
+/// Largest overlap of two balls over the radius of the smaller one. `side` is the edge of a
+/// periodic box, infinite without one.
 inline double deepest_overlap(const std::vector<scene::Ball>& balls, double side = INFINITY) {
   double deepest = -INFINITY;
   const auto fold = [&](double x) {

@@ -12,7 +12,7 @@
 #include "meshes.hpp"
 #include "soft.hpp"
 
-// Balls in jars of triangles, by the soft engine.
+// Balls in jars made of triangles, simulated by the soft engine.
 namespace mahlwerk::tests {
 
 inline const Vec3 down{0, 0, -gravity};
@@ -24,7 +24,7 @@ inline contact::Pair soft_pair(double e = 0.6, double mu = 0.3) {
   return pair;
 }
 
-/// Balls at random places, in the jar's own axes, that are free of the wall and of each other.
+/// Balls at random positions in jar coordinates that touch neither the wall nor each other.
 inline std::vector<scene::Ball> random_balls_in(const geometry::Mesh& mesh, int count,
                                                 double radius, Random& random, double speed = 0.3) {
   std::vector<scene::Ball> balls;

@@ -16,7 +16,7 @@
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
-// Surfaces of triangles for tests, and the slow and plain way to points on them.
+// Triangle surfaces for tests, and brute-force queries of points on them.
 namespace mahlwerk::tests {
 
 using geometry::Corners;
@@ -28,8 +28,8 @@ inline geometry::Mesh mesh_of(const Triangles& t, double angle = crease) {
   return {geometry::weld(t), angle};
 }
 
-/// A polygon, anticlockwise, in triangles: about the origin where all of it is seen from there, or
-/// ear by ear.
+/// Triangulates an anticlockwise polygon: as a fan about the origin if all of the polygon is
+/// visible from there, otherwise by ear clipping.
 inline Triangles filled(std::vector<Vec3> polygon) {
   Triangles t;
   const auto turn = [](const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -57,7 +57,7 @@ inline Triangles filled(std::vector<Vec3> polygon) {
   return t;
 }
 
-/// A polygon, anticlockwise, drawn along z.
+/// An anticlockwise polygon extruded along z.
 inline Triangles prism(const std::vector<Vec3>& polygon, double height) {
   Triangles t;
   const Vec3 up{0, 0, 0.5 * height};
@@ -86,7 +86,7 @@ inline Triangles cylinder(int corners, double diameter, double height) {
   return prism(regular(corners, 0.5 * diameter), height);
 }
 
-/// In `rings` from pole to pole and twice as many round it.
+/// A sphere of triangles: `rings` rings from pole to pole, twice as many facets around the axis.
 inline Triangles ball_of_triangles(int rings, double radius) {
   const auto at = [&](int i, int j) {
     const double a = std::numbers::pi * i / rings, b = std::numbers::pi * (j % (2 * rings)) / rings;
@@ -107,7 +107,7 @@ inline Triangles box(double width, double depth, double height) {
   return prism({{w, -d, 0}, {w, d, 0}, {-w, d, 0}, {-w, -d, 0}}, height);
 }
 
-/// A drum with bars of that height and width along its shell.
+/// A drum with `bars` lifter bars of this height and width along its shell.
 inline Triangles drum_with_lifters(double diameter, double length, int bars, double height,
                                    double width, int facets_between = 12) {
   std::vector<Vec3> p;
@@ -127,8 +127,8 @@ inline Triangles drum_with_lifters(double diameter, double length, int bars, dou
   return prism(p, length);
 }
 
-/// A ball of triangles: an octahedron's, each cut in four `rounds` times; its corners at
-/// `radius(direction)`.
+/// A sphere-like surface: an octahedron whose triangles are divided into four, `rounds` times. Its
+/// corners are at the distance `radius(direction)` from the origin.
 template <class Radius>
 Triangles ball(int rounds, Radius radius) {
   Triangles t;
@@ -155,14 +155,14 @@ Triangles ball(int rounds, Radius radius) {
   return t;
 }
 
-/// A jar with dents and bulges, nowhere alike.
+/// A jar with irregular dents and bulges.
 inline Triangles lumpy(double size, int rounds = 3) {
   return ball(rounds, [size](const Vec3& d) {
     return size * (1 + 0.2 * std::sin(5 * d.x + 1) * std::sin(4 * d.y) + 0.15 * std::sin(7 * d.z));
   });
 }
 
-/// The nearest point of one triangle, by its three sides and its plane.
+/// The nearest point of one triangle, from its three sides and its plane.
 inline Vec3 nearest_on(const Corners& t, const Vec3& p) {
   const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
   bool above = true;
@@ -184,7 +184,8 @@ inline double distance_to(const Triangles& all, const Vec3& p) {
   return least;
 }
 
-/// How often the surface winds round a point: 1 inside, 0 outside (van Oosterom and Strackee 1983).
+/// Winding number of the surface about a point: 1 inside, 0 outside (van Oosterom and Strackee
+/// 1983).
 inline double winding(const Triangles& all, const Vec3& p) {
   double sum = 0;
   for (const Corners& t : all) {
@@ -201,7 +202,7 @@ inline Vec3 random_point_in(const geometry::Extent& e, Random& random) {
           random.uniform(e.low.z, e.high.z)};
 }
 
-/// As CAD programs write it; numbers of the file are `per_metre` times those in m.
+/// Binary STL as CAD programs write it. Numbers in the file are `per_metre` times those in m.
 inline std::string binary_stl(const Triangles& all, double per_metre = 1000,
                               std::string head = "solid by a CAD program") {
   head.resize(80, ' ');
@@ -211,7 +212,7 @@ inline std::string binary_stl(const Triangles& all, double per_metre = 1000,
   };
   put(static_cast<std::uint32_t>(all.size()));
   for (const Corners& t : all) {
-    for (int k = 0; k < 3; ++k) put(0);  // the normal, which many programs leave out
+    for (int k = 0; k < 3; ++k) put(0);  // the normal, which many programs leave empty
     for (const Vec3& c : t)
       for (const double x : {c.x, c.y, c.z})
         put(std::bit_cast<std::uint32_t>(static_cast<float>(x * per_metre)));

@@ -13,11 +13,11 @@
 
 namespace mahlwerk::tests {
 
-/// Known functions with normal noise, in place of a simulation.
+/// Known functions plus normally distributed noise, in place of a simulation.
 struct NoisySimulation {
   using Function = std::function<double(const campaign::DesignPoint&)>;
-  std::vector<Function> functions;  ///< what is to be best, then what is bounded
-  double noise = 0;                 ///< standard deviation of each
+  std::vector<Function> functions;  ///< the objective, then the constrained outcomes
+  double noise = 0;                 ///< standard deviation of the noise of each function
   std::uint64_t seed = 1;
   int jobs = 1;
   std::function<bool(const campaign::DesignPoint&)> fails = {};

@@ -12,7 +12,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
-// The mills and balls that tests share.
+// Mills and balls shared by tests.
 namespace mahlwerk::tests {
 
 /// Keeps every collision.
@@ -31,7 +31,7 @@ inline geometry::Capsule vial(double dv) {
   return {dv, (5e-6 - pi * dv * dv * dv / 6) / (pi * dv * dv / 4)};
 }
 
-/// Paper A's mill: `f` [Hz], `a` [m].
+/// Paper A's mill with frequency `f` [Hz] and amplitude `a` [m].
 inline kinematics::Vibration shaken(double f, double a) {
   kinematics::Vibration v;
   v.frequency = f;

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Every name that a test preset leaves out is the name of a test.
+"""Every name that a test preset excludes is the name of a test.
 
     presets_test.py CMakePresets.json BUILD_FOLDER
 
-A test that is renamed would otherwise run under the sanitizers again, unnoticed.
+Otherwise a renamed test would run under the sanitizers again, unnoticed.
 """
 import json
 import re

@@ -18,7 +18,7 @@
 #include <string>
 #include <thread>
 
-// The program as a user meets it, in a folder that goes away with the test.
+// Runs the program as a user does, in a temporary folder that is removed with the test.
 namespace mahlwerk::tests {
 
 struct ProgramResult {
@@ -44,8 +44,8 @@ class ProgramTest : public ::testing::Test {
     while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
     return {WEXITSTATUS(pclose(pipe)), said};
   }
-  /// Sends `signal` as soon as there is the file `once`, or a checkpoint in the folder `once`; the
-  /// code of a program that a signal ended is 128 and its number, as in a shell.
+  /// Sends `signal` as soon as the file `once` exists, or a checkpoint in the folder `once`. The
+  /// code of a program that was ended by a signal is 128 plus the signal number, as in a shell.
   ProgramResult mahlwerk_until(const std::string& once, int signal,
                                const std::string& words) const {
     const pid_t child = fork();
@@ -81,7 +81,8 @@ class ProgramTest : public ::testing::Test {
     return all.str();
   }
   bool exists(const std::string& name) const { return std::filesystem::exists(here_ / name); }
-  /// Refused as bad input, for a reason that says `because`, with nothing in "out".
+  /// The program refuses the input with a message that contains `because`, and writes nothing to
+  /// "out".
   void expect_refused(const std::string& words, const std::string& because) const {
     const ProgramResult e = mahlwerk(words);
     EXPECT_EQ(e.code, 2) << words << "\n" << e.output;

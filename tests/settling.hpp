@@ -8,7 +8,7 @@
 #include "one_ball.hpp"
 #include "statement.hpp"
 
-// Charges whose contacts last, under the TC rule.
+// Charges with sustained contacts, under the TC rule.
 namespace mahlwerk::tests {
 
 constexpr double t_c = 1e-4;  // [s]
@@ -23,8 +23,8 @@ inline std::unique_ptr<scene::Engine> lasting_engine(const scene::Chamber& mill,
   return event::many_balls(mill, balls, rules, {1, 6, rule});
 }
 
-/// n^3 balls of 1 mm fall in a box and come to rest, where other event-driven programs freeze their
-/// clock.
+/// n^3 balls of 1 mm fall in a box and come to rest. In other event-driven programs time stops
+/// advancing here (inelastic collapse).
 inline void check_settling(int n, double packing) {
   constexpr double d = 0.001;
   std::vector<scene::Ball> balls = lattice(n, packing);

@@ -14,7 +14,7 @@
 #include "mahlwerk/soft/engine.hpp"
 #include "one_ball.hpp"
 
-// The jars, balls and collisions that tests of the soft engine share.
+// Jars, balls and collisions shared by the tests of the soft engine.
 namespace mahlwerk::tests {
 
 constexpr contact::ElasticConstants rigid{INFINITY, 0};
@@ -38,7 +38,7 @@ inline contact::ContactModel of_law(const contact::AnyLaw& law,
   return {.law = law, .rolling = rolling};
 }
 
-/// An engine whose bodies all meet as `pair` says.
+/// A soft engine in which all contacts have the parameters `pair`.
 inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                                                   const std::vector<scene::Ball>& balls,
                                                   const contact::ContactModel& model,
@@ -49,11 +49,11 @@ inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                       start);
 }
 
-/// R* and m* of a ball at a flat wall.
+/// Effective radius R* and mass m* of a ball at a flat wall.
 inline contact::EffectivePair touching(const contact::Pair& pair, const scene::Ball& b) {
   return {pair, b.radius, b.mass()};
 }
-/// Of a ball at a flat wall, or of two balls.
+/// The same for one ball at a flat wall, or for two balls.
 inline contact::EffectivePair touching(const contact::Pair& pair,
                                        const std::vector<scene::Ball>& both) {
   const scene::Ball &a = both.front(), &b = both.back();
@@ -62,7 +62,7 @@ inline contact::EffectivePair touching(const contact::Pair& pair,
           a.mass() * b.mass() / (a.mass() + b.mass())};
 }
 
-/// Duration of a collision by the law's own formula; the fastest part of it [s].
+/// Duration of a collision by the formula of the law, or of its fastest part [s].
 inline double contact_time(const contact::ContactModel& model, const contact::EffectivePair& t,
                            double speed) {
   return std::visit([&](const auto& l) { return l.shortest_time(t, speed); }, *model.law);
@@ -73,13 +73,14 @@ struct Impact {
   std::vector<scene::Ball> before, after;
   scene::Collision record;
   scene::EnergyBalance energy_balance;
-  double duration = 0;     ///< [s] between the touches, to a fraction of a step
+  double duration = 0;     ///< [s] from touch to separation, to a fraction of a step
   double deepest = 0;      ///< [m]
-  double restitution = 0;  ///< found
+  double restitution = 0;  ///< measured
   double step = 0;         ///< [s]
 };
 
-/// In steps of `share` of the contact time; the touch falls `phase` of a step after one.
+/// Simulates the collision in steps of `share` of the contact time. The touch occurs a fraction
+/// `phase` of a step after the start of a step.
 inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
                      const contact::ContactModel& model, double share, double phase = 0.37) {
   const bool floor = balls.size() == 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Bundles src/ and what it needs of three.js into dist/replay.js, and gathers the licences.
+// Bundles src/ and the required parts of three.js into dist/replay.js, and writes the licences.
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
@@ -27,7 +27,7 @@ const { metafile } = await build({
   metafile: true,
 });
 
-// What is bundled must be named above: nothing but ours and three.js.
+// The bundle may contain only src/ and three.js, because only their licences are named above.
 const stranger = Object.keys(metafile.inputs)
   .find((path) => !path.startsWith("src/") && !path.startsWith("node_modules/three/"));
 const code = readFileSync("dist/replay.js", "utf8");

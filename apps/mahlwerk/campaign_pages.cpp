@@ -27,9 +27,9 @@ constexpr std::size_t many = 5000;
 /// Whether the points are those of this plan: compares the first and the last point. The case may
 /// have changed since the run.
 bool made_by(const report::Campaign& campaign, const campaign::Plan& plan,
-             const cases::Case& what) {
+             const cases::Case& mill_case) {
   if (campaign.points.empty() || plan.size() != campaign.points.size()) return false;
-  const std::vector<std::string> own = campaign::base_values(plan, what);
+  const std::vector<std::string> own = campaign::base_values(plan, mill_case);
   for (const std::size_t i : {std::size_t{0}, plan.size() - 1}) {
     const std::vector<std::string>&kept = campaign.points[i].values,
           said = campaign::point_values(plan, i, own);
@@ -44,10 +44,11 @@ bool made_by(const report::Campaign& campaign, const campaign::Plan& plan,
 
 void add_sensitivities_of_design(report::Campaign& campaign, const campaign::Store& store) {
   try {
-    const cases::Case what = cases::read(store.case_file(), catalogue(), store.overrides());
-    if (what.sweep.empty()) return;
-    const campaign::Plan plan(what.sweep, what.seed);
-    if (made_by(campaign, plan, what)) add_sensitivities(campaign, what.sweep, plan.design());
+    const cases::Case mill_case = cases::read(store.case_file(), catalogue(), store.overrides());
+    if (mill_case.sweep.empty()) return;
+    const campaign::Plan plan(mill_case.sweep, mill_case.seed);
+    if (made_by(campaign, plan, mill_case))
+      add_sensitivities(campaign, mill_case.sweep, plan.design());
   } catch (const InputError&) {
     // the case was removed or changed since: the report omits the sensitivities
   }

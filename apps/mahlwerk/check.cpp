@@ -29,10 +29,10 @@ namespace mahlwerk::app {
 namespace {
 
 /// CPU seconds per simulated second, from a short pilot run.
-double cost(const cases::Case& what) {
+double cost(const cases::Case& mill_case) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds patience{500};
-  cases::Case pilot = what;
+  cases::Case pilot = mill_case;
   pilot.run.time = 1;
   pilot.run.settle = 0;
   campaign::ReplicateRun replica(pilot, 0);
@@ -43,7 +43,7 @@ double cost(const cases::Case& what) {
 }
 
 struct CheckResult {
-  cases::Case what;
+  cases::Case mill_case;
   std::vector<cases::DerivedQuantity> follows;
   std::vector<Fault> engine;  ///< why this version cannot run it, or some of its points
   std::size_t points = 1;     ///< number of points of a campaign
@@ -59,14 +59,14 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
                        const cases::Catalogue& known) {
   const std::vector<cases::Override> set = overrides(request);
   CheckResult c;
-  c.what = cases::read(file, known, set);
-  const campaign::CheckedPoints points(c.what, file, known, set);
+  c.mill_case = cases::read(file, known, set);
+  const campaign::CheckedPoints points(c.mill_case, file, known, set);
   c.points = points.size();
   c.bad_points = points.bad();
   c.engine = points.faults();
-  const bool sweeps = !c.what.sweep.empty();
+  const bool sweeps = !c.mill_case.sweep.empty();
   if (points.good().empty() && sweeps) throw InputError(c.engine);
-  const cases::Case& first = sweeps ? points.good().front() : c.what;
+  const cases::Case& first = sweeps ? points.good().front() : c.mill_case;
   c.follows = cases::derived_quantities(first);
   if (points.good().empty()) return c;
   // Before the pilot run, which needs the memory.
@@ -125,19 +125,19 @@ std::string in_words(const contact::BounceRule& rule) {
 }
 
 /// Prints the bounce rule of each pair if the case has rules by pair.
-void print_pairs(const cases::Case& what) {
-  if (what.contact.pairs.empty()) return;
-  const contact::BounceTable table = cases::bounce_table(what);
-  const std::vector<std::string> faces = geometry::face_names(*what.jar.shape);
+void print_pairs(const cases::Case& mill_case) {
+  if (mill_case.contact.pairs.empty()) return;
+  const contact::BounceTable table = cases::bounce_table(mill_case);
+  const std::vector<std::string> faces = geometry::face_names(*mill_case.jar.shape);
   const auto line = [](const std::string& one, const std::string& other,
                        const contact::BounceRule& rule) {
     to_stdout(fmt::format("  {:<38} {}\n", one + " on " + other, in_words(rule)));
   };
   fmt::print("\nbounces:\n");
   for (int i = 0; i < table.kinds(); ++i) {
-    const std::string set = cases::set_name(what, static_cast<std::size_t>(i));
+    const std::string set = cases::set_name(mill_case, static_cast<std::size_t>(i));
     for (int j = i; j < table.kinds(); ++j)
-      line(set, cases::set_name(what, static_cast<std::size_t>(j)), table.balls(i, j));
+      line(set, cases::set_name(mill_case, static_cast<std::size_t>(j)), table.balls(i, j));
     for (int face = 0; face < table.faces(); ++face)
       line(set, "jar." + faces[static_cast<std::size_t>(face)], table.wall(i, face));
   }
@@ -152,15 +152,15 @@ std::string verdict(const CheckResult& c) {
 
 void print(const CheckResult& c, const std::filesystem::path& file) {
   to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
-  if (!c.what.sweep.empty())
+  if (!c.mill_case.sweep.empty())
     to_stdout(fmt::format(
         "a campaign of {} points, {} replicates each; quantities of the first point:\n\n", c.points,
-        c.what.run.replicates));
+        c.mill_case.run.replicates));
   for (const cases::DerivedQuantity& one : c.follows)
     fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
-  print_pairs(c.what);
+  print_pairs(c.mill_case);
   std::string assumed;
-  for (const cases::Origin& origin : c.what.origins)
+  for (const cases::Origin& origin : c.mill_case.origins)
     if (origin.assumed)
       assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
   if (!assumed.empty())
@@ -176,7 +176,7 @@ results::Json as_json(const CheckResult& c, const std::filesystem::path& file) {
     follows[one.name] =
         Json::object({{"value", one.value}, {"unit", one.unit}, {"about", one.about}});
   return Json::object({{"file", file.string()},
-                       {"title", c.what.title},
+                       {"title", c.mill_case.title},
                        {"points", c.points},
                        {"points_that_cannot_run", c.bad_points},
                        {"follows", std::move(follows)},

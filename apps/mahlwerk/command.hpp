@@ -59,7 +59,7 @@ Option threads();                           ///< --jobs
 Option quiet();                             ///< --quiet
 Option json();                              ///< --json
 Option checkpoint(std::string_view about);  ///< --checkpoint
-Option resumable_checkpoint();                   ///< the same for commands that resume by themselves
+Option resumable_checkpoint();              ///< the same for commands that resume by themselves
 
 /// The lists, concatenated.
 Options joined(std::initializer_list<Options> lists);

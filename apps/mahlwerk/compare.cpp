@@ -39,8 +39,8 @@ std::vector<cases::Case> both(const Request& request, const fs::path& file) {
   for (const char* engine : engines) {
     set.back().value = engine;
     made.push_back(cases::read(file, known, set));
-    if (const cases::Case& what = made.back(); !what.sweep.empty())
-      throw InputError(Fault{what.file, "the case has a [sweep], compare takes a single case",
+    if (const cases::Case& mill_case = made.back(); !mill_case.sweep.empty())
+      throw InputError(Fault{mill_case.file, "the case has a [sweep], compare takes a single case",
                              "remove the section [sweep]; --set sets one of its values",
                              "one-case"});
     for (Fault& fault : campaign::run_faults(made.back())) {

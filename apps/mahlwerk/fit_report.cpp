@@ -196,18 +196,18 @@ results::Json fit_json(const FitReport& fit, std::string_view version) {
 }
 
 cases::Case fitted_case(const campaign::FitJob& job, const FitReport& fit) {
-  cases::Case what = job.base;
-  what.fit.clear();
+  cases::Case mill_case = job.base;
+  mill_case.fit.clear();
   for (const FitParameter& n : fit.parameters) {
-    cases::set_fit_parameter(what, n.key, n.value);
-    for (cases::Origin& origin : what.origins)
+    cases::set_fit_parameter(mill_case, n.key, n.value);
+    for (cases::Origin& origin : mill_case.origins)
       if (origin.key == n.key) {
         origin.value = n.unit.empty() ? shortest(n.value) : show(n.value, n.unit);
         origin.source = fmt::format("fitted to {}: {}", fit.data_file,
                                     n.determined ? n.interval_text() : "not determined by it");
       }
   }
-  return what;
+  return mill_case;
 }
 
 }  // namespace mahlwerk::app

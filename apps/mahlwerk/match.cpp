@@ -37,23 +37,23 @@ struct MatchJob {
   campaign::MillSpectra spectra;  ///< of A
 };
 
-bool has_powder(const cases::Case& what) {
-  return what.powder && what.powder->mass > 0;
+bool has_powder(const cases::Case& mill_case) {
+  return mill_case.powder && mill_case.powder->mass > 0;
 }
 
 /// The case without collision and frame output: only such runs can resume from a checkpoint.
-cases::Case without_streams(cases::Case what) {
-  what.observe.collisions = false;
-  what.observe.frames = {};
-  return what;
+cases::Case without_streams(cases::Case mill_case) {
+  mill_case.observe.collisions = false;
+  mill_case.observe.frames = {};
+  return mill_case;
 }
 
 /// Runs one case to its end. Throws Interrupted, or RunError if a replicate stops early.
-results::Outcome whole(const Request& request, const cases::Case& what, const char* name,
+results::Outcome whole(const Request& request, const cases::Case& mill_case, const char* name,
                        const results::Folder& folder, campaign::ResumableRuns& kept) {
   campaign::Streams none(version());
-  none.add(what, folder, "");
-  const results::Outcome outcome = compute(request, {what}, none, kept).front();
+  none.add(mill_case, folder, "");
+  const results::Outcome outcome = compute(request, {mill_case}, none, kept).front();
   if (stop_wanted()) throw Interrupted();
   for (const results::Replicate& r : outcome.replicates)
     if (!r.stop_reason.empty()) throw RunError(fmt::format("mill {}: {}", name, r.stop_reason));
@@ -79,7 +79,7 @@ campaign::SearchJob search_job(const MatchJob& job) {
       .measure = {}};
   made.measure = [&job](const results::Outcome& outcome, const results::Replicate& replicate) {
     const campaign::DoseSpectrum one =
-        campaign::dose_spectrum(outcome.what, replicate, job.by_powder);
+        campaign::dose_spectrum(outcome.mill_case, replicate, job.by_powder);
     return std::vector<double>{campaign::distance(job.spectra.mean, one)};
   };
   return made;
@@ -163,9 +163,9 @@ report::MatchReport find(const Request& request, MatchJob& job, const results::F
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
   const campaign::Optimum found = run_search(request, search, kept);
-  report::MatchReport made{.title_a = a.what.title,
+  report::MatchReport made{.title_a = a.mill_case.title,
                            .title_b = base.title,
-                           .file_a = a.what.file,
+                           .file_a = a.mill_case.file,
                            .file_b = base.file,
                            .search = report_of(search, found)};
   made.search.check = check_best(request, search, found, kept);
@@ -190,20 +190,20 @@ int match(const Request& request) {
   const std::vector<cases::Override> set = overrides(request);
   const fs::path file_a = one_case_file(request.target, "match");
   const fs::path file_b = one_case_file(request.data, "match");
-  const cases::Case what = cases::read(file_b, known, set);
-  if (!what.match)
-    throw InputError(Fault{what.file, "the case has no [match]",
+  const cases::Case mill_case = cases::read(file_b, known, set);
+  if (!mill_case.match)
+    throw InputError(Fault{mill_case.file, "the case has no [match]",
                            "name the keys to vary: [match] with over = { \"mill.speed\" = "
                            "{ from = \"200 rpm\", to = \"600 rpm\" } }",
                            "nothing-to-match"});
-  campaign::check_keys(what, what.match->over, "[match]");
+  campaign::check_keys(mill_case, mill_case.match->over, "[match]");
   const campaign::TrialRuns runs(file_b, known, set, cases::ValueSource::match);
   MatchJob job{.like = without_streams(read_like(file_a, known)),
                .runs = &runs,
                .by_powder = false,
                .spectra = {}};
-  job.by_powder = has_powder(job.like) && has_powder(what);
-  job.like.run.replicates = std::max(job.like.run.replicates, what.match->replicates);
+  job.by_powder = has_powder(job.like) && has_powder(mill_case);
+  job.like.run.replicates = std::max(job.like.run.replicates, mill_case.match->replicates);
   const fs::path usual = default_folder(request.data, file_b, false).string() + "-match";
   results::Folder folder(request.out.value_or(usual), request.force);
   catch_ctrl_c();

@@ -37,14 +37,14 @@ int optimise(const Request& request) {
   const fs::path file = one_case_file(request.target, "optimise");
   const cases::Catalogue known = catalogue();
   const std::vector<cases::Override> set = overrides(request);
-  const cases::Case what = cases::read(file, known, set);
-  if (!what.optimise)
-    throw InputError(Fault{what.file, "the case has no [optimise]",
+  const cases::Case mill_case = cases::read(file, known, set);
+  if (!mill_case.optimise)
+    throw InputError(Fault{mill_case.file, "the case has no [optimise]",
                            "name the quantity and the keys to vary: [optimise] with maximise = "
                            "\"dissipated_power\" and over = { \"mill.speed\" = { from = \"200 "
                            "rpm\", to = \"600 rpm\" } }",
                            "nothing-to-optimise"});
-  campaign::check_keys(what, what.optimise->over, "[optimise]");
+  campaign::check_keys(mill_case, mill_case.optimise->over, "[optimise]");
   const campaign::TrialRuns runs(file, known, set, cases::ValueSource::optimise);
   const campaign::SearchJob job = campaign::optimise_job(runs);
   const fs::path usual = default_folder(request.target, file, false).string() + "-optimise";

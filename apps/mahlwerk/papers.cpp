@@ -92,11 +92,11 @@ std::string below(const std::string& campaign, std::size_t point) {
   return fmt::format("{}/point-{:03}/", campaign, point + 1);
 }
 
-report::Campaign numbers_of(const cases::Case& what,
+report::Campaign numbers_of(const cases::Case& mill_case,
                             const std::vector<results::Outcome>& outcomes) {
-  const campaign::Plan plan(what.sweep, what.seed);
-  const std::vector<std::string> own = campaign::base_values(plan, what);
-  report::Campaign made{.title = what.title};
+  const campaign::Plan plan(mill_case.sweep, mill_case.seed);
+  const std::vector<std::string> own = campaign::base_values(plan, mill_case);
+  report::Campaign made{.title = mill_case.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
     report::add(made,
@@ -157,7 +157,7 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t k = at[name][i];
       one.outcomes.push_back(outcomes[k]);
-      one.outcomes.back().what = points[i];
+      one.outcomes.back().mill_case = points[i];
       if (!counted[k]) one.seconds += outcomes[k].cpu_seconds;
       counted[k] = true;
     }

@@ -35,46 +35,48 @@ namespace fs = std::filesystem;
 
 /// A case and its result folder.
 struct RunJob {
-  cases::Case what;
+  cases::Case mill_case;
   fs::path file, place;
   std::unique_ptr<results::Folder> folder;  ///< null for a campaign, which has its own folder
 
-  bool sweeps() const { return !what.sweep.empty(); }
+  bool sweeps() const { return !mill_case.sweep.empty(); }
 };
 
 RunJob prepare_run(const Request& request, const fs::path& file, bool several,
                    const cases::Catalogue& catalogue) {
   RunJob job;
   job.file = file;
-  job.what = cases::read(file, catalogue, overrides(request));
+  job.mill_case = cases::read(file, catalogue, overrides(request));
   job.place = !request.out ? default_folder(request.target, file, several)
               : several    ? *request.out / file.stem()
                            : *request.out;
   if (job.sweeps()) return job;
-  if (std::vector<Fault> wrong = campaign::run_faults(job.what); !wrong.empty())
+  if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
     throw InputError(std::move(wrong));
   job.folder = std::make_unique<results::Folder>(job.place, request.force || request.resume);
   return job;
 }
 
 /// A line that lists uncalibrated default values of the case; empty if there are none.
-std::string uncalibrated(const cases::Case& what) {
+std::string uncalibrated(const cases::Case& mill_case) {
   std::string line;
-  for (const cases::Origin& origin : what.origins)
+  for (const cases::Origin& origin : mill_case.origins)
     if (origin.assumed && origin.source.find("uncalibrated") != std::string::npos)
       line += fmt::format("{}{} = {}", line.empty() ? "" : ", ", origin.key, origin.value);
   return line.empty() ? "" : "assumed, not calibrated: " + line + "\n\n";
 }
 
 void print_summary(const RunJob& job, const results::Outcome& outcome) {
-  to_stdout(fmt::format("{}\n\n{}\n", job.what.title,
-                        report::table(outcome.summary.quantities, job.what.observe.threshold)));
+  to_stdout(
+      fmt::format("{}\n\n{}\n", job.mill_case.title,
+                  report::table(outcome.summary.quantities, job.mill_case.observe.threshold)));
   to_stdout(report::states_table(outcome));
-  const std::string pairs = report::pair_table(outcome.summary.pairs, job.what.observe.threshold);
+  const std::string pairs =
+      report::pair_table(outcome.summary.pairs, job.mill_case.observe.threshold);
   if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));
   if (const std::string& regime = outcome.summary.regime; !regime.empty())
     to_stdout(fmt::format("{}: {}\n\n", regime, outcome.summary.regime_reason));
-  to_stdout(fmt::format("{}", uncalibrated(job.what)));
+  to_stdout(fmt::format("{}", uncalibrated(job.mill_case)));
   for (const Notice& one : outcome.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
   fmt::print("results:  {}\n", job.place.string());
@@ -86,7 +88,7 @@ void print_json(const std::vector<RunJob>& jobs) {
   results::Json list = results::Json::array();
   for (const RunJob& job : jobs)
     list.push_back(
-        results::Json::object({{"title", job.what.title}, {"results", job.place.string()}}));
+        results::Json::object({{"title", job.mill_case.title}, {"results", job.place.string()}}));
   json_to_stdout(list);
 }
 
@@ -112,16 +114,17 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   std::string what = fmt::format("version {}\n", version());
   std::size_t replicates = 0;
   for (const RunJob& job : jobs) {
-    if (job.what.observe.collisions || job.what.observe.frames)
-      throw InputError(Fault{job.what.file,
-                             fmt::format("a run that keeps {} cannot be resumed",
-                                         job.what.observe.frames ? "frames" : "every collision"),
-                             fmt::format("{}, or omit --checkpoint and --resume",
-                                         job.what.observe.frames ? "omit [observe] frames"
-                                                                 : "write collisions = false"),
-                             "bad-checkpoint"});
-    what += cases::write(job.what) + cases::input_files_fingerprint(job.what);
-    replicates += static_cast<std::size_t>(job.what.run.replicates);
+    if (job.mill_case.observe.collisions || job.mill_case.observe.frames)
+      throw InputError(Fault{
+          job.mill_case.file,
+          fmt::format("a run that keeps {} cannot be resumed",
+                      job.mill_case.observe.frames ? "frames" : "every collision"),
+          fmt::format("{}, or omit --checkpoint and --resume", job.mill_case.observe.frames
+                                                                   ? "omit [observe] frames"
+                                                                   : "write collisions = false"),
+          "bad-checkpoint"});
+    what += cases::write(job.mill_case) + cases::input_files_fingerprint(job.mill_case);
+    replicates += static_cast<std::size_t>(job.mill_case.run.replicates);
   }
   fs::path place = jobs.front().place;
   if (jobs.size() > 1) place = place.parent_path();
@@ -139,8 +142,8 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   std::vector<cases::Case> points;
   campaign::Streams streams(version());
   for (const RunJob& job : jobs) {
-    points.push_back(job.what);
-    streams.add(job.what, *job.folder, "");
+    points.push_back(job.mill_case);
+    streams.add(job.mill_case, *job.folder, "");
   }
   catch_ctrl_c();
   const std::vector<results::Outcome> outcomes = compute(request, points, streams, kept.get());

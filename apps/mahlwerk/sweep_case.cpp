@@ -118,13 +118,13 @@ campaign::CampaignSettings settings_of(const Request& request, std::optional<Pro
 }  // namespace
 
 cases::Case swept_case(const fs::path& file, const std::vector<cases::Override>& set) {
-  cases::Case what = cases::read(file, catalogue(), set);
-  if (what.sweep.empty())
+  cases::Case mill_case = cases::read(file, catalogue(), set);
+  if (mill_case.sweep.empty())
     throw InputError(Fault{file.generic_string(), "the case has no [sweep]: no key varies",
                            "add, for instance, [sweep] and \"mill.speed\" = [\"300 rpm\", \"400 "
                            "rpm\"] below it, or use `mahlwerk run`",
                            "no-sweep"});
-  return what;
+  return mill_case;
 }
 
 std::string counted(std::size_t n, std::string_view what) {
@@ -157,12 +157,12 @@ int sweep_case(const Request& request, const fs::path& file,
     throw InputError(Fault{"--force",
                            "a shard cannot replace a folder that other shards may be using",
                            "remove the folder before the first shard starts", "bad-shard"});
-  const cases::Case what = swept_case(file, set);
+  const cases::Case mill_case = swept_case(file, set);
   catch_ctrl_c();
   std::optional<ProgressLine> line;
   WriteErrorReporter not_kept;
   campaign::CampaignFolder folder(settings_of(request, line, not_kept), file, set, place, shard);
-  folder.plan(campaign::Plan(what.sweep, what.seed));
+  folder.plan(campaign::Plan(mill_case.sweep, mill_case.seed));
   if (stop_wanted()) {
     if (!request.quiet || request.json)
       report_end(interrupted, "interrupted: no run has started",

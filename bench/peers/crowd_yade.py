@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many balls in a jar on a mill, for YADE: laboratory frame, a jar of facets.
 
-case.in, state.data and jar.stl, which the benchmark writes, hold the case; STEPS comes from the
-environment. Energy and speed go to log.txt in the words of the other two programs.
+The benchmark writes the case to case.in, state.data and jar.stl. STEPS comes from the environment.
+Energy and speed go to log.txt in the format of the other two programs.
 """
 import math
 import os
@@ -19,7 +19,7 @@ disc, spin, orbit = case["disc"], case["spin"], case["orbit"]
 
 
 def rows_of(section):
-    """The lines of numbers below that word."""
+    """The lines of numbers below the heading `section`."""
     with open("state.data") as file:
         for line in file:
             if line.strip() == section:
@@ -51,7 +51,7 @@ if disc == 0:
     moved = RotationEngine(rotateAroundZero=True, zeroPoint=(0, 0, 0), rotationAxis=(1, 0, 0),
                            angularVelocity=spin, ids=jar)
 else:
-    # The vial's velocity is that of a turning about the fixed origin and of an oscillation:
+    # The vial's velocity is the sum of a rotation about the fixed origin and an oscillation:
     #   v(r) = spin z x r + (disc - spin) z x c(t),  c the vial's centre
     swing = (disc - spin) / disc * orbit
     frequency = disc / (2 * math.pi)
@@ -65,8 +65,9 @@ O.engines = [
     InsertionSortCollider([Bo1_Sphere_Aabb(), Bo1_Facet_Aabb()], verletDist=-case["margin"]),
     InteractionLoop(
         [Ig2_Sphere_Sphere_ScGeom(), Ig2_Facet_Sphere_ScGeom()],
-        # eta is of the mean of both radii, not of the effective one: half for equal balls. krot is
-        # one absolute stiffness [N m/rad] for every pair; small balls only survive a small one.
+        # eta refers to the mean of both radii, not to the effective radius: half for equal balls.
+        # krot is one absolute stiffness [N m/rad] for every pair; small balls are stable only with
+        # a small one.
         [Ip2_FrictMat_FrictMat_MindlinPhys(en=0.5, es=0.5, eta=0.025,
                                            krot=case["bending_stiffness"])],
         [Law2_ScGeom_MindlinPhys_Mindlin(includeMoment=True)]),
@@ -75,7 +76,7 @@ O.engines = [
 ]
 O.dt = case["step_time"]
 
-O.run(1, True)  # the others, too, look for near pairs once before their clocks begin
+O.run(1, True)  # the others, too, search near pairs once before their clocks begin
 begin = time.time()
 O.run(steps - 1, True)
 taken = time.time() - begin

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Five balls in a planetary mill's vial, for YADE: laboratory frame, a vial of facets.
 
-case.in and vial.stl, which the benchmark writes, hold the case; STEPS, and EVERY
-how many of them the balls are written down, come from the environment. The speed goes to log.txt in the words of the other two programs.
+The benchmark writes the case to case.in and vial.stl. The number of STEPS, and the number EVERY of
+steps between two outputs of the balls, come from the environment. The speed goes to log.txt in the
+format of the other two programs.
 """
 import math
 import os
@@ -25,11 +26,11 @@ balls = []
 for n in range(1, 6):
     place = Vector3(case["x%d" % n], case["y%d" % n], case["z%d" % n])
     ball = sphere(place, case["diameter"] / 2, material="steel")
-    # At rest in the vial, which turns as fast as the disc, the other way round.
+    # At rest in the vial, which turns as fast as the disc, in the opposite sense.
     ball.state.vel = Vector3(disc * place[1], disc * orbit - disc * (place[0] - orbit), 0)
     balls.append(O.bodies.append(ball))
 
-# The vial's velocity is that of a turning about the fixed origin and of an oscillation:
+# The vial's velocity is the sum of a rotation about the fixed origin and an oscillation:
 #   v(r) = spin z x r + (disc - spin) z x c(t),  c the vial's centre
 swing = (disc - spin) / disc * orbit
 frequency = disc / (2 * math.pi)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""A campaign in a folder of its own, and what its store holds."""
+"""A campaign in a folder of its own, and queries of its store."""
 
 import os
 import pathlib
@@ -80,7 +80,7 @@ def asked(folder, question, store="campaign.sqlite"):
 
 
 def numbers(folder):
-    """What the runs gave, without how long they took."""
+    """The results of the runs, without their timings."""
     database = sqlite3.connect(folder / "campaign.sqlite")
     cursor = database.execute("SELECT * FROM results")
     names = [column[0] for column in cursor.description]
@@ -101,7 +101,7 @@ def frequencies(n):
 
 
 def in_a_small_room(script):
-    """Runs a shell script where it may mount; None if this machine does not let us."""
+    """Runs a shell script in its own mount namespace; None if this machine does not allow it."""
     if os.geteuid() != 0 or not shutil.which("unshare"):
         return None
     if subprocess.run(["unshare", "-m", "true"], capture_output=True).returncode != 0:
@@ -110,6 +110,6 @@ def in_a_small_room(script):
 
 
 def main(tests):
-    """Runs the test that the command line names, out of a file's own."""
+    """Runs the test of a file that the command line names."""
     program, name = sys.argv[1:]
     return tests[name](program) or 0

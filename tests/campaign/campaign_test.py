@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Campaigns as a user meets them: failing, extended, looked at, two at once.
+"""Campaigns on the command line: failures, extension, status and export, two processes at once.
 
-  campaign_test.py PROGRAM TEST    exits with 77 where the test cannot be run here
+  campaign_test.py PROGRAM TEST    exits with 77 if the test cannot run on this machine
 """
 
 import json
@@ -40,7 +40,7 @@ def a_case_that_fails_everywhere_is_refused(program):
 
 
 def warnings_reach_table_store_page_and_terminal(program):
-    """A law that holds balls together, which the event engine does not know."""
+    """A contact law with adhesion, which the event engine ignores."""
     with Campaign(program, '"contact.surface_energy" = ["0 J/m2", "1 J/m2", "2 J/m2"]') as c:
         c.case.write_text(c.case.read_text().replace("[contact]", '[contact]\nlaw = "jkr"'))
         said = c.run()
@@ -80,17 +80,17 @@ def one_at_a_time_leaves_the_case_as_it_is_and_can_be_checked(program):
 
 SENSITIVE = ('design = "%s"\nsamples = %d\n"mill.frequency" = { from = "8 Hz", to = "12 Hz" }\n'
              '"contact.rolling_friction" = { from = 0.01, to = 0.1 }')
-T_OF_TWO = math.tan(0.475 * math.pi)  # Student's law with one degree of freedom is Cauchy's
+T_OF_TWO = math.tan(0.475 * math.pi)  # Student's t with one degree of freedom is Cauchy's law
 
 
 def powers(c):
-    """Of each point, and its standard error."""
+    """Dissipated power of each point, and its standard error."""
     return [(power, width / T_OF_TWO) for power, width in asked(
         c.out, 'SELECT dissipated_power_W, dissipated_power_ci95_W FROM results ORDER BY point')]
 
 
 def answers(c):
-    """What the page says of the power's answer to keys: its words, the row of each key."""
+    """The page's sensitivity of the power to the keys: text, figure, and the row of each key."""
     page = (c.out / "campaign.html").read_text()
     part = page[page.index("What matters"):]
     figure = [f for f in part.split("<figure>") if 'aria-label="dissipated power"' in f][0]
@@ -128,7 +128,7 @@ def of_two_replicates_the_noise_of_shares_is_theirs(program):
         variance = sum((y - mean)**2 for y, _ in ends) / (len(ends) - 1)
         noise = 100 * sum(e**2 for _, e in ends) / len(ends) / variance
         said = float(re.search(r"Noise is ([0-9.]+) % of the observed variance", figure)[1])
-        assert abs(said - noise) <= 0.05 * noise, (said, noise)  # told to two digits
+        assert abs(said - noise) <= 0.05 * noise, (said, noise)  # printed with two digits
         assert rows["contact.rolling_friction"][1] == 0, rows
         assert "Groups of runs: 8." in figure, figure
 
@@ -136,7 +136,7 @@ def of_two_replicates_the_noise_of_shares_is_theirs(program):
 def two_at_once_are_refused(program):
     with Campaign(program, frequencies(50), time="60 s") as c:
         first = subprocess.Popen(c.command("--quiet", "--results", "summary"))
-        while not (c.out / "campaign.sqlite").exists():  # it holds the lock before it makes that
+        while not (c.out / "campaign.sqlite").exists():  # the lock comes before the store
             time.sleep(0.01)
         said = c.run(code=2)
         assert "another process is at work" in said, said

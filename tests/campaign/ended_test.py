@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Campaigns that are ended: killed, split into shards, on a full disk or a cluster.
+"""Campaigns that are interrupted: killed, split into shards, on a full disk or a cluster.
 
-  ended_test.py PROGRAM TEST    exits with 77 where the test cannot be run here
+  ended_test.py PROGRAM TEST    exits with 77 if the test cannot run on this machine
 """
 
 import random
@@ -33,7 +33,7 @@ def killed_50_times_every_run_is_there_once_and_the_same(program):
             kills += ended == -signal.SIGKILL
             if ended != 0:
                 continue
-            rounds += 1  # all is done: whole, and once more from the beginning
+            rounds += 1  # complete: compare, then start again from the beginning
             assert asked(c.out, "SELECT count(*), count(DISTINCT hash), sum(attempts) FROM runs "
                                 "WHERE status = 'done'") == [(points, points, points)]
             assert numbers(c.out) == numbers(c.here / "whole")
@@ -70,7 +70,7 @@ def jobs_and_shards_give_the_same_to_the_bit(program):
         c.part("merge", "--quiet", out=shards)
         assert numbers(one) == numbers(two) == numbers(shards)
         assert len(numbers(one)) == 9
-        # Joined once more, nothing is taken twice; and there is nothing left to run.
+        # A second merge takes nothing twice, and no run is left.
         assert "0 runs merged" in c.part("merge", out=shards)
         assert "9 runs already done" in c.run(out=shards)
 
@@ -94,7 +94,7 @@ def shards_go_on_after_they_were_joined(program):
 def a_shard_begins_beside_one_whose_store_is_being_made(program):
     with Campaign(program, frequencies(4)) as c:
         c.out.mkdir()
-        (c.out / "campaign.lock").touch()  # as another shard leaves it, killed as it began
+        (c.out / "campaign.lock").touch()  # as left by another shard that was killed at its start
         (c.out / "campaign.shard-2-of-2.sqlite").touch()
         c.run("--shard", "1/2", "--quiet")
         assert len(asked(c.out, "SELECT * FROM runs WHERE status = 'done'",
@@ -197,7 +197,7 @@ def a_store_that_cannot_be_written_is_said(program):
 
 
 def slurm_jobs_killed_and_submitted_again_lose_nothing_and_do_nothing_twice(program):
-    """Needs a cluster: one node with slurmctld, slurmd and munge will do."""
+    """Needs a cluster; one node with slurmctld, slurmd and munge is enough."""
     if not shutil.which("sbatch") or subprocess.run(["sinfo"], capture_output=True).returncode:
         return SKIPPED
     with Campaign(program, frequencies(40), time="200 s") as c:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Nearest points and sides of meshes beside CGAL, which is a code of others: its AABB tree and its
-// ray shooting. CGAL is under the GPL and serves tests alone; they are left out where it is
-// missing.
+// Nearest points and sides of meshes compared with CGAL, which others develop: its AABB tree and
+// its ray shooting. CGAL is under the GPL and serves tests only. Without CGAL these tests are left
+// out.
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

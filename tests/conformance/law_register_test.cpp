@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every contact law of the register tells enough of itself for a case to name it, to give its
-// numbers and to be written out; cases/ has not a line of its own for any of them.
+// Every contact law in the register carries the metadata with which a case names it, sets its
+// parameters and writes them out; cases/ has no line specific to any of them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TYPED_TEST(LawsOfCases, fields_have_a_key_a_unit_a_range_and_a_sentence) {
   }
 }
 
-/// The planetary mill under a law, with everything given that has no default.
+/// Overrides that select a law for the planetary mill and set every key that has no default.
 template <class L>
 std::vector<cases::Override> choosing(const std::string& key = "", const std::string& text = "") {
   std::vector<cases::Override> given{{"contact.law", std::string(L::name)}};

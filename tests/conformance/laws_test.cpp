@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every contact law of the register keeps the promises of contact/law.hpp: head-on collisions of
-// two bodies, integrated without any engine.
+// Every contact law in the register meets the requirements of contact/law.hpp: head-on collisions
+// of two bodies, integrated without any engine.
 #include "mahlwerk/contact/laws.hpp"
 
 #include <fmt/format.h>
@@ -22,14 +22,15 @@ namespace {
 using contact::EffectivePair;
 using contact::LawCoefficients;
 
-/// Steps of one shortest_time. Over a step without memory RK4 is Simpson's rule, which over the
-/// first one misses 0.073 c h^(5/4) of the impulse of a damper c x^(1/4), the least smooth force
-/// near touch. In units of a collision, x'' = -x^1.5 - c x^(1/4) x', which lasts 3, h is 3/4000 and
-/// c at most 2 for e >= 0.05: 1.8e-5 of the speed of impact, and no more over all later steps.
+/// Steps of one shortest_time. Over a step without history RK4 is Simpson's rule. Over the first
+/// step its error is 0.073 c h^(5/4) of the impulse of a damper c x^(1/4), the least smooth force
+/// near touch. In units of a collision, x'' = -x^1.5 - c x^(1/4) x', the duration is 3, h is 3/4000
+/// and c is at most 2 for e >= 0.05: the error is 1.8e-5 of the impact speed, and no more over all
+/// later steps.
 constexpr int steps_per_collision = 4000;
 constexpr double integration = 4e-5;
-/// The laws that solve for their damping (contact/damping.cpp) do so in steps of 2e-3: 6e-5 by the
-/// same rule.
+/// The laws that solve for their damping (contact/damping.cpp) use steps of 2e-3: 6e-5 by the same
+/// estimate.
 constexpr double solving = 6e-5;
 
 enum class Adhesion { none, some };
@@ -46,7 +47,7 @@ EffectivePair bodies(double restitution, Adhesion adhesion) {
   return {pair, 0.005, 0.002};
 }
 
-/// A law between two bodies, from touch on.
+/// A head-on collision of two bodies under a contact law, from touch on.
 template <class L>
 class HeadOn {
  public:
@@ -56,8 +57,8 @@ class HeadOn {
   struct ProgramResult {
     double rebound = 0;  ///< [m/s]
     double duration = 0, deepest = 0;
-    double unloading = 0;  ///< [s] from the deepest overlap until the spring pushes no more
-    bool parted = false;   ///< else they stick
+    double unloading = 0;  ///< [s] from the deepest overlap until the spring force vanishes
+    bool parted = false;   ///< false: the bodies stick
   };
 
   HeadOn(const L& law, const EffectivePair& t, double speed)
@@ -69,7 +70,8 @@ class HeadOn {
     law.begin(k_, memory_, speed);
   }
 
-  /// Up to `most` times shortest_time: bodies that touch for longer stick.
+  /// Integrates for at most `most` times shortest_time. Bodies that are still in contact then
+  /// stick.
   ProgramResult run(int most) {
     ProgramResult e;
     State now{0, speed_};
@@ -95,7 +97,7 @@ class HeadOn {
     std::ranges::copy(memory_, memory);
     return push(memory, {s.overlap, 0});
   }
-  /// By Runge and Kutta; the memory moves on with whole steps only.
+  /// One Runge-Kutta step. The history variables change with whole steps only.
   State after(const State& s, double h) const {
     const auto slope = [&](const State& at) {
       double memory[contact::law_history_size];
@@ -110,7 +112,7 @@ class HeadOn {
     return {s.overlap + h / 6 * (a.overlap + 2 * b.overlap + 2 * c.overlap + d.overlap),
             s.rate + h / 6 * (a.rate + 2 * b.rate + 2 * c.rate + d.rate)};
   }
-  /// The part of the last step after which the contact ends, by bisection.
+  /// Finds the fraction of the last step at which the contact ends, by bisection.
   ProgramResult parted(const State& now, ProgramResult e) const {
     double low = 0, high = step_;
     for (int i = 0; i < 50; ++i) {
@@ -137,11 +139,11 @@ class Laws : public ::testing::Test {
  protected:
   const L law{};
 
-  /// Calls `look` with each collision there is: bodies, speed, and how it ended.
+  /// Calls `look` for every collision with its bodies, its speed and its result.
   template <class Look>
   void collide(Adhesion adhesion, const Look& look) const {
     if (adhesion == Adhesion::some && contact::adhesion_of<L>().empty()) return;
-    // At e = 0.05 bodies crawl out of walton-braun's dent for 130 times the stiffest line's time.
+    // At e = 0.05 walton-braun takes 130 times the shortest_time of the stiffest branch to unload.
     const int most = adhesion == Adhesion::some ? 20 : 200;
     for (const double e : restitutions)
       for (const double speed : speeds) {
@@ -181,13 +183,14 @@ TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {
   stays_below(this->named("shortest_time over duration"), longest, 1 + integration, "law.hpp");
 }
 
-/// The swiftest part, where loading and unloading differ.
+/// Unloading is the fastest part of a collision if loading and unloading differ.
 TYPED_TEST(Laws, shortest_time_is_no_longer_than_twice_the_unloading) {
   double longest = 0;
   this->collide(Adhesion::none, [&](const EffectivePair& t, double speed, const auto& end) {
     longest = max_or_nan(longest, this->law.shortest_time(t, speed) / (2 * end.unloading));
   });
-  // Both ends of the unloading are known to a step of the integration, 1/4000 of it twice.
+  // Both ends of the unloading are known to one step of the integration, which is 1/4000 of
+  // shortest_time.
   stays_below(this->named("shortest_time over twice the unloading"), longest,
               1 + 4.0 / steps_per_collision, "law.hpp");
 }
@@ -201,7 +204,7 @@ TYPED_TEST(Laws, largest_overlap_is_no_less_than_that_of_any_collision) {
   stays_below(this->named("overlap over largest_overlap"), deepest, 1 + integration, "law.hpp");
 }
 
-/// What the law does at an overlap that is reached by loading slowly.
+/// Contact forces at an overlap that is reached by slow loading.
 template <class L>
 class Loaded {
  public:
@@ -221,21 +224,22 @@ class Loaded {
   double memory_[contact::law_history_size] = {};
 };
 
-/// [N s/m] of the dampers along and across, and [N/m] of the spring.
+/// Normal and tangential damping coefficients [N s/m], and spring stiffness [N/m].
 struct Slopes {
   double along, across, spring;
 };
 template <class L>
 Slopes slopes(Loaded<L>& contact, double overlap, double speed) {
-  // In a loaded contact a small rate keeps the force of laws that never pull above 0.
+  // At a small rate the force of a loaded contact stays above 0 for laws that never pull.
   const double rate = 1e-6 * speed, step = 1e-6 * overlap;
   const double below = contact.at(overlap - step).force, here = contact.at(overlap).force;
   return {(contact.at(overlap, rate).force - here) / rate, contact.at(overlap, rate).damping,
           (here - below) / step};
 }
 
-/// A damper whose time is told stops the bodies no sooner, along or across (2/7 of the mass); one
-/// that is said to be no limit is critical at most, c^2 <= 4 m dF/dx.
+/// If damper_time is finite, the damper alone stops the bodies in no shorter time, normally or
+/// tangentially (2/7 of the mass). If it is infinite, the damper is at most critical:
+/// c^2 <= 4 m dF/dx.
 TYPED_TEST(Laws, damper_time_is_no_longer_than_the_damper_takes_alone) {
   double quickest = 0, damped = 0;
   for (const double e : {0.01, 0.05, 0.3, 0.5, 0.9, 1.0})
@@ -253,7 +257,7 @@ TYPED_TEST(Laws, damper_time_is_no_longer_than_the_damper_takes_alone) {
               std::max({quickest, told * s.along / t.mass, told * s.across / (2.0 / 7.0 * t.mass)});
       }
     }
-  // The rates and overlaps are 1e-6 apart: slopes are off by 1e-6, and by rounding 1e-16/1e-6.
+  // Rates and overlaps differ by 1e-6: slopes have an error of 1e-6, and of 1e-16/1e-6 by rounding.
   stays_below(this->named("damper_time over that of the damper"), quickest, 1 + 1e-5, "law.hpp");
   stays_below(this->named("damper over a critical one, squared"), damped, 1 + 1e-5, "law.hpp");
 }
@@ -271,8 +275,9 @@ TYPED_TEST(Laws, stored_energy_is_the_work_the_force_gives_back) {
       for (int i = parts; i-- > 0;)
         work += contact.at(deepest * (i + 0.5) / parts).force * deepest / parts;
       const double stored = contact.stored(this->law, deepest) - contact.stored(this->law, 0);
-      // Rectangles miss h^2 (F'(end) - F'(0))/24, 4e-10 of Hertz's work, and at the end of
-      // walton-braun's line of unloading h^2 F'/8, which at e = 0.3 is 8e-9 of its work.
+      // The midpoint rule has an error of h^2 (F'(end) - F'(0))/24, 4e-10 of Hertz's work, and at
+      // the end of walton-braun's unloading branch of h^2 F'/8, which at e = 0.3 is 8e-9 of its
+      // work.
       states(fmt::format("{}, e {}{}: stored over work", TypeParam::name, e,
                          adhesion == Adhesion::some ? ", adhesion" : ""),
              stored / work, 1, 1e-7, "integral of F");
@@ -285,7 +290,7 @@ TYPED_TEST(Laws, secant_is_the_stiffness_along_over_that_across) {
   for (const double share : {0.1, 0.5, 1.0}) {
     const double overlap = share * this->law.largest_overlap(t, 1);
     const auto push = contact.at(overlap);
-    // In JKR's law the radius of contact is found to 1e-9 or so.
+    // JKR's law solves for the contact radius to about 1e-9.
     states(this->named("secant of the spring"), push.force / overlap / push.stiffness,
            this->law.stiffness_ratio(t), 1e-8 * this->law.stiffness_ratio(t), "law.hpp");
   }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every motion of the register keeps the promises of kinematics/motion.hpp.
+// Every motion in the register meets the requirements of kinematics/motion.hpp.
 #include "mahlwerk/kinematics/motions.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +86,7 @@ class Motions : public ::testing::Test {
 };
 TYPED_TEST_SUITE(Motions, TypesOf<AnyMotion::Models>::type);
 
-/// Central difference; off by h^2/6 of the third derivative plus rounding.
+/// Central difference. Its error is h^2/6 of the third derivative plus rounding.
 template <class F>
 auto slope(const F& f, double t, double h) {
   return (f(t + h) - f(t - h)) / (2 * h);
@@ -109,7 +109,7 @@ TYPED_TEST(Motions, chosen_at_run_time_or_remembered_say_the_same_to_the_bit) {
   };
   double before = 0;
   int differ = 0;
-  for (int i = 0; i < 1000; ++i) {  // each instant again after another
+  for (int i = 0; i < 1000; ++i) {  // every time is evaluated again after another one
     const double t = this->some_time();
     for (const double at : {t, before, t, t})
       if (!agrees(chosen, at) || !agrees(remembered, at)) ++differ;
@@ -223,9 +223,9 @@ TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {
 TEST(Tabulated, refuses_samples_that_make_no_motion) {
   using Samples = std::vector<Sample>;
   EXPECT_THROW(Tabulated(Samples{}), std::invalid_argument);
-  EXPECT_THROW(Tabulated(Samples(5)), std::invalid_argument);  // time stands still
+  EXPECT_THROW(Tabulated(Samples(5)), std::invalid_argument);  // time does not advance
   Samples open{{0, {}, 0}, {1, {}, 0}, {2, {}, 0}, {3, {0.01, 0, 0}, 0}};
-  EXPECT_THROW(Tabulated{open}, std::invalid_argument);  // does not close
+  EXPECT_THROW(Tabulated{open}, std::invalid_argument);  // the path is not closed
   open[3].centre = {NAN, 0, 0};
   EXPECT_THROW(Tabulated{open}, std::invalid_argument);
 }

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-// Every code of a notice in the program has a heading in docs/warnings.md, and none else has.
+// docs/warnings.md has a heading for every notice code of the program, and for no other code.
 namespace mahlwerk::notices_test {
 namespace {
 
@@ -35,7 +35,7 @@ TEST(Notices, every_code_has_a_heading_in_the_docs) {
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(home / part))
       if (file.path().extension() == ".cpp") find(text_of(file.path()), made, used);
   find(text_of(home / "docs" / "warnings.md"), heading, told);
-  EXPECT_GT(used.size(), 10U) << "the pattern still finds them";
+  EXPECT_GT(used.size(), 10U) << "the pattern still finds the codes";
   EXPECT_EQ(used, told);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every rule of rolling resistance keeps what its row in contact/rolling.hpp says, and what holds
-// for all forces between two bodies.
+// Every rolling-resistance rule has the properties in its row of contact/rolling.hpp, and those of
+// any force between two bodies.
 #include "mahlwerk/contact/rolling.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ namespace mahlwerk::tests::rolling_test {
 namespace {
 
 constexpr int tries = 40;
-/// A collision takes some 100 steps, each of some ten roundings of 1.1e-16, in quantities up to ten
-/// times what they are compared with.
+/// A collision takes about 100 steps with about ten roundings of 1.1e-16 each, in quantities up to
+/// ten times those that they are compared with.
 constexpr double roundings = 100 * 10 * 1.1e-16 * 10;
 
 /// Two balls that collide obliquely while they spin, under one rule. Without damping and friction
@@ -79,7 +79,7 @@ TEST(RollingRules, act_and_react) {
   }
 }
 
-/// The largest gain of energy, of what there was, in collisions in which nothing else takes any.
+/// Largest relative gain of energy in collisions where nothing but rolling resistance dissipates.
 double largest_gain(contact::Rolling rule) {
   Random random(6, 1);
   double most = -INFINITY;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every shape of the register that has a formula keeps the promises of geometry/shape.hpp.
+// Every analytic shape in the register meets the requirements of geometry/shape.hpp.
 #include "mahlwerk/geometry/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ class Shapes : public ::testing::Test {
         least = std::min(least, shape.gap(face, p).distance);
     return std::min(least - radius, to_image(p));
   }
-  /// From where a shape that repeats itself begins anew.
+  /// Distance to the nearest periodic boundary of a periodic shape.
   double to_image(const Vec3& p) const {
     const Vec3 half = 0.5 * geometry::periods_of(shape), at = componentwise_abs(p);
     return std::min({half.x - at.x, half.y - at.y, half.z - at.z});
@@ -94,8 +94,9 @@ TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
       const Vec3 slope{(at(p + Vec3{h, 0, 0}) - at(p - Vec3{h, 0, 0})) / (2 * h),
                        (at(p + Vec3{0, h, 0}) - at(p - Vec3{0, h, 0})) / (2 * h),
                        (at(p + Vec3{0, 0, h}) - at(p - Vec3{0, 0, h})) / (2 * h)};
-      // Central differences are off by h^2/6 times a third derivative of order 1/r^2, and have no
-      // meaning across the ridge of a distance, where the nearest wall changes (geo.1).
+      // Central differences have an error of h^2/6 times a third derivative of order 1/r^2. They
+      // have no meaning across a ridge of the distance function, where the nearest wall changes
+      // (geo.1).
       if (std::abs(norm(slope) - 1) > 1e-3) {
         ++across;
         continue;
@@ -106,7 +107,7 @@ TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
     }
   }
   stays_below("difference between gradient and inward normal", worst, 1e-3, "geo.1");
-  // Ridges are surfaces: a share of 2 h area / volume of the points, some 1e-5, lies across one.
+  // Ridges are surfaces: a share of 2 h area / volume of the points, about 1e-5, lies across one.
   stays_below("points whose gradient is not 1", across, 5, "geo.1");
 }
 
@@ -151,7 +152,8 @@ TYPED_TEST(Shapes, reach_holds_the_jar_and_inradius_the_largest_ball) {
   EXPECT_NEAR(this->nearest({0, 0, 0}), this->shape.inradius(), 1e-12);
 }
 
-/// The promise the search stands on: no path with bounded acceleration reaches the wall sooner.
+/// Conservative advancement relies on this: no path with bounded acceleration reaches the wall
+/// sooner.
 TYPED_TEST(Shapes, no_touch_within_the_time_that_safe_time_promises) {
   double deepest = 0, longest = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -170,11 +172,11 @@ TYPED_TEST(Shapes, no_touch_within_the_time_that_safe_time_promises) {
       clear = std::min(clear, safe.time);
     }
     longest = max_or_nan(longest, clear);
-    if (TypeParam::faces == 0) continue;  // without walls the promise must be for ever: below
+    if (TypeParam::faces == 0) continue;  // without walls the safe time must be infinite: below
     Vec3 p = start, v = velocity;
     constexpr int steps = 60;
     const double h = clear / steps;
-    const bool steady = i % 2 == 0;  // the worst field is often a steady one towards the wall
+    const bool steady = i % 2 == 0;  // the worst field is often constant and towards the wall
     Vec3 a{};
     for (int k = 0; k < steps; ++k) {
       if (k == 0 || !steady)

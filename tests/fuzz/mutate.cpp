@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Feeds the parsers with mutated inputs, the same ones for the same seed; for machines without
-// libFuzzer, and for CI:  fuzz_parsers COUNT [SEED [FIRST]]
+// Feeds the parsers with mutated inputs, for machines without libFuzzer and for CI. The same seed
+// gives the same inputs.
+//     fuzz_parsers COUNT [SEED [FIRST]]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::vector<std::string> corpus() {
   std::ranges::sort(files);
   std::vector<std::string> all;
   for (const fs::path& file : files) all.push_back(with(Reader::case_file, contents(file)));
-  const std::size_t others = all.size() / 10 + 1;  // so that they come up now and then
+  const std::size_t others = all.size() / 10 + 1;  // so that they are chosen now and then
   for (std::size_t i = 0; i < others; ++i) {
     all.push_back(with(Reader::mesh, tetrahedron));
     all.push_back(with(Reader::mesh,
@@ -67,7 +68,7 @@ std::vector<std::string> corpus() {
   return all;
 }
 
-/// Words that parsers know, numbers they trip over.
+/// Keywords of the parsers, and numbers that are hard to parse.
 const std::vector<std::string>& words() {
   static const std::vector<std::string> list{"[",
                                              "]",
@@ -135,33 +136,33 @@ const std::vector<std::string>& words() {
 void mutate(std::string& input, Random& random, const std::vector<std::string>& seeds) {
   const auto at = [&](std::size_t extra) { return 1 + below(random, input.size() + extra); };
   switch (below(random, 7)) {
-    case 0: {  // a byte
+    case 0: {  // replace a byte
       if (input.size() < 3) return;
       input[at(0) % input.size()] = static_cast<char>(below(random, 256));
       break;
     }
-    case 1: {  // a piece goes
+    case 1: {  // delete a piece
       const std::size_t from = std::min(at(0), input.size());
       input.erase(from, below(random, 64));
       break;
     }
-    case 2: {  // a word comes
+    case 2: {  // insert a word
       input.insert(std::min(at(0), input.size()), words()[below(random, words().size())]);
       break;
     }
-    case 3: {  // a piece comes again
+    case 3: {  // repeat a piece
       const std::size_t from = std::min(at(0), input.size());
       const std::string piece = input.substr(from, below(random, 200));
       input.insert(std::min(at(0), input.size()), piece);
       break;
     }
-    case 4: {  // a piece of another input
+    case 4: {  // insert a piece of another input
       const std::string& other = seeds[below(random, seeds.size())];
       const std::size_t from = below(random, other.size());
       input.insert(std::min(at(0), input.size()), other.substr(from, below(random, 200)));
       break;
     }
-    case 5: {  // a number
+    case 5: {  // replace a number
       const std::size_t digit = input.find_first_of("0123456789", std::min(at(0), input.size()));
       if (digit == std::string::npos) return;
       const std::size_t end = std::min(input.find_first_not_of("0123456789.", digit), input.size());
@@ -182,7 +183,7 @@ int main(int argc, char** argv) {
   constexpr double patience = 5;  // [s] for one input
   const long first = argc > 3 ? std::atol(argv[3]) : 0;
   for (long i = first; i < first + count; ++i) {
-    if (i % 1000 == 0) {  // tells from where to look for an input that ends the program
+    if (i % 1000 == 0) {  // locates an input that ends the program
       fmt::print("from {}\n", i);
       std::fflush(stdout);
     }

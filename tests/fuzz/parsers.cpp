@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One entry for a fuzzer into everything that reads what a user or a disk gives. The first byte
-// chooses the reader, the rest is what it reads. Any answer is right but a crash, a hang, or an
-// exception that is not one of ours.
+// Fuzzer entry point for all parsers of input from users or from disk. The first byte selects the
+// parser, the rest is its input. Every outcome is right except a crash, a hang, or an exception
+// that is not one of ours.
 #include "parsers.hpp"
 
 #include <cstdint>
@@ -60,7 +60,7 @@ engine = "event"
 time = "0.01 s"
 )";
 
-/// A folder of this process for what can be read from a file only.
+/// A folder of this process for parsers that only read files.
 const std::filesystem::path& folder() {
   static const std::filesystem::path made = [] {
     std::string name = (std::filesystem::temp_directory_path() / "mahlwerk-fuzz-XXXXXX").string();
@@ -81,8 +81,8 @@ void read_checkpoint(const std::string& bytes) {
 }
 
 void read_state(const std::string& bytes) {
-  static const cases::Case what = cases::read_text(small_case, "case.toml", catalogue());
-  campaign::ReplicateRun replica(what, 0);
+  static const cases::Case mill_case = cases::read_text(small_case, "case.toml", catalogue());
+  campaign::ReplicateRun replica(mill_case, 0);
   Archive archive(bytes);
   replica.serialize(archive);
   archive.finish();
@@ -93,8 +93,8 @@ void read_state(const std::string& bytes) {
 namespace mahlwerk::fuzz {
 
 std::string state_of_a_run() {
-  const cases::Case what = cases::read_text(small_case, "case.toml", catalogue());
-  campaign::ReplicateRun replica(what, 0);
+  const cases::Case mill_case = cases::read_text(small_case, "case.toml", catalogue());
+  campaign::ReplicateRun replica(mill_case, 0);
   replica.run_slice();
   Archive archive;
   replica.serialize(archive);
@@ -127,8 +127,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         read_state(bytes);
         break;
     }
-  } catch (const InputError&) {  // the answer to bad input
-  } catch (const RunError&) {    // and to a damaged state
+  } catch (const InputError&) {  // expected for bad input
+  } catch (const RunError&) {    // expected for a damaged state
   } catch (const cases::StlError&) {
   }
   return 0;

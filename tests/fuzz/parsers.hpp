@@ -10,11 +10,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace mahlwerk::fuzz {
 
-/// What the first byte of an input chooses.
+/// The parser that the first byte of an input selects.
 enum class Reader : std::uint8_t { case_file, mesh, motion, measurements, checkpoint, state };
 constexpr std::uint8_t readers = 6;
 
-/// A state that the reader of states takes, to begin from.
+/// A valid state, as a seed for the parser of states.
 std::string state_of_a_run();
 
 }  // namespace mahlwerk::fuzz

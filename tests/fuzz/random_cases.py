@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Draws legal cases over mill x jar x balls x law x restitution x friction x filling for both
-engines, runs them shortly, and checks what holds for every legal case:
+"""Draws random valid cases over mill x jar x balls x law x restitution x friction x filling for
+both engines, runs each for a short time, and checks properties that every valid case has:
 
     random_cases.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--slow FACTOR] [--keep FOLDER]
 
-It ends with 0 or a stated reason, no number is NaN, no energy is gained, no ball is outside, the
-energy balance closes or is warned of, and SIGINT is answered within a second (times FACTOR, for a
-build with sanitizers). Failing cases are kept as TOML with what was wrong."""
+The run ends with 0 or a stated reason, no number is NaN, no energy is gained, no ball is outside,
+the energy balance closes or a warning is given, and the program ends within a second after SIGINT
+(times FACTOR, for a build with sanitizers). Failing cases are kept as TOML with a description of
+the fault."""
 import argparse
 import concurrent.futures
 import json
@@ -97,7 +98,7 @@ def case(seed, index):
     speed = rng.choice([0, 0.1, 0.1, 5, 100])
     time_span = rng.choice([0.005, 0.02, 0.05])
     settle = rng.choice([0, 0.005])
-    if speed == 100:  # the soft engine's steps are as short as the balls are fast
+    if speed == 100:  # fast balls need short time steps of the soft engine
         time_span, settle = time_span / 20, settle / 20
     return (f'title = "random case {index}"\nseed = {rng.randrange(1000000)}\n'
             f'gravity = "{rng.choice([9.81, 9.81, 0])} m/s2"\n' + mill(rng, size) + jar_text +
@@ -123,12 +124,12 @@ def quantity(summary, name):
 
 
 def wrong_with_result(folder):
-    """What no result of a legal case may say; a list of sentences."""
+    """Faults that no result of a valid case may have; a list of sentences."""
     text = (folder / "summary.json").read_text()
     summary = json.loads(text)
     codes = {n["code"] for n in summary.get("_about", {}).get("notices", [])}
     wrong = [f"{path} is not finite" for path in nans(summary)]
-    soft = summary.get("_about", {}).get("engine") == "soft"  # may gain, and says so
+    soft = summary.get("_about", {}).get("engine") == "soft"  # may gain energy, and reports it
     if codes & {"no-result", "energy-residual"} or ("energy-gained" in codes and not soft):
         wrong.append(f"notices {sorted(codes)}")
     lost = quantity(summary, "dissipated_power")
@@ -142,7 +143,7 @@ def wrong_with_result(folder):
 
 
 def run(program, text, folder, slow, interrupt):
-    """Runs one case; what was wrong, as a sentence, or nothing; and how it ended."""
+    """Runs one case. Returns the fault as a sentence, or None, and how the run ended."""
     folder.mkdir(parents=True)
     (folder / "case.toml").write_text(text)
     out = folder / "out"
@@ -150,7 +151,7 @@ def run(program, text, folder, slow, interrupt):
     if interrupt:
         command += ["--set", "run.time=1e6 s"]
     with open(folder / "stderr", "wb") as err:
-        # Where this runs in the background SIGINT is ignored, and the program would inherit that.
+        # In a background job SIGINT is ignored, and the program would inherit that.
         process = subprocess.Popen(
             command, stdout=err, stderr=err,
             preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
@@ -172,11 +173,11 @@ def run(program, text, folder, slow, interrupt):
     said = (folder / "stderr").read_text(errors="replace")
     if code in (2, 3) and len(said.strip()) < 20:
         return f"exit code {code} without a reason", "silent"
-    if code == -signal.SIGINT and interrupt and not out.exists():  # before it had begun
+    if code == -signal.SIGINT and interrupt and not out.exists():  # before the run began
         return None, "interrupted"
     if code not in (0, 2, 3, 130) or (code == 130 and not interrupt):
         return f"exit code {code}: {said.strip()[-1500:]}", "failed"
-    if code == 3:  # by physics, with its reason
+    if code == 3:  # stopped by physics, with a reason
         return None, "stopped"
     if (out / "summary.json").exists():
         wrong = [] if interrupt else wrong_with_result(out)
@@ -203,7 +204,7 @@ def main():
     def one(index):
         text = case(args.seed, index)
         folder = work / str(index)
-        # Every tenth case runs for ever and is interrupted at some moment of its first second.
+        # Every tenth case would run for ever and is interrupted at some time in its first second.
         interrupt = 0.05 + (index * 37 % 100) / 125 if index % 10 == 9 else 0
         wrong, end = run(args.program, text, folder, args.slow, interrupt)
         if wrong and args.keep:

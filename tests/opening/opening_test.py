@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files of a result open in the programs they are meant for: h5py, pandas and VTK's own readers.
 
-    opening_test.py PROGRAM TEST      runs one test; exit code 77 where its modules are not installed
+    opening_test.py PROGRAM TEST      runs one test; exit code 77 if its modules are not installed
 """
 import os
 import pathlib
@@ -63,7 +63,7 @@ FRAMES = 41
 
 
 def states(what, found, expected, tolerance, source):
-    """As tests/statement.hpp: one number, with what it ought to be."""
+    """As tests/statement.hpp: prints one number with its expected value, and checks it."""
     print(f"    {what}: expected {expected}, found {found} (tolerance {tolerance:g}) [{source}]")
     assert abs(found - expected) <= tolerance, what
 
@@ -129,13 +129,13 @@ def pandas_reads_every_table_in_one_line(program, here):
 
 
 def listed(path):
-    """What a .pvd names: time, part, file."""
+    """The entries of a .pvd file: time, part, file."""
     found = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
     return [(float(d.get("timestep")), d.get("name"), path.parent / d.get("file")) for d in found]
 
 
 def polydata(path):
-    """As VTK's own reader sees it; None where it finds a fault."""
+    """The file as VTK's own reader reads it; None if the reader reports an error."""
     reader = vtkXMLPolyDataReader()
     faults = []
     reader.AddObserver("ErrorEvent", lambda *_: faults.append(path))
@@ -164,7 +164,7 @@ def xyz_frames(path):
     return frames
 
 
-DOUBLE = 8 * numpy.finfo(float).eps  # relative: of a corner by three products and their sum
+DOUBLE = 8 * numpy.finfo(float).eps  # relative rounding of a corner: three products and their sum
 
 
 def vtk_reads_every_frame_as_it_is_in_the_xyz_file(program, here):
@@ -188,8 +188,8 @@ def vtk_reads_every_frame_as_it_is_in_the_xyz_file(program, here):
         now = balls.GetFieldData().GetArray("TimeValue").GetTuple(0)[0]
         assert now == when == float(keys["Time"])
         centre = numpy.array(balls.GetFieldData().GetArray("jar_centre").GetTuple(0))
-        assert abs(numpy.linalg.norm(centre) - 0.07) < 1e-15, centre  # it circles at this radius
-        # A box: its corners are half its sides along its own axes, which the other file tells.
+        assert abs(numpy.linalg.norm(centre) - 0.07) < 1e-15, centre  # radius of its orbit
+        # A box: its corners lie half its sides along its own axes, which the XYZ file contains.
         assert jar.GetNumberOfPolys() == 12 and jar.GetNumberOfPoints() == 8
         axes = numpy.array([[float(x) for x in keys[k].split()] for k in ("jar_x", "jar_y", "jar_z")])
         wanted = corners * (WIDTH / 2, DEPTH / 2, HEIGHT / 2) @ axes
@@ -200,7 +200,7 @@ def vtk_reads_every_frame_as_it_is_in_the_xyz_file(program, here):
     print(f"    {len(frames)} frames of {BALLS} balls and their jar, the same doubles in both forms")
 
 
-# Jars with parts, which turn: 40 balls of 8 mm that lie in them.
+# Jars with rotating parts, and a charge of 40 balls of 8 mm.
 PARTS = """
 title = "Balls among parts of a jar"
 [mill]
@@ -251,8 +251,8 @@ def vtk_sees_balls_touch_the_parts_of_the_jar_and_go_through_none(program, here)
             wall = vtkImplicitPolyDataDistance()
             wall.SetInput(polydata(jar_file))
             nearest.append(min(abs(wall.EvaluateFunction(p)) for p in points(polydata(balls_file))) - radius)
-        # Facets, 48 all round, stand inside of a round wall and of arms, which have 12; overlaps
-        # of contacts as soft as a case has them by itself are a few thousandths of a radius.
+        # The facets (48 around a jar, 12 around an arm) lie inside of the round walls and arms.
+        # With the default softness of contacts, overlaps are a few thousandths of a radius.
         inside = diameter / 2 * (1 - numpy.cos(numpy.pi / 48)) + 0.01 * radius
         outside = 0.004 * (1 - numpy.cos(numpy.pi / 12)) * 2 + 0.01 * radius
         print(f"    {name}: nearest ball of each of {len(nearest)} frames is {min(nearest):.2g} to "
@@ -291,7 +291,7 @@ def vtk_and_python_open_what_a_killed_run_leaves(program, here):
 
 
 def xyz_frames_whole(path):
-    """Those of a file whose last may be cut short."""
+    """Frames of a file whose last frame may be cut short."""
     lines = path.read_text().splitlines()
     return lines[:len(lines) // (BALLS + 2) * (BALLS + 2):BALLS + 2]
 

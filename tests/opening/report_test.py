@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""A report opens from disk in a browser, draws, complains of nothing, and says what summary.json says.
+"""A report opens from disk in a browser, draws, logs no errors, and has the numbers of summary.json.
 
-    report_test.py PROGRAM      exit code 77 where Chromium is not installed
+    report_test.py PROGRAM      exit code 77 if Chromium is not installed
 """
 import json
 import pathlib
@@ -78,7 +78,7 @@ HEADINGS = {"Replay", "Results", "Collisions by pair", "Impact energies",
 
 
 def colours(png):
-    """How many colours a PNG of 8 bits a channel shows."""
+    """Number of colours in a PNG of 8 bits per channel."""
     at, data = 8, b""
     while at < len(png):
         length, kind = struct.unpack(">I4s", png[at:at + 8])

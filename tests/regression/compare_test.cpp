@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One case by both engines, as a user asks for it.
+// The command `compare`: one case with both engines.
 #include "program.hpp"
 
 namespace mahlwerk::tests::compare_test {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a user is told at the edges: of absurd and unusual values, of keys that nobody looks at, of
-// results that rest on the TC rule.
+// Messages for edge cases: absurd and unusual values, ignored keys, results that depend on the TC
+// rule.
 #include "program.hpp"
 
 namespace mahlwerk::tests::edges_test {
@@ -36,7 +36,7 @@ class Edges : public ProgramTest {
     ProgramTest::SetUp();
     std::ofstream(here_ / "case.toml") << vial;
   }
-  /// What running the case with these settings says.
+  /// Runs the case with these settings, separated by semicolons.
   ProgramResult with(const std::string& settings) {
     std::string words = "run case.toml --force --out out";
     std::stringstream all(settings);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Numbers of a case found from measurements, as a user asks for it.
+// The command `fit`: parameters of a case from measurements.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@
 namespace mahlwerk::tests::fit_test {
 namespace {
 
-/// The truth that data are made with.
+/// The true value with which the data are generated.
 constexpr double true_f_mat = 0.3;  // kg/J/m
 
 class Fit : public ProgramTest {
@@ -26,7 +26,7 @@ class Fit : public ProgramTest {
     std::ofstream(here_ / name) << said;
   }
 
-  /// D50 and D90 [um] of a run with the true numbers at about that time [s].
+  /// D50 and D90 [um] of a run with the true parameters at about that time [s].
   std::array<double, 2> sizes(const std::string& folder, double time) const {
     std::istringstream rows(text(folder + "/grinding.csv"));
     std::string row;
@@ -44,7 +44,7 @@ class Fit : public ProgramTest {
     return best;
   }
 
-  /// data.csv: what was "measured" at two frequencies and three times, with noise of 3 %.
+  /// Writes data.csv: synthetic measurements at two frequencies and three times, with noise of 3 %.
   void make_data(bool with_errors) const {
     constexpr double noise = 0.03;
     Random random(7, 0);
@@ -72,7 +72,7 @@ class Fit : public ProgramTest {
     write("data.csv", table);
   }
 
-  /// The number behind "word": in fit.json, from there where `key` stands; NaN for null.
+  /// The number after "word": in fit.json, searched from the position of `key`; NaN for null.
   double number(const std::string& key, const std::string& word) const {
     const std::string json = text("out/fit.json");
     auto at = json.find("\"" + key + "\"");
@@ -157,7 +157,8 @@ TEST_F(Fit, leaves_a_case_that_runs_a_table_and_a_page) {
 }
 
 TEST_F(Fit, says_which_number_the_data_do_not_determine) {
-  // A least energy looked for far below that of the hits that break: none of it is seen.
+  // The range of the least energy lies far below the energies of breaking hits: the data do not
+  // depend on it.
   make_data(false);
   write("both.toml", mill + rest +
                          "\"breakage.f_mat\" = [\"0.001 kg/J/m\", \"10 kg/J/m\"]\n"

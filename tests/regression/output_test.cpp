@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What the program says, on which stream, and what it leaves when something goes wrong with its
-// files, its terminal or a second one of it.
+// Output of the program: texts and their streams, and what remains after a fault of its files or
+// its terminal, or a conflict with a second process.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +23,7 @@ class Output : public ProgramTest {
   std::string short_ = "run " + ball_ + "--set run.time=\"0.1 s\" --out out ";
   std::string long_ = "run " + ball_ + "--set run.time=\"1000000 s\" --out out ";
 
-  /// A script of the shell, with the program as $M and both streams as one.
+  /// Runs a shell script with the program as $M and both output streams merged.
   ProgramResult script(const std::string& text) const {
     const std::string command = "cd '" + here_.string() + "' && M='" +
                                 std::string(MAHLWERK_PROGRAM) + "' && { " + text + "; } 2>&1";
@@ -33,7 +33,7 @@ class Output : public ProgramTest {
     while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
     return {WEXITSTATUS(pclose(pipe)), said};
   }
-  /// How the program said that it ended, as JSON.
+  /// The JSON object with which the program reports its end.
   static json last_line(const std::string& said) {
     const std::size_t begin = said.rfind("{\"ended\"");
     if (begin == std::string::npos) return said;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Papers as a user regenerates them.
+// The command `papers`.
 #include "program.hpp"
 
 namespace mahlwerk::tests::papers_test {
@@ -22,7 +22,7 @@ class Papers : public ProgramTest {
         std::filesystem::path(MAHLWERK_HOME) / "papers/vertical-vibration-mill/frequency.toml",
         here_ / "mine" / "c.toml");
   }
-  /// Six settings of a vial, to be run with `longer`: many states of each are kept.
+  /// Six settings of a vial, to be run with `longer`: many checkpoints of each are written.
   void long_paper() const {
     paper("dissipated_power", "mill.frequency");
     campaign();
@@ -39,12 +39,12 @@ TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
         "out/size/point-005/summary.json", "out/figures/figure-7-d90.svg",
         "out/figures/figure-6b-energy_contact_point_mean_above_threshold.svg"})
     EXPECT_TRUE(exists(file)) << file;
-  // What the verification tests prove of this mill with tolerances of their own.
+  // The verification tests prove the same claims for this mill with tolerances of their own.
   EXPECT_NE(e.output.find("6a     yes"), std::string::npos) << e.output;
   EXPECT_NE(e.output.find("6b     yes"), std::string::npos) << e.output;
   EXPECT_NE(e.output.find("7      yes"), std::string::npos) << e.output;
   EXPECT_NE(e.output.find("intro  no"), std::string::npos) << e.output;
-  // Again into the same folder: by --force alone, and then the same numbers.
+  // A second run into the same folder needs --force, and gives the same numbers.
   const std::string claims = text("out/claims.csv");
   EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out").code, 2);
   EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out --force --quiet --threads 1").code,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The program as a user meets it: what it makes, and what it says when something is wrong.
+// The command line program: its output files, and its messages for faulty input.
 #include "program.hpp"
 
 namespace mahlwerk::tests::program_test {
@@ -124,7 +124,7 @@ TEST_F(Program, check_says_what_follows) {
 }
 
 TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
-  const auto offered = [&](const std::string& command) {  // after the command and "-", or ""
+  const auto offered = [&](const std::string& command) {  // completions after these words
     std::ofstream(here_ / "ask") << "source <('" MAHLWERK_PROGRAM "' completion bash)\n"
                                  << "COMP_WORDS=(mahlwerk " << command << ")\n"
                                  << "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"

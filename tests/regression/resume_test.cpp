@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A run of many balls that is ended and gone on with, as a user does it.
+// A run of many balls that is ended and resumed from its checkpoint.
 #include "program.hpp"
 
 namespace mahlwerk::tests::resume_test {
@@ -46,7 +46,7 @@ class Resume : public ProgramTest {
   ProgramResult run(const std::string& words) const {
     return mahlwerk("run drum.toml --out " + words);
   }
-  /// Ended once there is a state to go on from.
+  /// A run that a signal ends as soon as there is a checkpoint.
   ProgramResult ended_run(int signal) const {
     return mahlwerk_until("parts.checkpoint", signal,
                           "run drum.toml --out parts --checkpoint 0.05");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Best settings, and settings that do what another mill does, as a user asks for them.
+// The commands `optimise` (best settings) and `match` (settings that reproduce another mill).
 #include <sys/file.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class Search : public ProgramTest {
  protected:
   void SetUp() override {
     ProgramTest::SetUp();
-    // Of this ball the power has no top in the range: the faster the more.
+    // The power of this ball has no maximum inside the range: it grows with the frequency.
     write("fast.toml", mill +
                            "[optimise]\nmaximise = \"dissipated_power\"\nsettings = 12\n"
                            "replicates = 4\nover = { \"mill.frequency\" = { from = \"8 Hz\", to = "
@@ -36,7 +36,7 @@ class Search : public ProgramTest {
   void write(const std::string& name, const std::string& said) const {
     std::ofstream(here_ / name) << said;
   }
-  /// The number behind "key":  in a file, from the first place that `after` is met.
+  /// The number after "key": in a file, searched from the first occurrence of `after`.
   double number(const std::string& file, const std::string& after, const std::string& key) const {
     const std::string all = text(file);
     const auto from = all.find(after);
@@ -106,7 +106,7 @@ TEST_F(Search, a_best_outside_its_engines_validity_is_checked_by_the_other_engin
   EXPECT_NE(e.output.find("the soft engine gives a dissipated power of"), std::string::npos)
       << e.output;
   EXPECT_NE(text("out/settings.csv").find("sticking-law-ignored"), std::string::npos);
-  // The check is a run of the best case by the soft engine with the search's replicates.
+  // The check is a run of the best case with the soft engine and the replicates of the search.
   ASSERT_EQ(mahlwerk("run out/best.toml --out soft --quiet --set run.engine=soft --set "
                      "run.replicates=2")
                 .code,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Wear and heat as a user meets them: from the case file to the numbers and tables of the result.
+// Wear and heat, from the case file to the numbers and tables of the result.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -73,7 +73,7 @@ class WearAndHeat : public ProgramTest {
     if (at == std::string::npos) throw std::out_of_range(quantity);
     return std::stod(all.substr(all.find(':', all.find("\"value\"", at)) + 1));
   }
-  /// Numbers of a table, row by row; those that are none are 0.
+  /// Numbers of a table, row by row; cells that are not numbers are 0.
   std::vector<std::vector<double>> rows(const std::string& file) const {
     std::istringstream lines(text("out/" + file));
     std::vector<std::vector<double>> found;
@@ -126,7 +126,7 @@ TEST_F(WearAndHeat, wear_is_that_of_the_losses_across) {
     (row == rows("wear.csv").front() ? balls : jar) += row[2];
   states("faces over wear_rate_jar", jar / value("wear_rate_jar"), 1, 1e-12, "sum of wear.csv");
   states("set over wear_rate_balls", balls / value("wear_rate_balls"), 1, 1e-12, "wear.csv");
-  // The spectrum holds what is lost across the normal; a collision of two balls wears both.
+  // The spectrum contains the loss across the normal. A collision of two balls wears both.
   std::istringstream pairs(text("out/spectra_by_pair.csv"));
   std::string line;
   std::getline(pairs, line);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""The starter script, with a cmake that builds nothing.
+"""Tests the starter script with a cmake that builds nothing.
 
   starter_test.py SCRIPT
 """
@@ -25,7 +25,7 @@ while :; do sleep 0.02; done
 
 
 class Place:
-    """A copy of the script, and what it looks for."""
+    """A copy of the script, with the files and programs that it needs."""
 
     def __init__(self, script):
         self.here = pathlib.Path(tempfile.mkdtemp(prefix="mahlwerk-"))
@@ -35,7 +35,7 @@ class Place:
         for name in ("CMakeLists.txt", "CMakePresets.json"):
             (self.here / name).touch()
         (self.here / "bin/cmake").write_text(CMAKE)
-        # Nothing is to be installed here: no package is known to be missing.
+        # The script must not install anything here: every package is reported as installed.
         (self.here / "bin/dpkg-query").write_text(
             "#!/bin/sh\nshift 2\nfor name; do echo \"installed $name\"; done\n")
         for name in ("cmake", "dpkg-query"):
@@ -62,7 +62,7 @@ class Place:
 
 
 def main():
-    for whole in (True, False):  # Ctrl-C reaches all; a build may be interrupted alone
+    for whole in (True, False):  # Ctrl-C reaches the whole group; or only the build is interrupted
         with Place(sys.argv[1]) as place:
             process = place.start()
             place.begun()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One collision: paper A's rule as corrected, and Walton's.
+// One collision by the corrected rule of paper A, and by Walton's rule.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,8 @@
 namespace mahlwerk::tests::bounce_test {
 namespace {
 
-/// A ball thrown onto the floor of a wide still box without gravity: state after one bounce.
+/// Throws a ball onto the floor of a wide box at rest without gravity. Returns its state after one
+/// bounce.
 scene::Ball after_one_bounce(const contact::BounceRule& rule, const Vec3& velocity,
                              const Vec3& spin, scene::Collision* seen = nullptr) {
   const scene::Chamber still{geometry::Cylinder{2, 2}, kinematics::Still{}, {}, {0, 0, 0}};

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How a run is cut into calls, or stopped and taken up again, does not change it by a bit.
+// Bitwise reproducibility: a run gives the same bits if it is advanced in several calls, or saved
+// and resumed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +22,8 @@ namespace {
 
 using Make = std::function<std::unique_ptr<scene::Engine>()>;
 
-/// All numbers of these are eight bytes wide or come in pairs of four, so bytes tell.
+/// Bytewise comparison. All members of these types are eight bytes wide or come in pairs of four
+/// bytes, so there is no padding.
 template <class T>
 bool same_bits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -63,8 +65,7 @@ void cut_into_pieces(const Make& make, double time, std::size_t least) {
   expect_same(*whole, *pieces);
 }
 
-/// Saves at `when`, goes on from there in a fresh engine, and holds it against the run that was not
-/// stopped.
+/// Saves the run at `when`, resumes it in a new engine, and compares it with the uninterrupted run.
 void stop_and_go_on(const Make& make, double when, double time) {
   const auto whole = make(), first = make(), second = make();
   Recorder in_one, in_two;
@@ -120,7 +121,7 @@ scene::Chamber planet() {
           {},
           down};
 }
-/// Still falling when it is stopped in the first place, then rolling in the vial.
+/// A ball that is still falling at the first stop and later rolls in the vial.
 std::unique_ptr<scene::Engine> roller() {
   event::Rules rules = rules_a(0.5);
   rules.bounce.friction = 0.3;
@@ -149,7 +150,7 @@ TEST(Archives, of_many_balls_go_on_to_the_bit) {
       stop_and_go_on(many(mill, 3, 0.003), when, 0.15);
 }
 
-/// 729 balls are stored anew in the order of their cells at every renewal, after some 2000
+/// 729 balls. The engine sorts them in memory by cell at every reorganisation, after some 2000
 /// collisions.
 TEST(Archives, of_balls_sorted_anew_go_on_to_the_bit) {
   const Make make = many({geometry::Capsule{0.08, 0.06}, shaken(20, 0.015), {}, down}, 9, 0.003);
@@ -157,7 +158,7 @@ TEST(Archives, of_balls_sorted_anew_go_on_to_the_bit) {
   Recorder seen;
   probe->advance(0.03, seen);
   ASSERT_GT(seen.all.size(), 5000U) << "renewed some times";
-  // Just before, at and just after each collision near the first renewal.
+  // Stops at consecutive collisions just before, at and just after the first reorganisation.
   for (std::size_t i = 1955; i < 1965; ++i) stop_and_go_on(make, seen.all[i].time, 0.025);
   for (const double when : {0.01, 0.02}) stop_and_go_on(make, when, 0.03);
 }
@@ -192,8 +193,8 @@ TEST(Archives, cut_short_or_too_long_are_refused) {
   }
 }
 
-/// Bytes that say how many, who, or where in memory: whatever they hold, nothing is read from
-/// elsewhere. (A changed speed is another run, and cannot be told.)
+/// Damages counts, ball numbers and memory positions of an archive. None of them causes a read out
+/// of bounds. (A changed speed gives another valid run and cannot be detected.)
 TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
   const Make make = many(capsule(), 2, 0.003);
   const auto engine = make();
@@ -222,7 +223,8 @@ TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
 }
 
 TEST(Cuts, an_engine_is_never_told_to_be_before_the_time_it_was_asked_for) {
-  // Whoever waits for that time would wait for ever, if clocks that turn back round it down.
+  // A caller that advances until the requested time would never finish if the engine's clock, which
+  // starts again in every period of the mill, rounded that time down.
   Random random(5, 0);
   for (const double f : {16.6555184, 17.1237458, 10.0, 13.7}) {
     const auto engine = event::one_ball(mill_a(f), ball_a({}, {0.1, 0.02, 0.3}), rules_a(), 0.1);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The event engine at the edges: elastic and dead collisions, 100 m/s, collapse without a remedy,
-// runs that are asked to end.
+// Edge cases of the event engine: elastic and perfectly inelastic collisions, 100 m/s, inelastic
+// collapse without a treatment, runs that are stopped on request.
 #include <atomic>
 #include <string>
 
@@ -18,7 +18,7 @@ namespace {
 
 using namespace tests;
 
-/// `count` balls in rows in a box of which they fill about a tenth, with random velocities.
+/// n^3 balls on a lattice, with random velocities. They fill about a tenth of the box.
 std::vector<scene::Ball> charge(int n, double diameter, double speed, std::uint64_t seed) {
   Random random(seed, 0);
   std::vector<scene::Ball> balls = lattice(n, 0.1, false, seed);
@@ -79,10 +79,10 @@ TEST(Edges, inelastic_balls_in_a_jar_at_rest_only_lose_energy) {
   }
 }
 
-/// A vibrating box that shakes hard, at 800 g, by the TC rule with `contact_time` [s].
+/// Results of a box that vibrates at 800 g, with the TC rule and `contact_time` [s].
 struct FastMill {
   double power = 0;     ///< [W] dissipated
-  double withheld = 0;  ///< [1] power that the rule withheld, over it
+  double withheld = 0;  ///< [1] power that the TC rule withheld, over `power`
 };
 FastMill fast_mill(double contact_time) {
   kinematics::Vibration motion;
@@ -108,12 +108,13 @@ TEST(Edges, power_of_a_fast_mill_does_not_depend_on_the_contact_time) {
   states("power at the default of t_c over that at 1 us", by_default.power / shorter.power, 1, 0.05,
          "man.4");
   stays_below("withheld share at the default", by_default.withheld, 0.02, "no doubt");
-  // A t_c far too long for this mill is found by what it withholds.
+  // A t_c that is far too long for this mill shows in the withheld power.
   EXPECT_GT(fast_mill(1e-4).withheld, 0.02);
 }
 
 TEST(Edges, dead_balls_among_many_go_on) {
-  // e = 0 with smooth, rough and sliding balls, on mills that press and mills that throw.
+  // e = 0 with smooth, rough and sliding balls, in a mill that throws the balls and in a mill that
+  // presses them to the wall.
   kinematics::Vibration shaken;
   shaken.frequency = 20;
   shaken.amplitude = 0.01;
@@ -156,7 +157,7 @@ TEST(Edges, collapse_without_a_remedy_is_found_and_the_message_names_another) {
   }
 }
 
-/// Asks a run to end as it hands its first collisions over.
+/// Requests the end of a run at its first collisions.
 struct Impatient final : scene::Observer {
   std::atomic<bool> stop = false;
   void collisions(std::span<const scene::Collision>) override { stop = true; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The energy account of every shape on every motion.
+// Energy balance of every jar shape with every mill motion.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/base/random.hpp"
@@ -62,7 +62,8 @@ struct Mills {
   }
 };
 
-/// Every shape on every motion, with collapse into lasting contact, sliding and rolling.
+/// Every shape with every motion, including inelastic collapse into sustained contacts, sliding and
+/// rolling.
 TEST(Energy, account_closes_for_every_shape_on_every_motion) {
   const Mills mills;
   double worst_collision = 0, worst_run = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Flights, and where they end.
+// Free flights, and the search for the touch that ends them.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/base/random.hpp"
@@ -50,7 +50,8 @@ TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_t
   }
   const scene::EnergyBalance energy_balance = engine->energy_balance();
   const double fall = std::sqrt(2 * h / gravity), all_over = fall * (1 + e) / (1 - e);
-  // Contact is declared at a rebound below 0.1 mm/s; what is left is at most 2 w / (g (1 - e)).
+  // A sustained contact begins at a rebound below 0.1 mm/s. The remaining bounces would take at
+  // most 2 w / (g (1 - e)).
   states("time to rest [s]", energy_balance.time - energy_balance.contact_time, all_over,
          2 * 1e-4 / (gravity * (1 - e)), "t_f (1+e)/(1-e)");
   EXPECT_EQ(energy_balance.lasting_contacts, 1);
@@ -58,8 +59,8 @@ TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_t
          "it came to rest");
 }
 
-/// The guaranteed search against looking everywhere: 1e5 flights over paper A's frequencies and
-/// vials.
+/// Compares the search by conservative advancement with dense sampling of the gap: 1e5 flights over
+/// the frequencies and vials of paper A.
 TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   Random random(11, 0);
   double deepest = -1, furthest = 0;
@@ -70,7 +71,7 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
     const scene::Chamber mill{vial_i, shaken(random.uniform(10, 25), 0.025), {}, {0, 0, -gravity}};
     const event::TypedChamber jar(vial_i, std::get<kinematics::Vibration>(*mill.motion), mill);
     const event::TouchTolerance tolerance{0.004, 4e-15};
-    Vec3 place;  // anywhere the ball fits, one start in three right at the wall
+    Vec3 place;  // anywhere the ball fits; every third start is right at the wall
     do {
       const double r = 0.5 * vial_i.diameter;
       place = {random.uniform(-r, r), random.uniform(-r, r),
@@ -105,8 +106,9 @@ TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   stays_below("largest gap at the touch [m]", furthest, 1e-14, "twice the margin");
 }
 
-/// A shaker far beyond any real one, a thousand seconds after its clock began: a step of the clock
-/// is longer than the way through the margin. The run must still end, and its balance close.
+/// A shaker far beyond any real one, a thousand seconds after its clock began. One step of the
+/// clock is longer than the time to cross the margin. The run must still end, and its energy
+/// balance close.
 TEST(Search, ends_where_the_clock_can_tell_no_more) {
   const kinematics::ArcShaker shaker{.frequency = 1000, .arm = 0.15, .swing = 0.05};
   const scene::Chamber mill{

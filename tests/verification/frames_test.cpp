@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The same run seen otherwise: from another frame, from another start of the clock, in other
+// Invariance of a run: computed in another frame, from another start of the clock, and in several
 // portions.
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ namespace {
 
 const Vec3 start{0.0003, -0.0002, 0.004}, velocity{0.05, 0.03, -0.02}, spin{0.05, -0.02, 0.08};
 
-/// The plain reference, kept for ever: in laboratory axes, the vial moving, looking every 2 us and
-/// halving.
+/// Simple reference, kept permanently: laboratory axes with a moving vial, a test of the gap every
+/// 2 us, and bisection.
 std::vector<scene::Collision> in_laboratory_frame(int wanted) {
   const double f = 10, a = 0.025, w = 2 * std::numbers::pi * f, big = 0.006 - 0.004;
   const double h = 0.5 * vial(0.012).height;
@@ -71,8 +71,8 @@ TEST(Frames, laboratory_frame_and_jar_frame_agree) {
   Recorder recorder;
   engine->advance(2, recorder);
   ASSERT_GE(recorder.all.size(), reference.size());
-  // Both find a touch to 1e-15 s; such errors grow at every bounce off a curved wall, to 1e-11 s by
-  // the twelfth: compare while they are small.
+  // Both programs find a touch to 1e-15 s. These errors grow at every bounce off a curved wall, to
+  // 1e-11 s at the twelfth. The comparison ends there.
   double worst_time = 0, worst_speed = 0;
   for (std::size_t i = 0; i < 12; ++i) {
     worst_time = max_or_nan(worst_time, std::abs(reference[i].time - recorder.all[i].time));
@@ -115,9 +115,9 @@ TEST(Frames, how_a_run_is_cut_does_not_change_it) {
   EXPECT_TRUE(same_bits(run(planetary, 0, 1, 1), run(planetary, 0, 313, 1)));
 }
 
-/// A jar that turns about the axis it is symmetric to is seen as still by the search; a table of
-/// the same motion gives no such hint beyond its axis. And a lying jar mounted upright in turned
-/// gravity is the same mill.
+/// The search treats a jar that turns about its axis of symmetry as a jar at rest. A table of the
+/// same motion gives no such hint beyond its axis. An upright mill is compared with the same mill
+/// laid on its side in gravity turned by the same rotation.
 TEST(Frames, a_turned_mill_in_turned_gravity_is_the_same_mill) {
   scene::Chamber upright = mill_a();
   scene::Chamber lying = upright;

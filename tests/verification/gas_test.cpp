@@ -46,7 +46,7 @@ void check_equation_of_state(double packing) {
   const auto engine = gas(lattice(n, packing), side_of(n, packing), {1, 1, INFINITY});
   Impulses seen;
   const double rate = 4 * count / (pi / 6 / packing * count) * contact_value(packing) *
-                      std::sqrt(pi / 3);  // Enskog's, per ball
+                      std::sqrt(pi / 3);  // Enskog's rate, per ball
   const double settle = 100 / rate, time = 1000 / rate;
   engine->advance(settle, seen);
   seen = {};
@@ -87,8 +87,9 @@ TEST(Gas, speeds_are_maxwells) {
     }
   }
   const double samples = looks * n * n * n, temperature = square / samples / 3;
-  // Standard errors for 1e5 independent speeds: 0.42/sqrt(n) of the mean speed, 0.9 of the kurtosis
-  // over sqrt(n) times its value; three of them, twice for samples that are not quite independent.
+  // Standard errors of n = 1e5 independent speeds: 0.42/sqrt(n) of the mean speed; for the kurtosis
+  // 0.9/sqrt(n) times its value. The tolerance is three standard errors, doubled because the
+  // samples are not quite independent.
   const double error = 1 / std::sqrt(samples);
   states("mean speed", speed / samples, std::sqrt(8 * temperature / pi), 6 * 0.42 * error,
          "Maxwell: sqrt(8 T/(pi m))");
@@ -113,7 +114,8 @@ TEST(Gas, perfectly_rough_spheres_share_energy_equally) {
     const Temperatures t = temperatures(engine->balls());
     ratio += t.rotation / t.translation / looks;
   }
-  // A look's ratio scatters by sqrt(2 x 2/(3 x 1000)) = 3.7 %; 200 looks, a third independent.
+  // The ratio in one sample scatters by sqrt(2 x 2/(3 x 1000)) = 3.7 %. A third of the 200 samples
+  // are independent.
   states("T_rot / T_tr", ratio, 1, 3 * 0.037 / std::sqrt(200.0 / 3),
          "equipartition, e = 1, beta = 1");
   states("energy", engine->energy_balance().kinetic / energy, 1, 1e-10,
@@ -125,7 +127,7 @@ TEST(Gas, smooth_cooling_follows_haff) {
   constexpr double packing = 0.05, e = 0.9;
   const auto engine = gas(lattice(n, packing), side_of(n, packing), {1, 1, INFINITY});
   Counter counter;
-  engine->advance(30, counter);  // elastic first, to forget the lattice
+  engine->advance(30, counter);  // elastic first, so that the lattice dissolves
   std::vector<scene::Ball> balls = engine->balls();
   const double start = temperatures(balls).translation;
   const auto cooling = gas(balls, side_of(n, packing), {e, 1, INFINITY});
@@ -134,9 +136,9 @@ TEST(Gas, smooth_cooling_follows_haff) {
   for (const double times : {0.25, 0.5, 1.0, 2.0}) {
     cooling->advance(times * tau, counter);
     const double expected = start / std::pow(1 + times, 2);
-    // The distribution's departure from Maxwell's slows cooling by some per mill at e = 0.9 (van
-    // Noije and Ernst 1998: a_2 = -0.012, rate x (1 + 3/16 a_2)); scatter of the count is 1 % in
-    // the end.
+    // The deviation from Maxwell's distribution slows cooling by some per mill at e = 0.9 (van
+    // Noije and Ernst 1998: a_2 = -0.012, rate x (1 + 3/16 a_2)). The count scatters by 1 % at the
+    // end.
     states("T after " + std::to_string(times) + " tau", temperatures(cooling->balls()).translation,
            expected, 0.02 * expected, "Haff 1983, Enskog rate");
   }
@@ -162,7 +164,7 @@ TEST(Gas, rough_cooling_follows_its_two_temperatures) {
   constexpr double step = 1e-3;
   double time = 0;
   for (const double until : {2.0, 5.0, 10.0}) {
-    for (; time < until - step / 2; time += step) {  // midpoint rule: far better than needed
+    for (; time < until - step / 2; time += step) {  // midpoint rule: far more accurate than needed
       const Temperatures k = rates(t);
       const Temperatures l =
           rates({t.translation + step / 2 * k.translation, t.rotation + step / 2 * k.rotation});
@@ -170,7 +172,7 @@ TEST(Gas, rough_cooling_follows_its_two_temperatures) {
     }
     cooling->advance(until, counter);
     const Temperatures found = temperatures(cooling->balls());
-    // The mean-field equations leave out correlations of velocity and spin and departures from
+    // The mean-field equations neglect correlations of velocity and spin and deviations from
     // Maxwell's distribution: some per cent (Brilliantov et al. 2007).
     states("T_tr at " + std::to_string(until), found.translation, t.translation,
            0.04 * t.translation, "Huthmann and Zippelius 1997, mean field");

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Lasting contacts as the engine for many balls carries them, by the TC rule: on inclines, in
-// drums, in planetary jars, in beds.
+// Sustained contacts in the event engine for many balls, by the TC rule: on inclines, in drums, in
+// planetary jars, in beds.
 #include <algorithm>
 
 #include "mahlwerk/geometry/shapes.hpp"
@@ -18,7 +18,7 @@ namespace {
 using namespace tests;
 constexpr double pi = std::numbers::pi;
 
-/// Acceleration along a plane inclined by `angle` [rad] that a ball starting at rest gets.
+/// Acceleration of a ball that starts at rest on a plane inclined by `angle` [rad].
 double acceleration_down(double angle, double mu) {
   const Vec3 g{gravity * std::sin(angle), 0, -gravity * std::cos(angle)};
   const scene::Chamber mill{geometry::Box{4, 0.1, 0.1}, kinematics::Still{}, {}, g};
@@ -33,7 +33,8 @@ double acceleration_down(double angle, double mu) {
 
 TEST(LastingMany, ball_rolls_down_an_incline_at_five_sevenths) {
   const double angle = pi / 6, a = 5.0 / 7 * gravity * std::sin(angle);
-  // A bounce changes the velocity by what it gains in t_c: 0.3 mm/s of 1.75 m/s, at both ends.
+  // A bounce changes the velocity by its gain in t_c, 0.3 mm/s of 1.75 m/s. This error occurs at
+  // both ends of the measurement.
   states("acceleration [m/s2]", acceleration_down(angle, 0.5), a, 4 * t_c / 0.5 * a + 1e-3 * a,
          "physics 7.2: (5/7) g sin a, tan a <= (7/2) mu");
 }
@@ -46,9 +47,10 @@ TEST(LastingMany, ball_slides_down_a_smoother_incline_by_coulombs_law) {
 }
 
 struct Leaving {
-  double angle = 0;  ///< [deg] from the bottom where a ball leaves the wall; 360: it went round
+  double angle = 0;  ///< [deg] from the bottom, where the ball leaves the wall; 360: it goes round
 };
-/// A ball that starts at the bottom of a drum turning at `share` of the critical speed, with it.
+/// Angle [deg] at which a ball leaves the wall of a drum that turns at `share` of the critical
+/// speed. The ball starts at the bottom and moves with the drum.
 double leaves_drum_at(double share) {
   const double big = 0.05, r = 0.004, arm = big - r, critical = std::sqrt(gravity / arm);
   kinematics::Tumbling motion;
@@ -56,7 +58,7 @@ double leaves_drum_at(double share) {
   const scene::Chamber mill{
       geometry::Cylinder{2 * big, 0.1}, motion, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
   const Vec3 spin{motion.speed, 0, 0}, place{0, 0, -arm + 1e-9};
-  // The centre goes round with the drum and the ball turns as the drum does: no slip.
+  // The centre moves with the drum, and the ball turns with the drum: no slip.
   const auto run = lasting_engine(mill, {{r, 7850, place, cross(spin, place), spin}}, {0.5, 0, 5});
   Counter counter;
   double before = 0, turned = 0, away = 0;
@@ -74,11 +76,12 @@ double leaves_drum_at(double share) {
 }
 
 TEST(LastingMany, ball_that_rolls_in_a_drum_goes_round_or_leaves_like_a_pendulum) {
-  // Rolling without resistance: theta'' = -(5/7) (g/r) sin theta whatever the drum does; started at
-  // the drum's speed W = s W_c it presses with s^2 - (10/7)(1 - cos) + cos in g.
+  // Rolling without resistance: theta'' = -(5/7) (g/r) sin theta, independent of the motion of the
+  // drum. A ball that starts with the drum's speed W = s W_c presses on the wall with
+  // s^2 - (10/7)(1 - cos) + cos in units of g.
   const auto leaves = [](double s) { return std::acos((10.0 / 7 - s * s) * 7 / 17) * 180 / pi; };
-  // It is known to have left after 31 t_c, in which it goes on by some 5 degrees; 4 more for the
-  // last, longest bounces, at less than a tenth of g.
+  // The test detects the release 31 t_c late; in this time the ball moves on by some 5 degrees. The
+  // last, longest bounces, at less than a tenth of g, add 4 degrees.
   for (const double s : {1.5, 1.8})
     states("left at [deg], drum at " + std::to_string(s) + " critical", leaves_drum_at(s) - 4,
            leaves(s), 6, "press s^2 - (10/7)(1 - cos) + cos = 0");
@@ -86,15 +89,15 @@ TEST(LastingMany, ball_that_rolls_in_a_drum_goes_round_or_leaves_like_a_pendulum
          "press at the top s^2 - 20/7 - 1 > 0");
 }
 
-/// How many times a ball that is carried round by a planetary jar is pressed against it in the next
-/// 2 ms, from `psi` [rad] past the outermost point of the orbit on.
+/// Number of times that a ball carried round by a planetary jar is pressed on the wall in 2 ms,
+/// starting at `psi` [rad] past the outermost point of the orbit.
 std::int64_t presses(double psi, const kinematics::Planetary& motion, double arm, double ball) {
   const scene::Chamber mill{geometry::Cylinder{2 * (arm + ball), 0.04}, motion, {}, {}};
   const double turning = motion.jar_spin();
   const double angle = std::copysign(psi, turning - motion.speed);
   const Vec3 place = (arm - 1e-9) * Vec3{std::cos(angle), std::sin(angle), 0};
   const Vec3 spin{0, 0, turning};
-  // The default of a field of 12.5 g.
+  // The default of t_c in a field of 12.5 g.
   const auto run = lasting_engine(mill, {{ball, 7850, place, cross(spin, place), spin}},
                                   {0.5, 0, 0.5}, t_c / std::sqrt(12.5));
   Counter counter;
@@ -115,7 +118,8 @@ TEST(LastingMany, planetary_jar_lets_go_where_burgio_says_with_the_absolute_spee
   // Nearer to the release the field is so weak that a bounce takes about a millisecond.
   EXPECT_GT(presses(let_go - 12 * degree, motion, arm, ball), 3) << "still pressed";
   EXPECT_EQ(presses(let_go + 1 * degree, motion, arm, ball), 0) << "free";
-  // With the speed relative to the disc, as many write it, it would be pressed here still.
+  // With the speed relative to the disc, as many authors write it, the ball would still be pressed
+  // here.
   const double misused = std::acos(-4 * arm / motion.orbit_radius);
   EXPECT_EQ(presses(0.5 * (misused + let_go), motion, arm, ball), 0);
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A ball that stays on the wall: sliding, rolling, let go; and what happens where it may not stay.
+// One ball in sustained contact with the wall: sliding, rolling, release; and inelastic collapse
+// where sustained contacts are not modelled.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,7 +21,7 @@ using kinematics::Still;
 
 constexpr double r = 0.004;
 
-/// Rules under which a ball dropped from a micrometre stays at once.
+/// Rules with which a ball that falls by a micrometre enters a sustained contact at once.
 event::Rules staying(double mu, double mu_r = 0) {
   event::Rules rules;
   rules.bounce = {0, 1, mu};
@@ -29,7 +30,7 @@ event::Rules staying(double mu, double mu_r = 0) {
   return rules;
 }
 
-/// On the floor of a wide still box, a hair above it.
+/// A ball a hair above the floor of a wide box at rest.
 scene::Ball on_floor(const Vec3& velocity, const Vec3& spin = {}) {
   return ball_a({0, 0, -1 + r + 1e-12}, velocity, spin);
 }
@@ -100,7 +101,8 @@ TEST(Lasting, ball_in_a_still_cylinder_swings_like_a_rolling_pendulum) {
     const scene::Ball b = engine->balls().front();
     if (b.position.y * last < 0) {
       const double now = engine->energy_balance().time, w = 2 * std::numbers::pi / period;
-      const double back = std::atan(w * b.position.y / b.velocity.y) / w;  // a sine since it passed
+      // Time since the zero crossing of a sinusoidal swing.
+      const double back = std::atan(w * b.position.y / b.velocity.y) / w;
       (passes++ == 0 ? first_pass : last_pass) = now - back;
     }
     last = b.position.y;
@@ -110,8 +112,8 @@ TEST(Lasting, ball_in_a_still_cylinder_swings_like_a_rolling_pendulum) {
          1e-6 * period, "2 pi sqrt(7 rho / 5 g), amplitude 0.02 rad");
 }
 
-/// Its own release: a ball that rolls up the inside of a loop leaves it where the wall would have
-/// to pull.
+/// Release: a ball that rolls up the inside of a loop leaves the wall where the wall would have to
+/// pull.
 TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_to_pull) {
   const double big = 0.05, rho = big - r, v0 = std::sqrt(5.0 * gravity * rho / 2.0 * 1.2);
   const scene::Chamber loop{
@@ -124,8 +126,8 @@ TEST(Lasting, a_ball_too_slow_for_the_loop_leaves_it_where_the_wall_would_have_t
   const double before = t;
   while (engine->energy_balance().time - engine->energy_balance().contact_time < before + 1e-5)
     engine->advance(t += 1e-5, recorder);
-  // v^2 = v0^2 - (10/7) g rho (1 - cos), let go at v^2 = -g rho cos: cos = (10/7 - v0^2/(g rho)) /
-  // (17/7).
+  // v^2 = v0^2 - (10/7) g rho (1 - cos). Release at v^2 = -g rho cos:
+  // cos = (10/7 - v0^2/(g rho)) / (17/7).
   const double cosine = (10.0 / 7 - v0 * v0 / (gravity * rho)) / (17.0 / 7);
   const scene::Ball b = engine->balls().front();
   states("height at which it lets go [m]", b.position.z, -rho * cosine, 2e-5,
@@ -158,7 +160,7 @@ TEST(Lasting, a_drum_beyond_its_critical_speed_carries_the_ball_round) {
                               kinematics::Tumbling{.speed = speed},
                               scene::mounted_along({1, 0, 0}),
                               {0, 0, -gravity}};
-    // Carried along with the wall, as a ball without slip is: v = W x r and w = W.
+    // The ball moves with the wall without slip: v = W x r and w = W.
     const auto engine =
         event::one_ball(drum, ball_a({0, 0, -rho + 1e-12}, {0, speed * rho, 0}, {speed, 0, 0}),
                         staying(INFINITY, 3.0));
@@ -173,7 +175,8 @@ TEST(Lasting, a_drum_beyond_its_critical_speed_carries_the_ball_round) {
   }
 }
 
-/// Pressed to the side and hardly to an end, the ball touches the end at ever smaller speeds.
+/// The ball is pressed to the side of the drum and hardly to its end. It touches the end at ever
+/// smaller speeds.
 TEST(Collapse, a_ball_rolling_along_the_side_of_a_drum_settles_against_its_end) {
   const double critical = std::sqrt(gravity / (0.05 - r));
   for (const double share : {0.2, 0.5, 1.2})
@@ -214,8 +217,8 @@ TEST(Collapse, a_ball_without_restitution_collides_once_and_skims_the_wall) {
   EXPECT_EQ(most, 1);
 }
 
-/// Three presses from three conditions: each is gravity's part along its normal. The ball only
-/// spins, and rolling resistance and friction end that.
+/// Three normal forces from three contact conditions: each is the component of gravity along its
+/// normal. The ball can only spin, and rolling resistance and friction stop the spin.
 TEST(Lasting, a_ball_in_the_corner_of_a_box_is_held_by_three_faces) {
   const double side = 0.05, g = gravity;
   const scene::Chamber corner{
@@ -296,8 +299,8 @@ TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
          "elastic bounces lose nothing; a rounding of m g (1 m) each");
 }
 
-/// Rates above 1 cm/s hardly depend on how collapse is treated, per second of free flight (peers'
-/// finding).
+/// Collision rates above 1 cm/s, per second of free flight, hardly depend on the treatment of
+/// inelastic collapse (a finding of the peers).
 TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight) {
   const auto rate = [](event::SustainedContactMode lasting) {
     double hits = 0, flight = 0;
@@ -315,7 +318,8 @@ TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight)
   };
   const double rolling = rate(event::SustainedContactMode::roll),
                tc = rate(event::SustainedContactMode::tc);
-  // Replicates of 120 s scatter by about 1 %; four of each; 3 % is the agreement the peers report.
+  // Replicates of 120 s scatter by about 1 %; there are four of each. 3 % is the agreement that the
+  // peers report.
   states("rate above 0.1 m/s per second of flight [1/s]", rolling, tc, 0.03 * tc, "TC with 1e-4 s");
   states("the same with the TC rule [1/s]", tc, 159.2, 0.03 * 159.2, "physics 7.4: 159.2 +- 1");
 }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The event engine for many balls: against the engine for one, against conservation laws.
+// The event engine for many balls, compared with the engine for one ball and with conservation
+// laws.
 #include "many_balls.hpp"
 
 #include "mahlwerk/base/error.hpp"
@@ -26,7 +27,8 @@ TEST(ManyBalls, one_of_them_goes_the_way_of_the_engine_for_one) {
   many->advance(0.5, b);
   ASSERT_GE(a.all.size(), 20U);
   ASSERT_GE(b.all.size(), 20U);
-  // Two ways to the same touch differ by the margin of 1e-12 R; chaos multiplies by a few a bounce.
+  // The two engines find the same touch to the margin of 1e-12 R. Chaos multiplies the difference
+  // by a few at each bounce.
   for (std::size_t i = 0; i < 6; ++i) {
     states("time of a collision [s]", b.all[i].time, a.all[i].time, 1e-11, "engine for one ball");
     states("its approach [m/s]", b.all[i].approach, a.all[i].approach, 1e-9, "engine for one ball");
@@ -56,8 +58,8 @@ TEST(ManyBalls, elastic_gas_conserves_momentum_and_energy) {
 }
 
 TEST(ManyBalls, ball_that_collides_on_the_very_border_of_a_periodic_box_is_not_lost) {
-  // One is hit while it is a hair outside the cell it still belongs to, and goes on outwards; what
-  // it would meet there is round the corner of the box.
+  // One ball is hit while it is a hair outside of the cell in which it is still listed, and moves
+  // on outwards. The ball that it meets there lies across the periodic boundary.
   constexpr double side = 10;
   const auto ball = [](double x, double speed) {
     return scene::Ball{0.5, 1, {x, 0.3, 0.3}, {speed, 0, 0}, {}};
@@ -92,7 +94,8 @@ TEST(ManyBalls, few_balls_in_the_smallest_box_meet_their_nearest_images) {
 }
 
 TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
-  // The ball hangs still without gravity 0.2 mm from a wall; the box turns about x and comes to it.
+  // A ball at rest without gravity, 0.2 mm from a wall. The box turns about x, and the wall reaches
+  // the ball.
   kinematics::Tumbling motion;
   motion.speed = 4e4;
   const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};

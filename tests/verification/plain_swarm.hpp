@@ -17,9 +17,10 @@
 
 namespace mahlwerk::tests {
 
-/// Many balls as plain as can be: in the laboratory, all pairs asked before every collision, and
-/// after it the walls by steps no ball and no wall is fast enough to bridge and by halving. No
-/// cells, no calendar, no falling frame.
+/// Reference event engine for many balls, as simple as possible, in the laboratory frame. It tests
+/// all pairs before every collision. After a collision it searches for wall touches by steps that
+/// no ball and no wall is fast enough to cross, and by bisection. No cells, no event queue, no
+/// falling frame.
 class PlainSwarm {
  public:
   struct Bounce {
@@ -28,7 +29,7 @@ class PlainSwarm {
     double approach = 0;  ///< [m/s]
   };
 
-  /// After every collision both balls are put off their places by `noise` [m] in any direction.
+  /// After every collision both balls are displaced by `noise` [m] in a random direction.
   PlainSwarm(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls,
              const contact::BounceRule& rule, double noise = 0, std::uint64_t seed = 0)
       : chamber_(chamber), balls_(balls), rule_(rule), noise_(noise), random_(seed, 0) {
@@ -90,7 +91,7 @@ class PlainSwarm {
     }
     now_ = t;
   }
-  /// For so long no two balls come from one image to the next but one [s].
+  /// Time [s] within which no two balls pass from one periodic image to the next but one.
   double foresight() const {
     const Vec3 p =
         std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
@@ -120,7 +121,8 @@ class PlainSwarm {
         std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
     const bool images = periods.x < geometry::never;
     double least = std::numeric_limits<double>::infinity();
-    // Every image a ball may be met in; places are not put back into the box.
+    // Tests every periodic image in which the two balls can touch. Positions are not wrapped into
+    // the box.
     const Vec3 apart = b.position - a.position;
     const auto nearest = [&](double x, double period) {
       return images ? std::rint(x / period) : 0;
@@ -138,14 +140,14 @@ class PlainSwarm {
         }
     return least;
   }
-  /// |r + u s| = reach, from outside to inside.
+  /// Time until |r + u s| = reach, from outside to inside.
   static double until_touch(const Vec3& r, const Vec3& u, double reach) {
     const double b = dot(r, u), d = b * b - squared(u) * (squared(r) - reach * reach);
     if (b >= 0 || d <= 0) return std::numeric_limits<double>::infinity();
     return std::max(0.0, (squared(r) - reach * reach) / (std::sqrt(d) - b));
   }
 
-  /// Which wall a ball touches first; steps of a microsecond at least.
+  /// The first touch of ball `i` with a wall. The search steps are at least a microsecond.
   Bounce until_wall(int i) {
     constexpr double longest = 1e-2, least = 1e-6;  // [s]
     const scene::Ball& b = ball(i);
@@ -169,7 +171,7 @@ class PlainSwarm {
         free = std::min(free, seen.gap);
         if (!touches(after, seen)) continue;
         double low = before, high = after;
-        for (int k = 0; k < 60; ++k) {  // from when on it is both closed and closing
+        for (int k = 0; k < 60; ++k) {  // bisection: closed and closing from `high` on
           const double middle = 0.5 * (low + high);
           (touches(middle, look(middle)) ? high : low) = middle;
         }
@@ -186,7 +188,7 @@ class PlainSwarm {
 
   /// Impulses of (evt.6) and (evt.7); returns the approach [m/s].
   double collide(scene::Ball& a, int other) {
-    Vec3 n, u;  // from a to the contact; velocity of a's surface against the other's
+    Vec3 n, u;  // from a to the contact; velocity of a's surface relative to the other's
     double mass = a.mass();
     scene::Ball* const b = other >= 0 ? &ball(other) : nullptr;
     if (b != nullptr) {
@@ -217,7 +219,7 @@ class PlainSwarm {
     const Vec3 r = in_box(b.position - a.position);
     return r / norm(r);
   }
-  /// The image in the box about the origin, where the shape repeats itself.
+  /// The periodic image in the box about the origin, if the shape is periodic.
   Vec3 in_box(const Vec3& r) const {
     const Vec3 p =
         std::visit([](const auto& s) { return geometry::periods_of(s); }, *chamber_.shape);
@@ -232,7 +234,7 @@ class PlainSwarm {
   double noise_;
   Random random_;
   double now_ = 0;
-  std::vector<Bounce> walls_;  // where each ball's present flight would end
+  std::vector<Bounce> walls_;  // wall touch that would end each ball's present flight
 };
 
 }  // namespace mahlwerk::tests

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The engine for many balls against one that is as plain as can be: the same collisions in the same
-// order, as long as rounding lets one tell.
+// The event engine for many balls compared with the simple reference engine (PlainSwarm): the same
+// collisions in the same order, as long as rounding errors allow the comparison.
 #include "plain_swarm.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int wanted = 40;  // collisions
 
-/// Balls of several sizes, placed anywhere they fit, moving and spinning.
+/// Balls of several sizes at random free positions, with random velocities and spins.
 std::vector<scene::Ball> mixed(const scene::Chamber& chamber, int count, double size, double speed,
                                std::uint64_t seed) {
   Random random(seed, 0);
@@ -65,8 +65,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
   SCOPED_TRACE(what);
   const double size = geometry::reach(*chamber.shape);
   const int faces = geometry::faces(*chamber.shape);
-  // What the engine's touches may be off by: the margin of its search (evt.5), or rounding of
-  // places.
+  // Error of the engine's touches: the margin of its search (evt.5), or rounding of positions.
   const double noise = 1e-12 * balls.front().radius + 64 * 0x1p-52 * size;
   PlainSwarm plain(chamber, balls, rule);
   std::vector<PlainSwarm> noisy;
@@ -87,7 +86,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
       late = max_or_nan(late, std::abs(b.time - expected.time));
       fast = max_or_nan(fast, std::abs(b.approach - expected.approach));
     }
-    if (!same || late > 1e-6 * expected.time) break;  // chaos has eaten the digits
+    if (!same || late > 1e-6 * expected.time) break;  // chaos has amplified rounding too far
     for (int i = 0; std::ssize(seen.all) <= k && i < 60; ++i)
       engine->advance(expected.time + late * 100 + 1e-9 * std::pow(2, i), seen);
     ASSERT_GT(std::ssize(seen.all), k) << "collision " << k << " at " << expected.time;
@@ -99,7 +98,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
          std::abs(found.approach - expected.approach) / (fast + 1e-15 * expected.approach)});
   }
   EXPECT_GE(k, enough) << "too few to tell";
-  // Four runs with noise tell how far noise gets; another may get some times further.
+  // Four runs with noise estimate how errors grow. Another run may deviate some times more.
   stays_below(what + ": off by, over what noise does, of " + std::to_string(k), worst, 30,
               "plain engine with noise of the margin after each collision");
 }
@@ -141,7 +140,7 @@ TEST(PlainSwarm, and_engine_see_the_same_collisions_in_drums) {
   in_all_shapes("drum", kinematics::Tumbling{12}, scene::mounted_along({1, 0, 0}), 1);
 }
 
-/// Boxes so small that a ball meets another from both sides, and long thin ones.
+/// Boxes so small that two balls collide from both sides of the box, and long thin boxes.
 TEST(PlainSwarm, and_engine_see_the_same_collisions_in_periodic_boxes) {
   for (const Vec3& side : {Vec3{2.05, 2.05, 2.05}, Vec3{2.5, 2.9, 3.3}, Vec3{3.5, 4.5, 5.5},
                            Vec3{9, 9, 9}, Vec3{30, 2.1, 2.1}})

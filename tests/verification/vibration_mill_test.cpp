@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What paper A concludes from its figures 4, 5 and 6, asked of the cases in
+// The conclusions of paper A from its figures 4, 5 and 6, tested with the cases in
 // papers/vertical-vibration-mill.
 #include <gtest/gtest.h>
 
@@ -32,12 +32,12 @@ Curve curve(const std::string& file, double (*x)(const cases::Case&),
             const std::vector<cases::Override>& set = {}) {
   const std::string home = MAHLWERK_HOME;
   const cases::Catalogue catalogue(home + "/catalogue");
-  const cases::Case what =
+  const cases::Case mill_case =
       cases::read(home + "/papers/vertical-vibration-mill/" + file, catalogue, set);
-  const std::vector<cases::Case> points = campaign::points(what, catalogue, set);
+  const std::vector<cases::Case> points = campaign::points(mill_case, catalogue, set);
   Curve c;
   for (const results::Outcome& outcome : campaign::run(points)) {
-    c.x.push_back(x(outcome.what));
+    c.x.push_back(x(outcome.mill_case));
     c.rate.push_back(quantity(outcome, "collision_rate_in_flight"));
     c.energy.push_back(quantity(outcome, "energy_contact_point_mean_above_threshold"));
     c.energy_normal.push_back(quantity(outcome, "energy_normal_mean_above_threshold"));
@@ -98,7 +98,7 @@ TEST(VibrationMill, rate_is_proportional_to_frequency_and_energy_to_its_square) 
   proportional_to_frequency(curve("frequency.toml", frequency));
 }
 
-/// The same with balls that may stay on the wall, per second of flight.
+/// The same with sustained contacts, per second of free flight.
 TEST(VibrationMill, and_so_they_are_when_contacts_last) {
   proportional_to_frequency(
       curve("frequency.toml", frequency, {{"contact.lasting", "roll"}, {"run.replicates", "10"}}));
@@ -108,7 +108,7 @@ TEST(VibrationMill, rate_and_energy_grow_linearly_with_amplitude_to_within_a_few
   const Curve c = curve("amplitude.toml", amplitude);
   EXPECT_TRUE(std::is_sorted(c.rate.begin(), c.rate.end()));
   EXPECT_TRUE(std::is_sorted(c.energy.begin(), c.energy.end()));
-  // A line explains 97 % and more; the rest is a real bend, see the paper's README.
+  // A line explains 97 % and more. The rest is a real curvature, see the README of the paper.
   at_least("R2 of rate = a + b A", r_squared(c.x, c.rate, false), 0.97);
   at_least("R2 of contact-point energy = a + b A", r_squared(c.x, c.energy, false), 0.97);
   at_least("R2 of normal energy = a + b A", r_squared(c.x, c.energy_normal, false), 0.97);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is written over the picture: time, legend and the direction of weight. Drawn on a 2-D
-// canvas, so that the screen, a saved picture, a video and a print carry the same.
+// Annotations of the picture: time, legend and direction of gravity. They are drawn on a 2-D
+// canvas; the screen, saved pictures, videos and prints show the same annotations.
 
 import { speciesColours, speedGradient } from "./colours.js";
 import { short } from "./words.js";
@@ -27,7 +27,7 @@ function drawSpeedLegend(pen, height, { theme, speed }) {
   const [long, thick, y] = [150, 9, height - margin - 26];
   const fill = pen.createLinearGradient(margin, 0, margin + long, 0);
   speedGradient.forEach((colour, i) => fill.addColorStop(i / (speedGradient.length - 1), colour));
-  write(pen, "Speed in the jar (m/s)", margin, y - 8, { colour: theme.soft });
+  write(pen, "Speed relative to jar centre (m/s)", margin, y - 8, { colour: theme.soft });
   pen.fillStyle = fill;
   pen.beginPath();
   pen.roundRect(margin, y, long, thick, thick / 2);
@@ -49,7 +49,8 @@ function drawSpeciesLegend(pen, height, { theme, speciesNames }) {
   });
 }
 
-/// An arrow where weight pulls across the picture; a dot or cross where out of or into it.
+/// Direction of gravity: an arrow in the plane of the picture; a dot if gravity points out of the
+/// picture, a cross if it points into it.
 function drawWeight(pen, width, height, { theme, weight }) {
   const [x, y, long] = [width - margin - 22, height - margin - 22, 20];
   const [dx, dy] = [weight.x, -weight.y];
@@ -82,8 +83,8 @@ function drawWeight(pen, width, height, { theme, weight }) {
   write(pen, "g", x - 12 * Math.abs(uy) - 4, y + 4 - 12 * Math.abs(ux), { colour: theme.soft });
 }
 
-/// Draws on `pen`, whose unit is a CSS pixel of a picture of `width` times `height`. `what`: theme,
-/// title (or none), time and factor as text, colour, speed scale, speciesNames, weight.
+/// Draws on `pen`; the unit is a CSS pixel, the picture has `width` times `height` pixels. `what`:
+/// theme, title (or none), time and factor as text, colour, speed scale, speciesNames, weight.
 export function annotate(pen, width, height, what) {
   if (what.title)
     write(pen, what.title, margin, margin + 14, { size: 14, weight: 600, colour: what.theme.ink });

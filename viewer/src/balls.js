@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// All balls as one instanced sphere: what changes with time is three numbers and a colour each.
+// All balls as one instanced sphere. Only the positions and colours of the balls change with time.
 
 import {
   BufferAttribute, Color, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh,
@@ -11,7 +11,7 @@ import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { speciesColours, speedColour } from "./colours.js";
 import { between } from "./motion.js";
 
-const trianglesInAll = 2.5e6; // about what a laptop draws fluidly
+const trianglesInAll = 2.5e6; // estimate: a laptop draws this number smoothly
 
 function sphereFor(count) {
   const wanted = Math.floor(Math.sqrt(trianglesInAll / (20 * Math.max(count, 1)))) - 1;
@@ -29,7 +29,7 @@ export class Balls {
     this.speedTop = speedTop;
     const material = new MeshStandardMaterial({ roughness: 0.32, metalness: 0.12 });
     this.mesh = new InstancedMesh(sphereFor(data.count), material, data.count);
-    this.mesh.frustumCulled = false; // its bounds would have to follow the balls
+    this.mesh.frustumCulled = false; // the bounds of the mesh do not follow the balls
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * data.count), 3);
     const matrix = this.mesh.instanceMatrix.array;
@@ -38,7 +38,7 @@ export class Balls {
     this.species = speciesColours.map((colour) => new Color(colour).toArray());
   }
 
-  /// Places and colours at a place on the scale of frames.
+  /// Sets positions and colours for the fractional frame `frame`.
   show(frame, colour) {
     const step = between(this.data, frame);
     this.place(step);

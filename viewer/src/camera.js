@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where one looks from: along the jar's axis, from the side, or the way that shows the motion best,
-// and from how far.
+// Camera: direction (along the jar's axis, from the side, or the start view, which shows the plane
+// of motion) and distance.
 
 import { Quaternion, Vector3 } from "three";
 import { axisOfTurning, frameOfView, poseAt, wayOfCentre } from "./motion.js";
 
 const up = new Vector3(0, 0, 1);
-export const fieldOfView = 24; // degrees, upright
+export const fieldOfView = 24; // degrees, vertical
 
 const jarAxis = (data) =>
   new Vector3(0, 0, 1).applyQuaternion(new Quaternion().fromArray(data.jarTurn));
 
-/// The half of the axis one can look down from: from above, or from the front for a lying axis.
+/// The viewing direction along the axis: from above, or from the front if the axis is horizontal.
 function facing(axis) {
   const dot = Math.abs(axis.z) > 0.1 ? axis.z : axis.x - axis.y;
   return dot < 0 ? axis.clone().negate() : axis.clone();
 }
 
-/// Level, across the jar's axis or, where that is upright, across the way of its centre.
+/// Horizontal viewing direction, perpendicular to the jar's axis or, if this is vertical, to the
+/// path of the jar's centre.
 function sideOf(data) {
   const { reach } = wayOfCentre(data);
   const across = jarAxis(data).cross(up);
@@ -29,14 +30,14 @@ function sideOf(data) {
   return across.y > 0 ? across.negate() : across;
 }
 
-/// `direction` leant by `degrees` towards `towards`.
+/// `direction` tilted by `degrees` towards `towards`.
 function leant(direction, towards, degrees) {
   const rest = towards.clone().addScaledVector(direction, -towards.dot(direction)).normalize();
   const angle = (degrees * Math.PI) / 180;
   return direction.clone().multiplyScalar(Math.cos(angle)).addScaledVector(rest, Math.sin(angle));
 }
 
-/// From where the motion's plane is seen, a little aslant so that depth shows.
+/// Viewing direction on the plane of motion, slightly tilted to show depth.
 function startOf(data) {
   const axis = axisOfTurning(data.jarTurn) ?? wayOfCentre(data).normal;
   const side = sideOf(data);
@@ -46,12 +47,12 @@ function startOf(data) {
   return leant(leant(front, new Vector3(-1, -1, 0), 14), up, 8);
 }
 
-/// Unit vectors from what is looked at to the camera.
+/// Unit vectors from the target to the camera.
 export function directionsOf(data) {
   return { start: startOf(data), axis: facing(jarAxis(data)), side: sideOf(data) };
 }
 
-/// The jar's corners as a view sees them over all frames [m]: what the camera must hold.
+/// Vertices of the jar in the frame of a view, over all frames [m]. The picture must contain them.
 export function outlineOf(data, view) {
   const frames = Math.min(data.frames, 48);
   const corners = data.meshes.flatMap((mesh) => {
@@ -74,7 +75,7 @@ export function outlineOf(data, view) {
   return outline;
 }
 
-/// Without a mesh: the box of all balls in the first frame.
+/// Bounding box of the balls in the first frame, for replays without a mesh.
 function ballCorners(data) {
   let reach = 1e-6;
   for (let i = 0; i < 3 * data.count; ++i)
@@ -83,9 +84,10 @@ function ballCorners(data) {
     [-reach, reach].map((z) => new Vector3(x, y, z))));
 }
 
-/// Sets the camera to look along `-direction`, so placed that the outline fills the picture.
+/// Sets the camera to look along `-direction`, at the distance at which the outline fills the
+/// picture.
 export function look(camera, controls, outline, direction) {
-  // Straight down a pole the horizon is undefined: a hair aside it is what one expects.
+  // The up direction is undefined along the z axis; a small offset defines it.
   const from = Math.abs(direction.z) > 0.9999
     ? new Vector3(0, -1e-3, Math.sign(direction.z)).normalize() : direction.clone();
   camera.up.copy(up);
@@ -99,7 +101,7 @@ export function look(camera, controls, outline, direction) {
   const distance = Math.max(placed(outline, from, right, tall * camera.aspect, target),
     placed(outline, from, above, tall, target));
   camera.position.copy(target).addScaledVector(from, 1.1 * distance);
-  // Dragging turns about the middle of the depth, too.
+  // The centre of rotation is the middle of the outline in depth as well.
   const depths = outline.map((point) => point.dot(from));
   const [near, far] = depths.reduce(([a, b], d) => [Math.max(a, d), Math.min(b, d)],
     [-Infinity, Infinity]);
@@ -108,10 +110,12 @@ export function look(camera, controls, outline, direction) {
   return camera.position.distanceTo(controls.target);
 }
 
-/// Moves `target` across the picture, along `axis`, to where all of the outline is seen from the
-/// least distance; returns that distance. `slope`: half the picture's width over its distance.
+/// Moves `target` along `axis` in the plane of the picture to the position from which the camera
+/// contains the outline at the least distance. Returns this distance. `slope`: half the width of
+/// the picture over its distance.
 function placed(outline, from, axis, slope, target) {
-  // A point at depth z and offset x is seen from (c, d) if |x - c| <= slope (d - z).
+  // A camera at offset c and depth d sees a point at offset x and depth z if
+  // |x - c| <= slope (d - z).
   let [most, least] = [-Infinity, -Infinity];
   for (const point of outline) {
     const depth = slope * point.dot(from);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What carries the jar of a planetary mill, hinted at by a plate below it: its rim, the way of the
-// jar's centre and spokes that show the turning. Its own z is its axis, through the laboratory's
-// origin.
+// The carrier (disc) of a planetary mill, drawn as a plate below the jar: its rim, the path of the
+// jar's centre, and spokes that show the rotation. The axis of the plate is its z axis through the
+// origin of the laboratory.
 
 import { CircleGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
 import { lines } from "./jar.js";
 
-/// Radius and height of the plate [m], from where the jar is and how large.
+/// Radius and height of the plate [m], from the position and the size of the jar.
 export function plateOf(data) {
   const orbit = Math.hypot(data.jarCentre[0], data.jarCentre[1]);
   let reach = 0;

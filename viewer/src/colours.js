@@ -5,8 +5,8 @@
 
 import { Color } from "three";
 
-// Ten steps of viridis, even to the eye and to the colour-blind (S. van der Walt and N. Smith,
-// matplotlib, CC0).
+// Ten colours of viridis, perceptually uniform, also for colour-blind readers (S. van der Walt and
+// N. Smith, matplotlib, CC0).
 const viridis = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779",
   "#6ece58", "#b5de2b", "#fde725"];
 
@@ -36,7 +36,7 @@ export function speedColour(part, list, at) {
   list[at + 2] = speedTable[i + 2];
 }
 
-/// Top of the speed scale [m/s]: a round number that all but a few of a thousand speeds stay below.
+/// Top of the speed scale [m/s]: a round number that at most about 3 of 1000 speeds exceed.
 export function speedScaleTop(data) {
   const bins = new Uint32Array(65536);
   for (const speed of data.speeds) ++bins[speed];
@@ -55,17 +55,17 @@ const light = { ink: "#1d2329", soft: "#59636e", grid: "#e3e6ea", paper: "#fffff
 const dark = { ink: "#e4e8ec", soft: "#a3adb8", grid: "#30363d", paper: "#14181c", box: "#1d2329",
   edge: "#39424b" };
 
-/// Colours that no variable of the page gives: the jar's wall and its stripes, its lines.
+/// Colours that are not variables of the page: wall, stripes and lines of the jar, parts, disc.
 const wallsOf = (isDark) => isDark
   ? { wall: "#56636f", stripe: "#45515d", mark: "#e0913a", line: "#a9b8c8", part: "#8b98a6",
       glass: "#9fb4c8", disc: "#2b333c" }
   : { wall: "#cbd5df", stripe: "#b4c1ce", mark: "#e0782a", line: "#5d6b7a", part: "#9aa7b4",
       glass: "#5f7f9f", disc: "#e6ebf0" };
 
-/// Light and paper-white, whatever the screen shows.
+/// Theme of prints: light on white, independent of the theme of the screen.
 export const printTheme = { ...light, box: "#ffffff", ...wallsOf(false), dark: false };
 
-/// The theme as the page sets it now. Its variables win over ours.
+/// The current theme. Variables of the page have precedence over the default colours.
 export function themeOf(element) {
   const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
   const theme = { ...(isDark ? dark : light), ...wallsOf(isDark), dark: isDark };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The component's elements. What they do is said by `actions`; what they show by `show`.
+// Elements of the component. `actions` are their event handlers; `show` updates them.
 
 const icons = {
   play: "M3 1.5v13l11-6.5z",
@@ -37,7 +37,7 @@ const group = (label, ...children) => element("div",
   { className: "group", role: "group", "aria-label": label },
   [element("span", { textContent: label, "aria-hidden": "true" }), ...children]);
 
-/// Buttons of which one is pressed.
+/// A group of buttons; exactly one is pressed.
 function choice(label, options, pick) {
   const buttons = options.map(({ key, name, about }) => {
     const button = textButton(name, about ?? "", () => pick(key));
@@ -51,9 +51,9 @@ function choice(label, options, pick) {
 
 const pictureOf = (title) => {
   const scene = element("canvas", { className: "scene", tabIndex: 0, role: "img",
-    "aria-label": `Balls in the moving jar: ${title}. Drag to turn, shift and drag to move, ` +
-      "wheel or two fingers to come nearer. Keys: space plays, arrows step, v changes the view, " +
-      "c the colours, plus and minus the distance, shift and arrows turn." });
+    "aria-label": `Balls in the moving jar: ${title}. Drag to rotate, shift and drag to pan, ` +
+      "wheel or two fingers to zoom. Keys: space plays or pauses, arrows step, v changes the " +
+      "view, c changes the colours, plus and minus zoom, shift and arrows rotate." });
   const written = element("canvas", { className: "written", "aria-hidden": "true" });
   const print = element("canvas", { className: "print", "aria-hidden": "true" });
   return { scene, written, print };
@@ -61,7 +61,7 @@ const pictureOf = (title) => {
 
 function keysHint() {
   const hint = element("span", { className: "keys" });
-  hint.innerHTML = " Drag turns, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
+  hint.innerHTML = " Drag rotates, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
     "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour.";
   return hint;
 }
@@ -80,7 +80,7 @@ function playRow(frames, actions) {
 
 function paceGroup(factors, actions) {
   const pace = element("select", { "aria-label": "Speed of the replay",
-    title: "Simulated time to real time", onchange: () => actions.pace(+pace.value) });
+    title: "Simulated time per real time", onchange: () => actions.pace(+pace.value) });
   for (const factor of factors)
     pace.append(element("option", { value: factor, textContent: `${factor}x` }));
   const loop = element("input", { type: "checkbox", onchange: () => actions.loop(loop.checked) });
@@ -89,17 +89,18 @@ function paceGroup(factors, actions) {
 }
 
 function saveGroup(videoFault, actions) {
-  const about = videoFault ?? "The whole replay as a WebM video";
+  const about = videoFault ?? "Save the whole replay as a video";
   const video = textButton("Video", about, actions.video);
   video.disabled = videoFault !== null;
-  const png = textButton("Picture", "This picture as PNG, twice as fine", actions.png);
+  const png = textButton("Picture", "Save this picture as PNG, at twice the resolution",
+    actions.png);
   const both = group("Save", element("div", { className: "choice" }, [png, video]));
   both.classList.add("push");
   return { group: both, video };
 }
 
-/// Builds the component below `root`. `options`: title, frames, views, colours, factors,
-/// videoFault (why no video can be saved, or null). `actions`: toggle, scrub, step, view, colour,
+/// Builds the component below `root`. `options`: title, frames, views, colours, factors, videoFault
+/// (reason why video is not available, or null). `actions`: toggle, scrub, step, view, colour,
 /// look, pace, loop, png, video.
 export function build(root, options, actions) {
   const picture = pictureOf(options.title);
@@ -108,9 +109,9 @@ export function build(root, options, actions) {
   const colour = choice("Colour", options.colours, actions.colour);
   const pace = paceGroup(options.factors, actions);
   const camera = group("Camera", element("div", { className: "choice" }, [
-    textButton("Start", "The view the replay starts with", () => actions.look("start")),
-    textButton("Along axis", "Along the jar's axis", () => actions.look("axis")),
-    textButton("Side", "From the side", () => actions.look("side")),
+    textButton("Start", "Initial view", () => actions.look("start")),
+    textButton("Along axis", "View along the jar's axis", () => actions.look("axis")),
+    textButton("Side", "View from the side", () => actions.look("side")),
   ]));
   const save = saveGroup(options.videoFault, actions);
   const caption = element("span");
@@ -127,7 +128,7 @@ export function build(root, options, actions) {
   ]);
   root.append(figure);
 
-  /// Brings the elements up to the state of the replay.
+  /// Updates the elements to the state of the replay.
   function show(state) {
     draw(playing.play, state.playing ? "pause" : "play");
     playing.play.title = state.playing ? "Pause" : "Play";
@@ -141,7 +142,7 @@ export function build(root, options, actions) {
     said.textContent = state.said;
   }
 
-  /// What changes with every picture.
+  /// Updates the elements that change with every frame.
   function showTime(frame, time) {
     playing.slider.value = frame;
     playing.slider.setAttribute("aria-valuetext", time);
@@ -151,7 +152,7 @@ export function build(root, options, actions) {
   return { ...picture, figure, slider: playing.slider, show, showTime };
 }
 
-/// A plain sentence in place of the picture.
+/// Replaces the component by an error message.
 export function apologize(root, sentence) {
   root.replaceChildren(element("figure", {},
     [element("p", { className: "sorry", role: "alert", textContent: sentence })]));

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The replay's data as typed arrays, checked against the contract of viewer/README.md. Typed arrays
-// take the byte order of the machine; all that run browsers are little endian, as the contract is.
+// The data of the replay as typed arrays, checked against the format in viewer/README.md. Typed
+// arrays have the byte order of the machine. The format is little endian, as are all machines with
+// browsers.
 
-const remedy = "write the report anew with the mahlwerk this page came with";
+const remedy = "write the report again with the version of mahlwerk that wrote this page";
 
 function fault(what) {
   return new Error(`The replay's data cannot be shown: ${what}; ${remedy}.`);
@@ -20,13 +21,13 @@ function decoded(Kind, text, length, name) {
   }
   const expected = length * Kind.BYTES_PER_ELEMENT;
   if (raw.length !== expected)
-    throw fault(`"${name}" holds ${raw.length} bytes where ${expected} belong`);
+    throw fault(`"${name}" holds ${raw.length} bytes instead of ${expected}`);
   const bytes = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; ++i) bytes[i] = raw.charCodeAt(i);
   return new Kind(bytes.buffer);
 }
 
-/// As many elements as the text holds; their number must be a multiple of `group`.
+/// All elements of the text. Their number must be a multiple of `group`.
 function decodedGroups(Kind, text, group, name) {
   if (typeof text !== "string") throw fault(`"${name}" is missing`);
   const bytes = (text.length / 4) * 3 - (text.match(/=*$/)[0].length);
@@ -47,7 +48,7 @@ function readMesh(mesh, frames, i) {
   const vertices = decodedGroups(Float32Array, mesh.vertices, 3, `${at}.vertices`);
   const triangles = decodedGroups(Uint32Array, mesh.triangles, 3, `${at}.triangles`);
   if (triangles.some((v) => 3 * v >= vertices.length))
-    throw fault(`"${at}.triangles" names a vertex that "${at}.vertices" does not hold`);
+    throw fault(`"${at}.triangles" refers to a vertex that "${at}.vertices" does not contain`);
   const turn =
     mesh.turn == null ? null : decoded(Float32Array, mesh.turn, 4 * frames, `${at}.turn`);
   return { name: String(mesh.name ?? ""), vertices, triangles, turn };
@@ -56,21 +57,21 @@ function readMesh(mesh, frames, i) {
 function readTimes(times) {
   if (!Array.isArray(times) || times.length === 0) throw fault('"times" is missing or empty');
   if (times.some((t, f) => !Number.isFinite(t) || (f > 0 && t <= times[f - 1])))
-    throw fault('"times" must be numbers that increase');
+    throw fault('the numbers in "times" must increase');
   return times;
 }
 
-/// All of the JSON text `text`. Lengths in m, times in s, speeds in m/s. Throws an Error with a
-/// sentence for the reader where the contract is not kept.
+/// Reads the JSON text `text`. Lengths in m, times in s, speeds in m/s. Throws an Error with a
+/// message for the reader if the text violates the format.
 export function read(text) {
   let json;
   try {
     json = JSON.parse(text);
   } catch (error) {
-    throw fault(`it is not JSON (${error.message})`);
+    throw fault(`they are not JSON (${error.message})`);
   }
   if (json.version !== 1)
-    throw fault(`it is of version ${json.version}, this page reads version 1`);
+    throw fault(`they have version ${json.version}, but this page reads version 1`);
   const times = readTimes(json.times);
   const F = times.length;
   const N = json.count;

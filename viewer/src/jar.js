@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The jar, open to the eye: the wall one looks at from inside is solid, the wall in between is
-// glass. Stripes and one mark along its axis show how it turns.
+// The jar. The far wall, seen from inside, is solid; the near wall is transparent. Stripes and one
+// mark along the axis show the rotation.
 
 import {
   BackSide, BufferAttribute, BufferGeometry, Color, EdgesGeometry, FrontSide, Group, Mesh,
@@ -13,9 +13,9 @@ import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
-const crease = 30; // degrees: facets of a round wall bend by less, edges of parts by more
+const crease = 30; // degrees; smaller between facets of a round wall, larger at edges of parts
 
-/// Volume times 6; above 0 where triangles turn their front outwards.
+/// Volume times 6; positive if the front sides of the triangles point outwards.
 function signedVolume({ vertices, triangles }) {
   const corner = (i) => new Vector3().fromArray(vertices, 3 * triangles[i]);
   let sum = 0;
@@ -24,7 +24,7 @@ function signedVolume({ vertices, triangles }) {
   return sum;
 }
 
-/// The mesh with its fronts outwards, smooth where it bends little.
+/// The mesh with front sides outwards and smooth shading across edges below the crease angle.
 export function geometryOf(mesh) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(mesh.vertices, 3));
@@ -48,7 +48,7 @@ export function lines(points, width, opacity) {
 export const edgesOf = (geometry, width, opacity) =>
   lines(new EdgesGeometry(geometry, crease).attributes.position.array, width, opacity);
 
-/// Whether the wall is round about the jar's axis: then nothing but stripes shows that it turns.
+/// Whether the wall is rotationally symmetric about the jar's axis. Only stripes show its rotation.
 function isRound(vertices) {
   const reach = new Array(12).fill(0);
   for (let i = 0; i < vertices.length; i += 3) {
@@ -88,7 +88,7 @@ function wallMaterial(uniforms) {
   return material;
 }
 
-/// Clear where one looks straight through it, denser towards the outline, as glass is.
+/// Transparent at perpendicular view, denser towards the outline, like glass.
 const glassMaterial = () => new ShaderMaterial({
   side: FrontSide,
   transparent: true,
@@ -112,7 +112,7 @@ const glassMaterial = () => new ShaderMaterial({
     }`,
 });
 
-/// The vessel around the balls. `turning`: whether marks are wanted.
+/// The vessel around the balls. `turning`: whether it has marks of rotation.
 export function vesselOf(mesh, turning) {
   const geometry = geometryOf(mesh);
   geometry.computeBoundingSphere();
@@ -138,7 +138,7 @@ export function vesselOf(mesh, turning) {
   return { group, paint };
 }
 
-/// A solid body, as a stirrer is.
+/// A solid body, such as a stirrer.
 export function partOf(mesh) {
   const geometry = geometryOf(mesh);
   const body = new Mesh(geometry, new MeshStandardMaterial({ roughness: 0.45, metalness: 0.3 }));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The replay of a report: finds its place and its data on the page, and plays.
+// The replay of a report: finds its section and its data on the page, and plays.
 
 import { annotate } from "./annotations.js";
 import { printTheme, speedScaleTop, themeOf } from "./colours.js";
@@ -15,7 +15,7 @@ import { captionOf, clockOf, factorsOf } from "./words.js";
 
 const colours = [
   { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
-  { key: "species", name: "Kind", about: "Which kind of ball" },
+  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
 ];
 const orbitKeys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
@@ -69,7 +69,7 @@ class Replay {
   listen() {
     const { scene } = this.elements;
     this.stage.controls.addEventListener("change", () => this.want());
-    // A wheel over the picture scrolls the page unless one has begun to work with the picture.
+    // The wheel zooms only while the picture has the focus; otherwise it scrolls the page.
     this.stage.controls.enableZoom = false;
     scene.addEventListener("pointerdown", () => scene.focus({ preventScroll: true }));
     scene.addEventListener("focus", () => (this.stage.controls.enableZoom = true));
@@ -134,7 +134,7 @@ class Replay {
     this.want();
   }
 
-  /// Turns the camera by twelfths of a half turn, as dragging does.
+  /// Rotates the camera by steps of 7.5 degrees.
   orbit(right, up) {
     this.stage.orbit((right * Math.PI) / 24, (up * Math.PI) / 24);
     this.want();
@@ -145,7 +145,7 @@ class Replay {
     this.want();
   }
 
-  /// Out of sight nothing is drawn and time stands still.
+  /// While the component is not visible, nothing is drawn and the replay stands still.
   appear(seen) {
     this.seen = seen;
     this.before = null;
@@ -164,7 +164,7 @@ class Replay {
     written.width = width * ratio;
     written.height = height * ratio;
     this.stage.lookFrom(old ? this.stage.direction() : "start", this.state.view);
-    if (old) this.draw(); // at once, as a new size empties the picture
+    if (old) this.draw(); // immediately, because resizing clears the picture
     else this.want();
   }
 
@@ -174,14 +174,14 @@ class Replay {
     this.want();
   }
 
-  /// Elements as the state is; then a picture.
+  /// Updates the elements to the state and requests a picture.
   show() {
     const view = this.views.find(({ key }) => key === this.state.view);
     this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock) });
     this.want();
   }
 
-  /// Asks for one picture, however often it is asked.
+  /// Requests one picture; repeated requests before it is drawn have no effect.
   want() {
     this.wanted ??= requestAnimationFrame((now) => {
       this.wanted = null;
@@ -232,7 +232,7 @@ class Replay {
       speciesNames: data.speciesNames };
   }
 
-  /// Picture and annotations on one canvas, as large as the picture is drawn now.
+  /// Picture and annotations on one canvas, at the current size of the picture.
   compose(canvas, theme) {
     const { scene } = this.elements;
     const { width, height } = this.size;
@@ -246,7 +246,7 @@ class Replay {
     return canvas;
   }
 
-  /// The picture at `ratio` pixels to one of the page, in the colours of `theme`.
+  /// The picture at `ratio` pixels per CSS pixel, in the colours of `theme`.
   finely(canvas, ratio, theme) {
     const { width, height } = this.size;
     this.stage.paint(theme);
@@ -283,7 +283,7 @@ class Replay {
       return;
     }
     const seconds = Math.ceil(this.duration() / this.state.factor);
-    this.state.said = `Recording: plays once, ${seconds} s. Keep this page in front.`;
+    this.state.said = `Recording: the replay plays once, ${seconds} s. Keep this page visible.`;
     this.play(true);
   }
 
@@ -305,8 +305,8 @@ function start() {
     root.dataset.state = plain ? "no-webgl" : "failed";
     root.dataset.error = error.message;
     apologize(root, plain
-      ? "The replay needs WebGL 2, which this browser does not offer or has switched off. All " +
-        "numbers of this report are complete without it."
+      ? "The replay needs WebGL 2, which this browser does not support or has disabled. All " +
+        "numbers of this report are complete without the replay."
       : error.message);
   }
 }

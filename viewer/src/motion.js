@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where jar, carrier and parts are at any time: between frames places go in straight lines, turns
-// along the shortest way round.
+// Position and rotation of jar, carrier and parts at any time. Between frames, positions are
+// interpolated linearly and rotations along the shortest arc.
 
 import { Quaternion, Vector3 } from "three";
 
@@ -12,7 +12,7 @@ const placeAt = (list, f) => new Vector3().fromArray(list, 3 * f);
 const turnBetween = (list, { low, high, part }) =>
   turnAt(list, low).slerp(turnAt(list, high), part);
 
-/// The frames around a place on the scale of frames (0 to F - 1) and the part of the way between.
+/// The two frames around the fractional frame `frame` (0 to F - 1), and the fraction between them.
 export function between(data, frame) {
   const last = data.frames - 1;
   const at = Math.min(Math.max(frame, 0), last);
@@ -25,7 +25,7 @@ export function timeOf(data, frame) {
   return data.times[low] + part * (data.times[high] - data.times[low]);
 }
 
-/// Place on the scale of frames of a time [s]; the inverse of timeOf.
+/// Fractional frame at a time [s]; the inverse of timeOf.
 export function frameOf(data, time) {
   let low = 0;
   let high = data.frames - 1;
@@ -39,11 +39,12 @@ export function frameOf(data, time) {
   return low + (time - data.times[low]) / (data.times[high] - data.times[low]);
 }
 
-/// Centre of the jar [m] and turns, all to the laboratory's axes.
+/// Centre of the jar [m] and rotations, all relative to the laboratory's axes.
 export function poseAt(data, frame) {
   const step = between(data, frame);
   const carrier = turnBetween(data.carrierTurn, step);
-  // Seen from its carrier the jar's centre moves little: a straight line there is an arc here.
+  // In the frame of the carrier the jar's centre moves little; linear interpolation in that frame
+  // gives an arc in the laboratory.
   const seen = (f) =>
     placeAt(data.jarCentre, f).applyQuaternion(turnAt(data.carrierTurn, f).invert());
   const centre = seen(step.low).lerp(seen(step.high), step.part).applyQuaternion(carrier);
@@ -51,23 +52,23 @@ export function poseAt(data, frame) {
   return { centre, carrier, jar: turnBetween(data.jarTurn, step), parts };
 }
 
-/// What one can ride with. `key` stands in data-view.
+/// Frames of reference that can be selected. `key` is the value of data-view.
 export function viewsOf(data) {
   const views = [
-    { key: "laboratory", name: "Laboratory", about: "seen from the laboratory, which is at rest" },
-    { key: "centre", name: "Jar centre", about: "seen from the jar's centre, without its turning" },
-    { key: "fixed", name: "Jar fixed", about: "seen from the jar, turning with it" },
+    { key: "laboratory", name: "Laboratory", about: "in the frame of the laboratory" },
+    { key: "centre", name: "Jar centre", about: "in the frame of the jar's centre, not rotating" },
+    { key: "fixed", name: "Jar fixed", about: "in the frame of the jar, rotating with it" },
   ];
   if (data.carrier) {
-    const about = `seen from the ${data.carrier}, turning with it about the mill's axis`;
+    const about = `in the frame of the ${data.carrier}, rotating with it about the mill's axis`;
     const name = data.carrier[0].toUpperCase() + data.carrier.slice(1);
     views.splice(1, 0, { key: "carrier", name, about });
   }
   return views;
 }
 
-/// The laboratory as a view sees it: x_view = turn (x_laboratory - origin). What turns in a view
-/// keeps the direction it has in the first frame, so that a lying drum goes on lying.
+/// Transformation from the laboratory to a view: x_view = turn (x_laboratory - origin). A rotating
+/// view has the orientation of the first frame, so a horizontal drum stays horizontal.
 export function frameOfView(data, view, pose) {
   const origin = new Vector3();
   const turn = new Quaternion();
@@ -78,8 +79,8 @@ export function frameOfView(data, view, pose) {
   return { origin, turn };
 }
 
-/// Sum of a turning over all frames: its axis (a unit vector, null if it hardly turns), in
-/// laboratory axes. Swings to and fro count as turning, too.
+/// Mean axis of rotation over all frames, a unit vector in laboratory axes; null if there is hardly
+/// any rotation. Oscillations count as rotation.
 export function axisOfTurning(turns) {
   const sum = new Vector3();
   let total = 0;
@@ -94,8 +95,8 @@ export function axisOfTurning(turns) {
   return total > 0.05 ? sum.normalize() : null;
 }
 
-/// The jar centre's way: its middle, the direction of its widest reach, and the normal of the plane
-/// it encloses (null where it encloses none).
+/// Path of the jar's centre: its mean, the vector from there to the farthest point, and the normal
+/// of the enclosed area (null if the path encloses none).
 export function wayOfCentre(data) {
   const places = Array.from({ length: data.frames }, (_, f) => placeAt(data.jarCentre, f));
   const middle = places.reduce((a, b) => a.add(b), new Vector3()).divideScalar(places.length);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Pictures and videos as files.
+// Saves pictures and videos as files.
 
 const videoKinds = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 const framesPerSecond = 30;
@@ -9,11 +9,11 @@ const bitsPerSecond = 8e6;
 
 const videoKind = () => videoKinds.find((kind) => MediaRecorder.isTypeSupported(kind));
 
-/// Why this browser can save no video, or null.
+/// The reason why this browser cannot save a video, or null.
 export function videoFault() {
   if (typeof MediaRecorder === "undefined" || !HTMLCanvasElement.prototype.captureStream)
     return "This browser cannot record videos";
-  return videoKind() ? null : "This browser knows no format to record videos in";
+  return videoKind() ? null : "This browser supports no video format for recording";
 }
 
 function download(blob, name) {
@@ -24,15 +24,15 @@ function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 }
 
-/// "a-planetary-mill-at-12-ms.png": a name for files out of words.
+/// A file name from a title: "a-planetary-mill-at-12-ms.png".
 const fileName = (words, ending) =>
   `${words.toLowerCase().replace(/[^a-z0-9.]+/g, "-").replace(/^-|-$/g, "") || "replay"}.${ending}`;
 
 export const savePicture = (canvas, words) =>
   canvas.toBlob((blob) => download(blob, fileName(words, "png")), "image/png");
 
-/// Films a canvas until `stop` is called, then saves what was filmed. `failed` hears why if it
-/// cannot.
+/// Records a canvas until `stop` is called, then saves the video. Calls `failed` with the reason if
+/// the recording fails.
 export function film(canvas, words, failed) {
   const kind = videoKind();
   const stream = canvas.captureStream(framesPerSecond);

@@ -16,7 +16,7 @@ import { partOf, vesselOf } from "./jar.js";
 import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
 
 const zUpToYUp = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(0, 1, 0));
-const rides = ["laboratory", "carrier"]; // views in which the carrier is seen
+const rides = ["laboratory", "carrier"]; // views that show the carrier
 
 function reachOf({ vertices }) {
   let reach = 0;
@@ -36,14 +36,14 @@ function reachOfBalls({ count, radius, positions, positionScale }) {
 }
 
 export class Stage {
-  /// `context`: a WebGL 2 context of `canvas` that keeps its picture.
+  /// `context`: a WebGL 2 context of `canvas` that preserves its drawing buffer.
   constructor(canvas, context, data, speedTop) {
     this.data = data;
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.scene = new Scene();
-    this.room = new Group(); // the laboratory, laid into the view
+    this.room = new Group(); // the laboratory, transformed to the view
     this.riding = new Group(); // at the jar's centre, axes of the laboratory
     this.scene.add(this.room.add(this.riding));
     this.camera = new PerspectiveCamera(fieldOfView, 1);
@@ -91,7 +91,7 @@ export class Stage {
     this.carrier?.paint(theme);
   }
 
-  /// Size of the picture in CSS pixels, and pixels to one of them.
+  /// Size of the picture in CSS pixels, and device pixels per CSS pixel.
   resize(width, height, ratio) {
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
@@ -99,7 +99,8 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /// Looks from `direction` ("start", "axis", "side" or a vector), all of the way in the picture.
+  /// Looks from `direction` ("start", "axis", "side" or a vector). The picture contains the whole
+  /// path of the jar.
   lookFrom(direction, view) {
     const outline = outlineOf(this.data, view);
     if (this.carrier && view === "laboratory") outline.push(...rimOf(plateOf(this.data)));
@@ -110,12 +111,12 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
-  /// The direction one looks from now.
+  /// The current direction from the target to the camera.
   direction() {
     return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
-  /// Turns the camera about what it looks at [rad].
+  /// Rotates the camera about its target [rad].
   orbit(right, up) {
     const arm = this.camera.position.clone().sub(this.controls.target);
     const ball = new Spherical().setFromVector3(arm.applyQuaternion(zUpToYUp));
@@ -148,8 +149,8 @@ export class Stage {
     return this.weight(seen.turn);
   }
 
-  /// The key light comes over the onlooker's left shoulder, whatever the view, and its shadows are
-  /// as fine as the jar is large.
+  /// The key light comes from above and left behind the camera in every view. Its shadow map covers
+  /// the jar.
   light(jar) {
     this.camera.updateMatrixWorld();
     const axis = (i) => new Vector3().setFromMatrixColumn(this.camera.matrixWorld, i);
@@ -159,7 +160,7 @@ export class Stage {
     this.sky.position.copy(axis(1)).addScaledVector(axis(2), 0.5);
   }
 
-  /// Where weight pulls as the picture shows it: right, up, towards the eye.
+  /// Direction of gravity in camera axes: right, up, towards the camera.
   weight(turn) {
     const down = new Vector3(0, 0, -1).applyQuaternion(turn);
     return down.transformDirection(this.camera.matrixWorldInverse);

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Numbers and sentences for the reader.
+// Numbers and captions as text.
 
 /// "12 345" with a narrow no-break space between thousands.
 export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
-/// At most three significant digits, no exponent for what a person reads.
+/// At most three significant digits, without an exponent at usual sizes.
 export const short = (number) => String(Number(number.toPrecision(3)));
 
-/// Writes times of a run in one unit, with as many decimals as tell its frames apart.
+/// Writes times of a run in one unit, with enough decimals to distinguish its frames.
 export function clockOf(times) {
   const last = times[times.length - 1];
   const milli = last < 1;
@@ -18,8 +18,8 @@ export function clockOf(times) {
   return (time) => (milli ? `${(1e3 * time).toFixed(decimals)} ms` : `${time.toFixed(decimals)} s`);
 }
 
-/// Replay speeds worth offering: 1, 2, 5 of each decade that take a second to ten minutes, and the
-/// one that comes nearest to twelve seconds.
+/// Replay speeds: 1, 2 and 5 of each decade with a duration of one second to ten minutes. `usual`
+/// is the speed with the duration nearest to twelve seconds.
 export function factorsOf(duration) {
   const offered = [];
   for (let power = -6; power <= 4; ++power)
@@ -34,7 +34,7 @@ export function factorsOf(duration) {
   return { offered, usual };
 }
 
-/// "every 20th ball" for what was left out.
+/// States which balls are shown: "every 20th ball is shown".
 function everyWhich(data) {
   const nth = Math.round(data.of / data.count);
   const tens = nth % 100;
@@ -48,7 +48,7 @@ export function captionOf(data, view, clock) {
     : `${grouped(data.count)} ${data.count === 1 ? "ball" : "balls"}`;
   const last = data.times[data.frames - 1];
   const span = data.frames > 1
-    ? `${grouped(data.frames)} moments from ${clock(data.times[0])} to ${clock(last)}`
-    : `one moment, ${clock(data.times[0])}`;
+    ? `${grouped(data.frames)} frames from ${clock(data.times[0])} to ${clock(last)}`
+    : `one frame at ${clock(data.times[0])}`;
   return `${balls}, ${span}, ${view.about}.`;
 }

@@ -84,7 +84,7 @@ std::string_view kind_of(std::string_view unit) {
       {"kg", "a mass"},
       {"s", "a time"},
       {"Hz", "a frequency"},
-      {"rad/s", "a speed of rotation"},
+      {"rad/s", "an angular speed"},
       {"rad", "an angle"},
       {"m/s", "a speed"},
       {"m/s2", "an acceleration"},
@@ -94,21 +94,21 @@ std::string_view kind_of(std::string_view unit) {
       {"J", "an energy"},
       {"W", "a power"},
       {"N/m", "a stiffness"},
-      {"J/m2", "an energy of a surface"},
+      {"J/m2", "a surface energy"},
       {"J/m3", "an energy density"},
-      {"s/m", "a time over a length"},
+      {"s/m", "a time per length"},
       {"K", "a temperature"},
       {"W/m/K", "a thermal conductivity"},
       {"J/kg/K", "a specific heat capacity"},
       {"W/m2/K", "a heat transfer coefficient"},
-      {"J/kg", "an energy by mass"},
-      {"kg/m2", "a mass by area"},
-      {"kg/J/m", "a strength f_mat, in kg/(J m)"},
-      {"J m/kg", "an energy by mass times a size"},
+      {"J/kg", "an energy per mass"},
+      {"kg/m2", "a mass per area"},
+      {"kg/J/m", "a material parameter f_mat, in kg/(J m)"},
+      {"J m/kg", "an energy per mass times a length"},
       {"", "a number without a unit"}};
   for (const auto& [u, kind] : kinds)
     if (u == unit) return kind;
-  return "something else";
+  return "a quantity of this dimension";
 }
 
 std::string_view example_unit(std::string_view unit) {

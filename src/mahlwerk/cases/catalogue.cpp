@@ -43,7 +43,8 @@ std::vector<std::string> words_of(std::string_view word) {
 
 /// Suggestions for an unknown name, likeliest first: the nearest by spelling, and names that
 /// contain all its parts.
-std::vector<std::string> similar_names(std::string_view word, const std::vector<std::string>& known) {
+std::vector<std::string> similar_names(std::string_view word,
+                                       const std::vector<std::string>& known) {
   constexpr std::size_t shortest = 3, most = 4;
   std::vector<std::string> near;
   if (const std::string best = nearest_word(word, known); !best.empty()) near.push_back(best);

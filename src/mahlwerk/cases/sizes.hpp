@@ -37,7 +37,7 @@ struct SizeClass {
   bool operator==(const SizeClass&) const = default;
 };
 
-constexpr std::int64_t max_classes = 32;     ///< of one set
+constexpr std::int64_t max_classes = 32;      ///< of one set
 constexpr std::int64_t default_classes = 12;  ///< largest number of classes by default
 constexpr double cut_off = 3;                 ///< truncation of normal and lognormal [spreads]
 

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "mahlwerk/contact/bounce.hpp"
-#include "mahlwerk/contact/by_pair.hpp"
+#include "mahlwerk/contact/pairwise_table.hpp"
 
 namespace mahlwerk::contact {
 
 /// The collision rule of each pair of ball kinds, and of each kind with each face.
-using BounceTable = ByPair<BounceRule>;
+using BounceTable = PairwiseTable<BounceRule>;
 
 }  // namespace mahlwerk::contact

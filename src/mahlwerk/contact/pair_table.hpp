@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mahlwerk/contact/by_pair.hpp"
+#include "mahlwerk/contact/pairwise_table.hpp"
 
 namespace mahlwerk::contact {
 
@@ -42,6 +42,6 @@ inline double effective_shear_modulus(const ElasticConstants& a, const ElasticCo
 }
 
 /// The properties of every pair.
-using PairTable = ByPair<Pair>;
+using PairTable = PairwiseTable<Pair>;
 
 }  // namespace mahlwerk::contact

@@ -95,8 +95,7 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
     const WallPrediction predicted = jar_->predict_touch(
         where, motion_time(now_), motion_time(alone), tolerances_[trajectory(ball).species]);
     ++energy_balance_.search_steps;
-    if (predicted.face < 0 && predicted.time < motion_time(alone))
-      events_ += max_search_steps / 16;
+    if (predicted.face < 0 && predicted.time < motion_time(alone)) events_ += max_search_steps / 16;
     const double then = std::max(now_, predicted.time - motion_time(0));
     if (predicted.face >= 0 && then < alone && then < horizon_) {
       now_ = then;

@@ -40,8 +40,9 @@ class ManyBalls final : public scene::Engine {
   };
   /// Relative motion of two touching bodies; the second may be the wall.
   struct CollisionKinematics {
-    Vec3 normal;             ///< from the ball to the contact
-    Vec3 tangential_velocity, slip_velocity;  ///< [m/s] tangential velocity of the centres and of the surfaces
+    Vec3 normal;  ///< from the ball to the contact
+    Vec3 tangential_velocity,
+        slip_velocity;  ///< [m/s] tangential velocity of the centres and of the surfaces
     double mass, approach, slip;
     double field;  ///< [m/s2] the largest that presses them together
 

@@ -154,7 +154,8 @@ class OneBall final : public scene::Engine {
     const Vec3 n = -wall.inward, glide = now_.ball.velocity - wall.velocity;
     const double approach = dot(glide, n);
     energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap, -wall.gap / r);
-    const Vec3 tangential_velocity = glide - approach * n, slip_velocity = tangential_velocity + r * cross(spin_, n);
+    const Vec3 tangential_velocity = glide - approach * n,
+               slip_velocity = tangential_velocity + r * cross(spin_, n);
     const double slip = norm(slip_velocity);
 
     const auto [j, loss, kept] = bounce(face, wall, approach, slip);

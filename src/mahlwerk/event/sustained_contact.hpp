@@ -32,9 +32,9 @@ enum class FrictionState { rolling, sliding, creeping };
 
 /// The one to three faces that support a ball, and the friction state: creeping on several faces.
 struct SupportFaces {
-  static constexpr std::size_t most = 3;
+  static constexpr std::size_t max_count = 3;
   std::size_t count = 0;
-  std::array<int, most> face{};
+  std::array<int, max_count> face{};
   FrictionState friction_state = FrictionState::rolling;
 
   bool has(int which) const {
@@ -175,8 +175,8 @@ class SustainedContact {
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
     constexpr double spin_regularisation = 0.1;  // [rad/s]
     const Vec3 w = tangential_part(turning, inward);
-    const double most = rules_.rolling_friction * ball_.radius * std::max(normal_force, 0.0);
-    return -(most / std::sqrt(squared(w) + spin_regularisation * spin_regularisation)) * w;
+    const double limit = rules_.rolling_friction * ball_.radius * std::max(normal_force, 0.0);
+    return -(limit / std::sqrt(squared(w) + spin_regularisation * spin_regularisation)) * w;
   }
 
   ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
@@ -193,13 +193,15 @@ class SustainedContact {
     // Friction per mass that keeps the slip constant: d(slip)/dt = 0 (evt.13).
     const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
                            cross(w, y.velocity - r * constraint.inward_rate);
-    const Vec3 sticking_friction = 2.0 / 7.0 *
-                        tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) -
-                                            field + 2.5 / r * cross(torque, n),
-                                        n);
+    const Vec3 sticking_friction =
+        2.0 / 7.0 *
+        tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) - field +
+                            2.5 / r * cross(torque, n),
+                        n);
     Vec3 friction = sticking_friction;
     if (support.friction_state == FrictionState::sliding)  // (evt.14)
-      friction = -(rules_.lasting_friction * std::max(normal_force, 0.0)) * along(slip, slip_regularisation);
+      friction = -(rules_.lasting_friction * std::max(normal_force, 0.0)) *
+                 along(slip, slip_regularisation);
     forces = {{normal_force}, sticking_friction, friction, slip};
     const Vec3 wall_force = normal_force * n + friction;  // per mass
     return {y.velocity, field + wall_force, 2.5 / (r * r) * (torque - r * cross(n, friction)),
@@ -213,8 +215,8 @@ class SustainedContact {
   ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
                        const Vec3& centre_velocity, const Vec3& field,
                        ContactForces& forces) const {
-    constexpr double creeping_speed = 1e-3;         // [m/s] below it friction is viscous
-    constexpr double max_friction = 0.7;  // above it normal forces are not unique (evt.23)
+    constexpr double creeping_speed = 1e-3;  // [m/s] below it friction is viscous
+    constexpr double max_friction = 0.7;     // above it normal forces are not unique (evt.23)
     const double r = ball_.radius, mu = std::min(rules_.lasting_friction, max_friction);
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, SupportFaces::max_count> n, wall, slip,

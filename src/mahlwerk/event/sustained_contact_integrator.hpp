@@ -210,7 +210,8 @@ class SustainedContactIntegrator {
     const auto constraint = jar_->wall_constraint(face, {now_.position, now_.velocity}, t);
     const double relative_acceleration =
         std::abs(dot(rate_.velocity, constraint.inward) - constraint.inward_acceleration);
-    return rules_.lasting_speed / (2 * relative_acceleration + rules_.lasting_speed / insignificant_time);
+    return rules_.lasting_speed /
+           (2 * relative_acceleration + rules_.lasting_speed / insignificant_time);
   }
 
   /// Whether the ball is so far from all other faces that it no longer has to creep.

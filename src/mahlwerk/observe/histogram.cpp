@@ -32,8 +32,7 @@ void LogHistogram::add_to_end(double value, std::int64_t at) {
   const double units = value / unit(at);
   End& end = ends_[at == 0 ? 0 : 1];
   ++end.count;
-  end.sum +=
-      static_cast<Signed>(std::isnan(units) ? 0 : std::clamp(units, -max_units, max_units));
+  end.sum += static_cast<Signed>(std::isnan(units) ? 0 : std::clamp(units, -max_units, max_units));
 }
 
 std::int64_t LogHistogram::count(int bin) const {

@@ -68,7 +68,7 @@ class Sample {
   /// Hits of one kind of collision on all classes.
   struct CollisionKind {
     std::array<double, max_groups> most{};  // largest hit share in each group of classes
-    std::vector<ClassHit> class_hits;        // by class
+    std::vector<ClassHit> class_hits;       // by class
     int nip = 0;
     double energy = 0;      // [J]
     bool no_effect = true;  // no grain breaks, is weakened or welds

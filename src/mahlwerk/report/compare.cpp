@@ -163,11 +163,11 @@ Comparison compare(const Outcome& event, const Outcome& soft) {
   constexpr int octave = LogHistogram::per_octave;
   const Spectra speeds(event, soft, &observe::Spectra::approach),
       energies(event, soft, &observe::Spectra::energy_normal);
-  return {.title = event.what.title,
-          .threshold = event.what.observe.threshold,
+  return {.title = event.mill_case.title,
+          .threshold = event.mill_case.observe.threshold,
           .event = side(event),
           .soft = side(soft),
-          .caution = caution(event.what.contact),
+          .caution = caution(event.mill_case.contact),
           .quantities = quantities(event, soft),
           .speeds = speeds.bins(octave, octaves, true),
           .energies = energies.bins(2 * octave, 2 * octaves, true),

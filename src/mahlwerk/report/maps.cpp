@@ -193,9 +193,9 @@ std::string field_picture(const results::Outcome& outcome) {
         }
   std::ranges::sort(found);
   const double densest = found[found.size() - 1 - found.size() / 100];
-  const kinematics::AnyMotion& motion = *outcome.what.mill.motion;
+  const kinematics::AnyMotion& motion = *outcome.mill_case.mill.motion;
   const Vec3 normal = kinematics::plane_normal(motion);
-  const bool ring = norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
+  const bool ring = norm(cross(normal, outcome.mill_case.mill.jar_axis)) < 1e-9;
   const bool disc = kinematics::as<kinematics::Planetary>(motion) != nullptr;
   const double radius = outcome.replicates.front().tally.wall_map.grid().radius;
   constexpr double size = 330, top = 24;

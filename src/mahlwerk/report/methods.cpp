@@ -171,7 +171,7 @@ std::string engine_words(const results::Outcome& outcome) {
   if (outcome.engine == cases::EngineName::event)
     return "an event-driven simulation of rough hard spheres with exact free flight and "
            "instantaneous collisions";
-  const contact::ContactModel& model = outcome.what.contact.model;
+  const contact::ContactModel& model = outcome.mill_case.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
                      contact::name_of(*model.law), contact::rule_of(model.rolling).name);
 }
@@ -179,7 +179,7 @@ std::string engine_words(const results::Outcome& outcome) {
 }  // namespace
 
 std::string methods(const results::Outcome& outcome, std::string_view version) {
-  const Case& c = outcome.what;
+  const Case& c = outcome.mill_case;
   const MethodsText say(c);
   const auto chosen = results::averaged_replicates(outcome);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,

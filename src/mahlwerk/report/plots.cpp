@@ -89,7 +89,7 @@ Plot temperature_plot(const results::Outcome& outcome) {
 
 Plot rate_plot(const results::Outcome& outcome) {
   const Table table = results::time_series(outcome);
-  const std::string threshold = threshold_text(outcome.what.observe.threshold);
+  const std::string threshold = threshold_text(outcome.mill_case.observe.threshold);
   return {.title = "Collisions with a normal speed of at least " + threshold,
           .x = {.label = "time (s)", .least = 0},
           .y = {.label = "collisions per second"},

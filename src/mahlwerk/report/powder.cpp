@@ -33,8 +33,8 @@ double value(const Quantities& list, std::string_view name) {
 
 /// Compares the powder's power with the dissipated power. Powder does not act on the balls, so it
 /// can receive more energy than the balls lose.
-std::string beside_the_losses(const cases::Case& what, const Quantities& list) {
-  const double gets = 1000 * what.powder->mass * value(list, "captured_dose_rate"),
+std::string beside_the_losses(const cases::Case& mill_case, const Quantities& list) {
+  const double gets = 1000 * mill_case.powder->mass * value(list, "captured_dose_rate"),
                lost = value(list, "dissipated_power");
   if (!(gets > 0) || !(lost > 0)) return "";
   return fmt::format(" That is {} the dissipated power{}", share_of(gets / lost),
@@ -59,22 +59,23 @@ std::string energy_words(const cases::Capture& capture) {
 }
 
 std::string capture_section(const Outcome& outcome, const Quantities& list) {
-  const cases::Case& what = outcome.what;
-  const powder::AnyCapture& model = *what.capture->model;
-  const Multiple size = multiple(*what.powder->size, "m");
+  const cases::Case& mill_case = outcome.mill_case;
+  const powder::AnyCapture& model = *mill_case.capture->model;
+  const Multiple size = multiple(*mill_case.powder->size, "m");
   return fmt::format(
              "<h2>Powder captured by collisions</h2>\n<p>Collisions capture {} of powder: a grain "
              "is captured {:.3g} times per second and receives {} each time, {} in total.{}</p>\n",
              shown_text(list, "captured_mass_rate"), value(list, "captured_share_rate"),
              shown_text(list, "captured_energy_mean"), shown_text(list, "captured_dose_rate"),
-             beside_the_losses(what, list)) +
-         figure(capture_plot(outcome),
-                fmt::format("Grains of {}, the median of the feed, by the model {}: {}. {} "
-                            "capture.csv has the numbers. Only the kinds of pairs with the most "
-                            "power are shown.",
-                            fmt::format("{:.3g} {}", *what.powder->size / size.factor, size.unit),
-                            powder::name_of(model), powder::about(model),
-                            energy_words(*what.capture))) +
+             beside_the_losses(mill_case, list)) +
+         figure(
+             capture_plot(outcome),
+             fmt::format("Grains of {}, the median of the feed, by the model {}: {}. {} "
+                         "capture.csv has the numbers. Only the kinds of pairs with the most "
+                         "power are shown.",
+                         fmt::format("{:.3g} {}", *mill_case.powder->size / size.factor, size.unit),
+                         powder::name_of(model), powder::about(model),
+                         energy_words(*mill_case.capture))) +
          figure(captured_energy_plot(outcome),
                 "That share of the energy per captured mass, for grains of equal size.") +
          figure(
@@ -84,7 +85,7 @@ std::string capture_section(const Outcome& outcome, const Quantities& list) {
 }
 
 std::string fineness_section(const Outcome& outcome, const Quantities& list) {
-  const cases::Grinding& g = *outcome.what.grinding;
+  const cases::Grinding& g = *outcome.mill_case.grinding;
   using Method = cases::Grinding::Method;
   const std::string sample = fmt::format("a sample of {} grains", g.sample);
   const std::string how = g.method == Method::statistical ? "By " + sample + "."
@@ -113,7 +114,7 @@ std::string fineness_section(const Outcome& outcome, const Quantities& list) {
 }
 
 std::string dose_section(const Outcome& outcome, const Quantities& list) {
-  const cases::Kinetics& k = *outcome.what.kinetics;
+  const cases::Kinetics& k = *outcome.mill_case.kinetics;
   const std::string basis = fmt::format(
       "By the energy {} per mass of powder, {} after {}; the constants are those of the case.",
       k.dose == cases::Kinetics::Dose::captured ? "that captured grains receive" : "dissipated",
@@ -132,9 +133,9 @@ std::string powder_sections(const Outcome& outcome) {
     return "";
   const Quantities& list = outcome.summary.quantities;
   std::string text;
-  if (outcome.what.capture) text += capture_section(outcome, list);
-  if (outcome.what.grinding) text += fineness_section(outcome, list);
-  if (outcome.what.kinetics) text += dose_section(outcome, list);
+  if (outcome.mill_case.capture) text += capture_section(outcome, list);
+  if (outcome.mill_case.grinding) text += fineness_section(outcome, list);
+  if (outcome.mill_case.kinetics) text += dose_section(outcome, list);
   return text;
 }
 

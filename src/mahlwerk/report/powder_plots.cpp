@@ -326,8 +326,8 @@ Plot conversion_plot(const results::Outcome& outcome) {
 
 Plot property_plot(const results::Outcome& outcome) {
   Plot plot = over_time(outcome, "property", 1);
-  plot.title = outcome.what.kinetics->property + " by dose";
-  plot.y.label = outcome.what.kinetics->property;
+  plot.title = outcome.mill_case.kinetics->property + " by dose";
+  plot.y.label = outcome.mill_case.kinetics->property;
   return plot;
 }
 

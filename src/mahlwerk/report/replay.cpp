@@ -139,7 +139,7 @@ std::string replay_section(const results::Outcome& outcome) {
   return fmt::format(
       "<section id=\"replay\"></section>\n<script type=\"application/json\" "
       "id=\"replay-data\">{}</script>\n<script>{}</script>\n",
-      data(outcome.what, film), replay_script());
+      data(outcome.mill_case, film), replay_script());
 }
 
 }  // namespace mahlwerk::report

@@ -71,7 +71,7 @@ struct QuantityTables {
 
 QuantityTables quantity_tables(const Outcome& outcome) {
   constexpr int most = 40;
-  const std::string threshold = threshold_text(outcome.what.observe.threshold);
+  const std::string threshold = threshold_text(outcome.mill_case.observe.threshold);
   const auto table = [&](const std::string& body) {
     return fmt::format(
         "<div class=\"wide\"><table class=\"quantities\">\n<thead><tr><th></th><th "
@@ -97,7 +97,7 @@ std::string pairs_table(const Outcome& outcome) {
   const auto lines = pair_rows(outcome.summary.pairs);
   if (lines.empty()) return "";
   std::string head, body;
-  for (const std::string& cell : pair_heading(outcome.what.observe.threshold))
+  for (const std::string& cell : pair_heading(outcome.mill_case.observe.threshold))
     head += fmt::format("<th class=\"n\">{}</th>", with_symbols(cell));
   for (const auto& line : lines) {
     body += fmt::format("<tr><th scope=\"row\">{}</th>", escaped(line.front()));
@@ -116,7 +116,7 @@ std::string pairs_table(const Outcome& outcome) {
 std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
                        std::string_view heading, std::string_view words) {
   std::string lines;
-  for (const cases::Origin& o : outcome.what.origins) {
+  for (const cases::Origin& o : outcome.mill_case.origins) {
     if (o.*chosen)
       lines += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n",
                            escaped(o.key), escaped(o.value), escaped(o.source));
@@ -196,7 +196,7 @@ std::string wear_and_heat_section(const Outcome& outcome) {
         "ten.</small></p>\n",
         body);
   }
-  if (outcome.what.heat)
+  if (outcome.mill_case.heat)
     text +=
         "<h2>Temperatures</h2>\n" + figure(temperature_plot(outcome),
                                            "Balls and jar as two lumped heat capacities, heated by "
@@ -223,7 +223,7 @@ std::string sentence(const Outcome& outcome) {
                   count == 1 ? "one run" : fmt::format("{:.0f} runs", count),
                   named(list, "simulated_time").value, readable(rate.value, rate.ci95, "").text());
   text += fmt::format(" with a normal speed of at least {}",
-                      threshold_text(outcome.what.observe.threshold));
+                      threshold_text(outcome.mill_case.observe.threshold));
   if (std::isfinite(named(list, "energy_normal_mean_above_threshold").value))
     text += fmt::format(", with a mean normal energy of {} and a mean contact-point energy of {}",
                         text_of(list, "energy_normal_mean_above_threshold"),
@@ -232,7 +232,7 @@ std::string sentence(const Outcome& outcome) {
 }
 
 std::string report_page(const Outcome& outcome, std::string_view version, bool film) {
-  const std::string& given = outcome.what.title;
+  const std::string& given = outcome.mill_case.title;
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(sentence(outcome)));
   body += warning_box(outcome);
   for (const Notice& one : outcome.notices)
@@ -259,11 +259,11 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += fmt::format(
       "<details><summary>The case, with the origin of every value</summary>\n<pre>{}</pre>"
       "</details>\n",
-      escaped(cases::write(outcome.what)));
+      escaped(cases::write(outcome.mill_case)));
   const std::string footer = fmt::format(
       "Mahlwerk {}, {} engine, seed {}, {:.3g} s of CPU time. The numbers are in summary.json, "
       "result.h5 and the CSV files beside this page.",
-      escaped(version), name_of(outcome.engine), outcome.what.seed, outcome.cpu_seconds);
+      escaped(version), name_of(outcome.engine), outcome.mill_case.seed, outcome.cpu_seconds);
   return page(given.empty() ? "A ball mill" : given, body, footer);
 }
 

@@ -79,7 +79,7 @@ struct Replicate {
 
 /// A case, its replicates and the numbers made from them.
 struct Outcome {
-  cases::Case what;
+  cases::Case mill_case;
   std::vector<Replicate> replicates;
   cases::EngineName engine = cases::EngineName::event;  ///< engine of the run: event or soft
   // Computed once, when the run ends:

@@ -40,34 +40,34 @@ void set_flash_factors(observe::PairFactors& factors, const powder::FlashPair& p
   }
 }
 
-observe::PairFactors factors(const cases::Case& what, const contact::BounceRule& rule, int one,
+observe::PairFactors factors(const cases::Case& mill_case, const contact::BounceRule& rule, int one,
                              int other) {
   observe::PairFactors made;
-  made.load_distance_per_loss = powder::load_distance(1, cases::sliding_friction(what, rule));
-  if (what.heat)
-    set_flash_factors(made, other < 0
-                                ? cases::flash_pair_with_jar(what, static_cast<std::size_t>(one))
-                                : cases::flash_pair(what, static_cast<std::size_t>(one),
-                                                    static_cast<std::size_t>(other)));
+  made.load_distance_per_loss = powder::load_distance(1, cases::sliding_friction(mill_case, rule));
+  if (mill_case.heat)
+    set_flash_factors(
+        made, other < 0 ? cases::flash_pair_with_jar(mill_case, static_cast<std::size_t>(one))
+                        : cases::flash_pair(mill_case, static_cast<std::size_t>(one),
+                                            static_cast<std::size_t>(other)));
   return made;
 }
 
 }  // namespace
 
-Replicate empty_replicate(const cases::Case& what) {
-  std::vector<std::int32_t> of_ball = cases::kinds_of_balls(what);
-  const int faces = geometry::faces(*what.jar.shape);
+Replicate empty_replicate(const cases::Case& mill_case) {
+  std::vector<std::int32_t> of_ball = cases::kinds_of_balls(mill_case);
+  const int faces = geometry::faces(*mill_case.jar.shape);
   observe::BallKinds kinds(
-      what.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
-      static_cast<int>(what.balls.size()), faces > max_faces ? 1 : faces);
-  Replicate made(what.observe.threshold, std::move(kinds), wall_grid(*what.jar.shape));
-  const contact::BounceTable rules = cases::bounce_table(what);
+      mill_case.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
+      static_cast<int>(mill_case.balls.size()), faces > max_faces ? 1 : faces);
+  Replicate made(mill_case.observe.threshold, std::move(kinds), wall_grid(*mill_case.jar.shape));
+  const contact::BounceTable rules = cases::bounce_table(mill_case);
   observe::StatisticsByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
     if (other < 0 && faces == 0) continue;
     const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
-    pairs.set_factors(pair, factors(what, rule, one, other));
+    pairs.set_factors(pair, factors(mill_case, rule, one, other));
   }
   return made;
 }

@@ -11,7 +11,7 @@ namespace mahlwerk::results {
 
 /// An empty replicate of the case: its kinds of pairs, its wall grid and its factors from losses to
 /// wear and flash temperatures.
-Replicate empty_replicate(const cases::Case& what);
+Replicate empty_replicate(const cases::Case& mill_case);
 
 /// Merges each two neighbouring windows into one; an odd last window is left out.
 std::vector<Window> merge_window_pairs(const std::vector<Window>& windows);

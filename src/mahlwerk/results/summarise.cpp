@@ -16,10 +16,10 @@
 namespace mahlwerk::results {
 namespace {
 
-std::vector<double> values_of(const std::vector<Measure>& measures, const cases::Case& what,
+std::vector<double> values_of(const std::vector<Measure>& measures, const cases::Case& mill_case,
                               const Replicate& replicate) {
   std::vector<double> values;
-  for (const Measure& m : measures) values.push_back(m.compute(what, replicate));
+  for (const Measure& m : measures) values.push_back(m.compute(mill_case, replicate));
   return values;
 }
 
@@ -42,13 +42,13 @@ const Quantity& named(const std::vector<Quantity>& list, std::string_view name) 
 }
 
 Summary summarise(const Outcome& outcome) {
-  const std::vector<Measure> all = measures(outcome.what);
+  const std::vector<Measure> all = measures(outcome.mill_case);
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   std::vector<std::size_t> numbers;
   for (const Replicate* r : chosen) numbers.push_back(number_of(outcome, *r));
   Summary made;
   for (const Replicate& r : outcome.replicates)
-    made.by_replicate.push_back(values_of(all, outcome.what, r));
+    made.by_replicate.push_back(values_of(all, outcome.mill_case, r));
   made.quantities = means(all, made.by_replicate, numbers);
   for (std::size_t i = 0; i < all.size(); ++i) {
     Quantity& q = made.quantities[i];

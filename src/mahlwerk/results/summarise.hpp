@@ -17,6 +17,6 @@ struct MissingQuantity {
   std::string name, section;
 };
 /// The quantities that the case would have with another section.
-std::vector<MissingQuantity> missing_quantities(const cases::Case& what);
+std::vector<MissingQuantity> missing_quantities(const cases::Case& mill_case);
 
 }  // namespace mahlwerk::results

@@ -35,9 +35,12 @@ void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall
                           const contact::AnyLaw& law) {
   const auto [max_curvature, min_curvature] = jar.curvatures(face, position, t);
   const double ball_curvature = 1 / parameters.radius_i[lane];
-  const auto effective_radius_along = [&](double curvature) { return 1 / std::max(ball_curvature - curvature, 0.01 * ball_curvature); };
+  const auto effective_radius_along = [&](double curvature) {
+    return 1 / std::max(ball_curvature - curvature, 0.01 * ball_curvature);
+  };
   contact::EffectivePair effective = pair.effective;
-  effective.radius = std::sqrt(effective_radius_along(max_curvature) * effective_radius_along(min_curvature));
+  effective.radius =
+      std::sqrt(effective_radius_along(max_curvature) * effective_radius_along(min_curvature));
   const contact::LawCoefficients coefficients =
       std::visit([&](const auto& l) { return l.coefficients(effective, pair.damping); }, law);
   for (std::size_t n = 0; n < coefficients.size(); ++n)

@@ -9,9 +9,9 @@ namespace mahlwerk::soft {
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
                             const Vec3& velocity) {
   return RunError(fmt::format(
-      "at {:.9g} s ball {} went wrong: {}. It is at ({:.4g}, {:.4g}, {:.4g}) m of the jar's "
-      "centre, with ({:.4g}, {:.4g}, {:.4g}) m/s. Give a shorter run.time_step or a stiffer "
-      "contact",
+      "the run became unstable at {:.9g} s, at ball {}: {}. The ball's position relative to the "
+      "jar's centre is ({:.4g}, {:.4g}, {:.4g}) m, its velocity ({:.4g}, {:.4g}, {:.4g}) m/s. Use "
+      "a shorter run.time_step or a stiffer contact",
       time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z));
 }
 
@@ -19,7 +19,7 @@ InputError overlap_error(std::size_t ball, const std::string& with, double overl
   return InputError(Fault{"balls",
                           fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
                                       ball + 1, with, overlap),
-                          "give places apart from each other and from the jar",
+                          "give positions at which no ball overlaps another ball or the jar",
                           "overlapping-balls"});
 }
 

@@ -14,8 +14,9 @@
 namespace mahlwerk::soft {
 
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls, const Settings& settings,
-                                      const contact::PairTable& pairs, double start) {
+                                      const std::vector<scene::Ball>& balls,
+                                      const Settings& settings, const contact::PairTable& pairs,
+                                      double start) {
   auto jar = moving_wall(chamber);
   if (balls.size() > settings.few_body_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);

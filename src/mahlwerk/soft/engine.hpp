@@ -18,8 +18,9 @@ namespace mahlwerk::soft {
 /// the mill's clock. `pairs` has an entry for every Ball::kind and every face of the jar. Throws
 /// InputError where balls overlap each other or the jar by more than Settings::max_overlap.
 std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls, const Settings& settings,
-                                      const contact::PairTable& pairs, double start = 0);
+                                      const std::vector<scene::Ball>& balls,
+                                      const Settings& settings, const contact::PairTable& pairs,
+                                      double start = 0);
 
 /// Limits of the time step for collisions at up to `speed` [m/s], the smallest over all pairs
 /// (dem.28 to dem.31). In s unless stated otherwise.

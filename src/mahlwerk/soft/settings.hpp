@@ -14,7 +14,7 @@ struct Settings {
   double time_step = 0;             ///< [s]
   bool free_flight_skip = true;     ///< skip time in which no contact is possible
   std::size_t few_body_limit = 32;  ///< largest number of balls for FewBodySolver
-  double max_overlap = 0.01;       ///< limit of the initial overlap, as a fraction of the radius
+  double max_overlap = 0.01;        ///< limit of the initial overlap, as a fraction of the radius
   int threads = 1;                  ///< threads of one run; results do not depend on it
 };
 

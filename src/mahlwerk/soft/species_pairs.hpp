@@ -22,7 +22,9 @@ struct SpeciesPair {
   /// Correction of the tangential stiffness for the step dt [s], in m/N: k_t <- k_t (1 - lag k_t)
   /// (dem.37). The tangential spring of a ball swings too fast by w^2 dt^2/6 of its rate, with
   /// w^2 = (7/2) k_t/m*, so k_t is reduced by w^2 dt^2/3 = (7/6) (dt^2/m*) k_t.
-  double stiffness_correction(double step) const { return 7.0 / 6.0 * step * step / effective.mass; }
+  double stiffness_correction(double step) const {
+    return 7.0 / 6.0 * step * step / effective.mass;
+  }
 };
 
 /// Balls of the same size, density and kind.

@@ -9,7 +9,7 @@
 namespace mahlwerk::archive_test {
 namespace {
 
-/// Not inlined: GCC 12 sees bytes that were not written in the string's own buffer, a false alarm.
+/// Not inlined: GCC 12 would warn of unwritten bytes in the string's own buffer, a false alarm.
 [[gnu::noinline]] Archive reader(const std::string& bytes) {
   return Archive(bytes);
 }

@@ -214,7 +214,7 @@ TEST(Units, show_prefers_what_people_read) {
   EXPECT_EQ(two_digits(951879), "950000");
   EXPECT_EQ(two_digits(0.06249), "0.062");
   EXPECT_EQ(two_digits(100), "100");
-  // In mm it would be infinite.
+  // The value in mm would be infinite.
   EXPECT_EQ(show_rounded(1.7e308, "m"), "1.7e+305 km");
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double step = 1e-6, disc = planetary_case.mill.speed, orbit = 0.07;
 
-/// One moment in the laboratory frame as LAMMPS writes it, balls in no order.
+/// One dump frame in laboratory coordinates as LAMMPS writes it, with the balls in no order.
 std::string moment(int at, const std::string& balls) {
   return fmt::format(
       "ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n-1 1\n-1 1\n-1 1\n"
@@ -33,8 +33,8 @@ Physics analysed(const std::string& dump, double from, double to) {
 }
 
 TEST(PeersPhysics, two_balls_that_meet_touch_once_at_the_speed_their_gap_shrinks) {
-  // At time 0 the vial is at (0.07, 0). The gap goes from 2 um through -1 um and 0.2 um to 0.4 um
-  // below nothing: touches at 0.3 m/s and at 0.06 m/s, the second of which is too slow to be an
+  // At time 0 the vial is at (0.07, 0). The gap is 2 um, -1 um, 0.2 um and -0.4 um at successive
+  // frames. The balls touch at 0.3 m/s and at 0.06 m/s; the second touch is too slow to be an
   // impact.
   const auto with_gap = [](int at, double gap) {
     const double t = at * step, x = orbit * std::cos(disc * t), y = orbit * std::sin(disc * t);
@@ -47,7 +47,8 @@ TEST(PeersPhysics, two_balls_that_meet_touch_once_at_the_speed_their_gap_shrinks
   EXPECT_NEAR(found.ball_ball.all_rate, 2 / 30e-6, 1e-6);
   EXPECT_NEAR(found.ball_ball.rate, 1 / 30e-6, 1e-6);
   EXPECT_NEAR(found.ball_ball.speed, 0.3, 1e-3);
-  // The outer ball's centre is 15 mm from the axis, where 13.5 mm are free: in contact throughout.
+  // The outer ball's centre is 15 mm from the axis, but only 13.5 mm are free: it is always in
+  // contact.
   EXPECT_EQ(found.ball_side.all_rate, 0);
 }
 
@@ -75,7 +76,8 @@ TEST(PeersPhysics, power_is_what_force_and_torque_do_at_the_walls_own_motion) {
   const double mass = 7700 * std::numbers::pi / 6 * std::pow(0.015, 3);
   EXPECT_NEAR(found.kinetic, 0.5 * mass * 9, 1e-12);
   EXPECT_NEAR(found.rotational, 0.5 * 0.4 * mass * 0.0075 * 0.0075 * 1e4, 1e-12);
-  // On the disc the first ball moves with 3 m/s less disc * 0.08 m, the second with disc * 0.06 m.
+  // Relative to the disc the first ball moves with 3 m/s less disc * 0.08 m, the second with
+  // disc * 0.06 m.
   EXPECT_NEAR(found.kinetic_on_plate,
               0.5 * mass * (std::pow(3 - disc * 0.08, 2) + std::pow(disc * 0.06, 2)), 1e-12);
 }

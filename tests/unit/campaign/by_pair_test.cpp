@@ -80,8 +80,8 @@ TEST_P(ByPairOfARun, sums_to_the_totals) {
 }
 
 TEST_P(ByPairOfARun, is_the_same_after_a_state_was_written_and_read) {
-  const cases::Case what = mixed(GetParam());
-  ReplicateRun whole(what, 0), first(what, 0), second(what, 0);
+  const cases::Case mill_case = mixed(GetParam());
+  ReplicateRun whole(mill_case, 0), first(mill_case, 0), second(mill_case, 0);
   while (!whole.done()) whole.run_slice();
   for (int i = 0; i < 5 && !first.done(); ++i) first.run_slice();
   Archive out;
@@ -130,7 +130,7 @@ TEST(ByPairOfARun, tables_name_sets_and_units) {
   EXPECT_TRUE(spectra.starts_with(
       "one,other,energy_low_J,energy_high_J,rate_normal_per_s,rate_contact_point_per_s,"))
       << spectra;
-  const std::string sizes = results::csv(results::sizes(outcome.what));
+  const std::string sizes = results::csv(results::sizes(outcome.mill_case));
   EXPECT_TRUE(
       sizes.starts_with("set,diameter_m,count,mass_share\nballs.1,0.008,5,1\nballs.2,0.002,10,"))
       << sizes;

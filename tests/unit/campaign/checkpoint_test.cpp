@@ -16,7 +16,7 @@ using cases::sample::Folder;
 using cases::sample::read_sample;
 using cases::sample::vial;
 
-constexpr double always = -1;  // [s] since the last state
+constexpr double always = -1;  // [s] interval between states; negative: a state is always due
 
 TEST(Checkpoint, one_that_cannot_be_written_is_told_once_until_it_can_be_again) {
   const Folder folder;

@@ -18,7 +18,7 @@ namespace {
 using tests::states;
 using tests::stays_below;
 
-/// How many rows have `key` in each of `parts` equal parts of its range.
+/// Number of rows with `key` in each of `parts` equal parts of its range.
 std::vector<int> met(const DesignMatrix& rows, std::size_t key, std::size_t parts) {
   std::vector<int> count(parts);
   for (const auto& row : rows)
@@ -26,8 +26,8 @@ std::vector<int> met(const DesignMatrix& rows, std::size_t key, std::size_t part
   return count;
 }
 
-/// The square of how unevenly rows lie: the mean square difference of the share of rows in a box at
-/// the corner 0, and its volume (Warnock 1972).
+/// Squared L2 star discrepancy: the mean square difference between the share of rows in a box at
+/// the corner 0 and the volume of the box (Warnock 1972).
 double unevenness(const DesignMatrix& rows) {
   const auto n = static_cast<double>(rows.size());
   const auto keys = static_cast<double>(rows.front().size());
@@ -45,7 +45,7 @@ double unevenness(const DesignMatrix& rows) {
   return std::pow(3, -keys) - 2 * volumes / n + pairs / n / n;
 }
 
-/// What rows drawn at random have on the mean: (2^-k - 3^-k)/n, from the integral over one row.
+/// Mean squared discrepancy of random rows: (2^-k - 3^-k)/n, from the integral over one row.
 double random_unevenness(std::size_t keys, std::size_t n) {
   const auto k = static_cast<double>(keys);
   return (std::pow(2, -k) - std::pow(3, -k)) / static_cast<double>(n);
@@ -84,7 +84,7 @@ TEST(LatinHypercube, pairs_parts_of_two_keys_at_random) {
 }
 
 TEST(SobolPoints, are_those_of_joe_and_kuo) {
-  // The first rows of new-joe-kuo-6.21201, in the order of Gray's code.
+  // The first rows of new-joe-kuo-6.21201, in Gray-code order.
   const DesignMatrix expected{{0.5, 0.5, 0.5},       {0.75, 0.25, 0.25},    {0.25, 0.75, 0.75},
                               {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125}, {0.625, 0.125, 0.875},
                               {0.125, 0.625, 0.375}};
@@ -106,7 +106,7 @@ TEST(SobolPoints, lie_more_evenly_than_random_ones) {
                   "Warnock's sum");
 }
 
-TEST(RandomPoints, are_as_uneven_as_they_should) {  // so that the sums above are right
+TEST(RandomPoints, are_as_uneven_as_they_should) {  // checks the reference above
   double sum = 0, square = 0;
   constexpr int times = 200;
   for (std::uint32_t t = 0; t < times; ++t) {
@@ -151,7 +151,7 @@ TEST(MorrisDesign, begins_at_all_levels_and_moves_keys_in_any_order) {
   constexpr std::size_t keys = 4, ways = 2000;
   const DesignMatrix rows = morris_design(keys, ways, 1);
   const double tolerance =
-      3.5 * std::sqrt(ways * 0.25 * 0.75);  // 32 counts: 1.5 % of a false alarm
+      3.5 * std::sqrt(ways * 0.25 * 0.75);  // 32 counts: 1.5 % chance of a false alarm
   for (std::size_t key = 0; key < keys; ++key) {
     std::vector<int> level(4), turn(keys);
     for (std::size_t i = 0; i < rows.size(); i += keys + 1) {

@@ -37,8 +37,8 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
 }
 
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
-  const auto notes = [](const cases::Case& what) {
-    results::Outcome outcome{.what = what, .replicates = {}};
+  const auto notes = [](const cases::Case& mill_case) {
+    results::Outcome outcome{.mill_case = mill_case, .replicates = {}};
     outcome.engine = cases::EngineName::event;
     return texts(engine_notices(outcome, {cases::EngineName::event, {}}));
   };

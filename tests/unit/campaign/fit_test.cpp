@@ -78,8 +78,8 @@ Measurements data(const std::string& text) {
 }
 
 TEST(Fit, looks_for_what_the_case_leaves_open_and_nobody_holds) {
-  const cases::Case what = read(mill + grinding);
-  const std::vector<FreeParameter> both = free_parameters(what);
+  const cases::Case mill_case = read(mill + grinding);
+  const std::vector<FreeParameter> both = free_parameters(mill_case);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].name, "breakage.f_mat");
   EXPECT_EQ(both[0].least, 0.01);
@@ -87,7 +87,7 @@ TEST(Fit, looks_for_what_the_case_leaves_open_and_nobody_holds) {
   EXPECT_FALSE(both[0].min_is_natural);
   EXPECT_TRUE(both[1].min_is_natural) << "no energy is below 0";
   EXPECT_FALSE(both[1].max_is_natural);
-  const std::vector<FreeParameter> one = free_parameters(what, {"breakage.f_mat"});
+  const std::vector<FreeParameter> one = free_parameters(mill_case, {"breakage.f_mat"});
   ASSERT_EQ(one.size(), 1U);
   EXPECT_EQ(one[0].name, "breakage.x_w_min");
 }
@@ -95,8 +95,9 @@ TEST(Fit, looks_for_what_the_case_leaves_open_and_nobody_holds) {
 TEST(Fit, needs_a_case_that_tells_what_was_measured_and_leaves_something_open) {
   const auto fault = [](const std::string& text, const std::string& table,
                         const std::vector<std::string>& held = {}) {
-    const cases::Case what = read(text);
-    const auto found = fit_faults(what, data(table), free_parameters(what, held), "data.csv");
+    const cases::Case mill_case = read(text);
+    const auto found =
+        fit_faults(mill_case, data(table), free_parameters(mill_case, held), "data.csv");
     return found.empty() ? "" : found[0].where + "|" + found[0].what + "|" + found[0].code;
   };
   EXPECT_EQ(fault(mill + grinding, "D90 (um)\n900\n"), "");
@@ -128,15 +129,15 @@ TEST(Fit, residuals_are_relative_for_sizes_and_differences_for_shares) {
 }
 
 TEST(Fit, mills_as_long_as_was_measured_under_each_condition) {
-  const cases::Case what =
+  const cases::Case mill_case =
       read(mill + grinding, {{"grinding.method", "both"}, {"observe.frames", "10 ms"}});
   Measurements all =
       data("mill.frequency (Hz),time (s),D90 (um)\n16,5,900\n16,30,700\n22,,600\n22,7,800\n");
-  fill_times(all, {what, what});
+  fill_times(all, {mill_case, mill_case});
   EXPECT_EQ(all.values[2].time, 20) << "as the case says";
-  const std::vector<FreeParameter> numbers = free_parameters(what);
-  const cases::Case first = case_for_fit(what, 0, all, numbers),
-                    second = case_for_fit(what, 1, all, numbers);
+  const std::vector<FreeParameter> numbers = free_parameters(mill_case);
+  const cases::Case first = case_for_fit(mill_case, 0, all, numbers),
+                    second = case_for_fit(mill_case, 1, all, numbers);
   EXPECT_EQ(first.grinding->time, 30);
   EXPECT_EQ(second.grinding->time, 20);
   EXPECT_EQ(first.grinding->method, cases::Grinding::Method::balance);
@@ -145,7 +146,7 @@ TEST(Fit, mills_as_long_as_was_measured_under_each_condition) {
       << "middle of the logarithm";
 }
 
-/// What a run with these numbers in the case says of all that may be measured.
+/// Predictions of all measurable quantities by a run with these overrides.
 std::vector<double> run_says(const std::vector<cases::Override>& set) {
   const results::Outcome outcome = run(read(mill + grinding, set));
   std::vector<double> predicted;
@@ -162,7 +163,7 @@ TEST(Fit, predicts_what_a_run_with_these_numbers_says) {
       "time (s),D10 (um),D50 (um),D90 (um),specific_surface (m2/kg),size (um),passing\n"
       "20,100,500,900,10,400,0.5\n");
   const std::vector<results::Outcome> mills{run(read(mill + grinding))};
-  const Predictor predict(mills, free_parameters(mills[0].what), asked.values);
+  const Predictor predict(mills, free_parameters(mills[0].mill_case), asked.values);
   for (const auto& [f_mat, x_w_min] : {std::pair{0.3, 0.01}, std::pair{2.0, 0.2}}) {
     const std::vector<double> predicted = predict({f_mat, x_w_min});
     const std::vector<double> expected =
@@ -178,7 +179,7 @@ TEST(Fit, ends_when_it_is_told_to) {
   const std::vector<results::Outcome> mills{run(read(mill + kinetics))};
   const std::atomic<bool> stop{true};
   Measurements all = data("time (s),conversion\n60,0.2\n600,0.8\n");
-  EXPECT_THROW(fit(mills, all, free_parameters(mills[0].what), {.stop = &stop}), Interrupted);
+  EXPECT_THROW(fit(mills, all, free_parameters(mills[0].mill_case), {.stop = &stop}), Interrupted);
 }
 
 TEST(Fit, of_a_dose_constant_has_the_closed_form) {
@@ -186,16 +187,17 @@ TEST(Fit, of_a_dose_constant_has_the_closed_form) {
   const std::vector<results::Outcome> mills{run(read(mill + kinetics))};
   const double rate = results::dissipated_power(mills[0].replicates[0]) / 0.15e-3;
   const Measurements all = data("time (s),conversion,conversion_error\n600,0.7,0.01\n");
-  const Fit found = fit(mills, all, free_parameters(mills[0].what));
+  const Fit found = fit(mills, all, free_parameters(mills[0].mill_case));
   const double expected = -rate * 600 / std::log1p(-0.7);
   const FittedParameter& p = found.result.parameters[0];
   states("D_0", p.value, expected, 1e-9 * expected, "closed form");
-  // Ends of the interval: where the value is 1.96 errors away; sought to 1 % of the half-width.
+  // The value at an end of the interval is 1.96 errors away; ends are found to 1 % of the
+  // half-width.
   const double low = -rate * 600 / std::log1p(-0.7 - 0.0196);
   const double high = -rate * 600 / std::log1p(-0.7 + 0.0196);
   states("lower end", p.low, low, 0.01 * (expected - low), "closed form");
   states("upper end", p.high, high, 0.01 * (high - expected), "closed form");
-  EXPECT_TRUE(std::isnan(found.simulation_ci95[0])) << "one replicate tells no scatter";
+  EXPECT_TRUE(std::isnan(found.simulation_ci95[0])) << "one replicate has no scatter";
 }
 
 /// Normal numbers (Box and Muller 1958).
@@ -205,8 +207,8 @@ double normal(Random& random) {
 }
 
 TEST(Fit, intervals_allow_for_the_scatter_of_the_mill) {
-  // Each mill is simulated so shortly that its power is known to some per cent only; measurements
-  // are of a mill that goes on 400 times as long, with noise of their own.
+  // Each mill is simulated so briefly that its power is known to a few per cent only. The
+  // measurements are of a mill that runs 400 times as long, with noise of their own.
   constexpr int trials = 200;
   constexpr double true_dose = 1e6, noise = 0.005;
   const auto power = [](const results::Outcome& of) {
@@ -230,20 +232,21 @@ TEST(Fit, intervals_allow_for_the_scatter_of_the_mill) {
       m.value = -std::expm1(-rate * m.time / true_dose) + noise * normal(random);
       m.error = noise;
     }
-    const std::vector<FreeParameter> numbers = free_parameters(mills[0].what);
+    const std::vector<FreeParameter> numbers = free_parameters(mills[0].mill_case);
     const FittedParameter p = fit(mills, all, numbers).result.parameters[0];
     held += p.low <= true_dose && true_dose <= p.high ? 1 : 0;
-    // A mill whose replicates are all alike seems to be known exactly.
+    // If all replicates are alike, the power of the mill seems to be known exactly.
     std::vector<results::Outcome> sure = mills;
     for (results::Replicate& r : sure[0].replicates) r = mills[0].replicates[0];
     const FittedParameter q = fit(sure, all, numbers).result.parameters[0];
     held_without += q.low <= true_dose && true_dose <= q.high ? 1 : 0;
   }
-  // Binomial: 200 trials of 0.95, standard deviation 3.1; beyond 3.3 of them one in a thousand.
+  // Binomial: 200 trials of 0.95, standard deviation 3.1; 1 in 1000 lies beyond 3.3 standard
+  // deviations.
   const double spread = 3.3 * std::sqrt(trials * 0.95 * 0.05);
   states("intervals that hold the truth, of 200", held, 0.95 * trials, spread,
          "binomial, 3.3 standard deviations");
-  EXPECT_LT(held_without, 0.8 * trials) << "else there is nothing to allow for";
+  EXPECT_LT(held_without, 0.8 * trials) << "otherwise the scatter has no effect";
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using tests::states;
 using tests::stays_below;
 using Rows = std::vector<std::vector<double>>;
 
-/// Gauss and Jordan's way: the inverse, and ln of the determinant.
+/// Gauss-Jordan elimination: inverts the matrix and returns ln of its determinant.
 double invert(Rows& a) {
   const std::size_t n = a.size();
   double volume = 0;
@@ -98,7 +98,7 @@ TEST(GaussianProcess, agrees_with_the_plain_formula) {
       variance -= k * covariance(kernel, at, observations[j].point);
       fit += observations[i].value * inverse[i][j] * observations[j].value;
     }
-  // The process adds 1e-9 of the variance to its diagonal, noise is 0.01: 2e-7 of it.
+  // The process adds 1e-9 of the variance to its diagonal, which is 2e-7 of the noise of 0.01.
   states("mean", process.at(at).mean, mean, 1e-6, "Gauss and Jordan");
   states("deviation", process.at(at).deviation, std::sqrt(variance), 1e-6, "Gauss and Jordan");
   states("evidence", process.log_evidence(),
@@ -137,7 +137,8 @@ TEST(GaussianProcess, draws_scatter_as_it_believes) {
       }
       states("mean", sum / count, belief.mean, 3.5 * belief.deviation / std::sqrt(count),
              "3.5 standard errors");
-      // Paths are normal only given their waves, so squares scatter a little more than a normal's.
+      // Sample paths are normal only for given waves, so squares scatter a little more than a
+      // normal's.
       states("variance", squares / count / belief.deviation / belief.deviation, 1,
              3.5 * std::sqrt(2.5 / count), "3.5 standard errors");
     }
@@ -181,7 +182,8 @@ TEST(PlausibleKernels, are_drawn_as_likely_as_they_are) {
     found_size += std::log(k.amplitude) / count;
     found_length += std::log(k.length_scales[0]) / count;
   }
-  // Scatters of 0.5 and less; draws remember some five before them: 0.5/sqrt(600), 3.3 times.
+  // Standard deviations are at most 0.5. Draws are correlated over about five: 0.5/sqrt(600), 3.3
+  // times.
   states("mean ln size", found_size, size / whole, 0.07, "sums over a grid");
   states("mean ln length", found_length, length / whole, 0.07, "sums over a grid");
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// From the collisions of a run to the sizes of its powder.
+// From the collisions of a run to the particle sizes of its powder.
 #include "mahlwerk/results/quantities/grinding.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 using results::Outcome;
 using tests::states;
 
-/// Five balls that are shaken, with a gram of grains that halve.
+/// Five balls in a shaken jar with a gram of grains that break into halves.
 cases::Case grinding_case(const std::string& engine = "event") {
   cases::Case c = shaken(engine, 5);
   c.run.time = 1;
@@ -70,14 +70,14 @@ class GrindingRun : public ::testing::Test {
 
 TEST_F(GrindingRun, stresses_are_the_collisions_of_the_run) {
   const auto chosen = results::averaged_replicates(outcome());
-  const powder::StressSpectrum all = results::stress_spectrum(outcome().what, chosen);
+  const powder::StressSpectrum all = results::stress_spectrum(outcome().mill_case, chosen);
   double rate = 0, power = 0, expected_rate = 0, expected_power = 0;
   for (const powder::Stress& s : all.stresses) rate += s.rate, power += s.rate * s.energy;
   for (const auto* r : chosen) {
     expected_rate += static_cast<double>(r->tally.all.count) / r->time() / 6;
     expected_power += r->tally.all.energy_normal / r->time() / 6;
   }
-  // Collisions below 2^-80 J press nothing; there are none.
+  // Collisions below 2^-80 J do not stress the powder; there are none.
   states("collisions per second", rate, expected_rate, 1e-12 * expected_rate, "the tally's count");
   states("power [W]", power, expected_power, 1e-12 * expected_power, "the tally's sum of energies");
 }
@@ -85,8 +85,8 @@ TEST_F(GrindingRun, stresses_are_the_collisions_of_the_run) {
 TEST_F(GrindingRun, table_of_the_catch_adds_up_to_the_summary) {
   const results::Table table = results::capture(outcome());
   const double rate = named(outcome(), "captured_mass_rate");
-  // The table takes bins of all replicates together, the summary each alone: a catch is not linear
-  // in the energy within a bin a quarter of an octave wide.
+  // The table merges the bins of all replicates, the summary evaluates each replicate. The captured
+  // mass is not linear in the energy within a bin a quarter of an octave wide.
   states("mass per second", column_sum(table, "rate", "mass"), rate, 1e-3 * rate, "the same catch");
   states("share hit per second over mass per second",
          named(outcome(), "captured_share_rate") / rate, 1e3, 1e-9, "a gram");
@@ -104,8 +104,9 @@ TEST_F(GrindingRun, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum
       apart.push_back(std::log(size(*r->grinding->sample) / size(*r->grinding->balance)));
     }
     const observe::Estimate e = observe::estimate(apart);
-    // Standard errors, and what halving the width of classes changes in the balance.
-    cases::Case finer = outcome().what;
+    // Tolerance: the standard error, and the change of the balance if the width of classes is
+    // halved.
+    cases::Case finer = outcome().mill_case;
     finer.grinding->classes_per_octave = 12;
     const auto spectrum = results::stress_spectrum(finer, {chosen.front()});
     const powder::SizeEvolution twelve = results::milling_by_balance(finer, spectrum);
@@ -125,10 +126,10 @@ TEST_F(GrindingRun, more_power_than_the_mill_dissipates_is_warned_of) {
       if (one.code == "more-than-dissipated") return true;
     return false;
   };
-  EXPECT_TRUE(warned(outcome()));  // a restitution of 0.7 loses half of what presses the powder
-  cases::Case what = grinding_case();
-  what.capture->energy = cases::Capture::Energy::lost;
-  EXPECT_FALSE(warned(run(what)));
+  EXPECT_TRUE(warned(outcome()));  // with a restitution of 0.7 half of the stress energy is lost
+  cases::Case mill_case = grinding_case();
+  mill_case.capture->energy = cases::Capture::Energy::lost;
+  EXPECT_FALSE(warned(run(mill_case)));
 }
 
 TEST_F(GrindingRun, mass_is_kept_and_sizes_fall_with_time) {
@@ -154,25 +155,25 @@ TEST_F(GrindingRun, conversion_is_that_of_the_dissipated_dose) {
 }
 
 TEST(GroundAnew, same_case_gives_the_same_sample_on_any_number_of_threads) {
-  cases::Case what = grinding_case();
-  what.run.replicates = 2;
+  cases::Case mill_case = grinding_case();
+  mill_case.run.replicates = 2;
   RunOptions one, two;
   one.threads = 1;
   two.threads = 2;
-  const Outcome a = run(what, one), b = run(what, two);
+  const Outcome a = run(mill_case, one), b = run(mill_case, two);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_EQ(a.replicates[i].grinding->sample->shares, b.replicates[i].grinding->sample->shares);
 }
 
 TEST(GroundAnew, run_that_was_saved_and_gone_on_with_grinds_the_same) {
-  cases::Case what = grinding_case();
-  ReplicateRun whole(what, 0), first(what, 0);
+  cases::Case mill_case = grinding_case();
+  ReplicateRun whole(mill_case, 0), first(mill_case, 0);
   while (!whole.done()) whole.run_slice();
   for (int i = 0; i < 5; ++i) first.run_slice();
   Archive out;
   first.serialize(out);
   Archive in(out.bytes());
-  ReplicateRun second(what, 0);
+  ReplicateRun second(mill_case, 0);
   second.serialize(in);
   while (!second.done()) second.run_slice();
   EXPECT_EQ(whole.result().grinding->sample->shares, second.result().grinding->sample->shares);

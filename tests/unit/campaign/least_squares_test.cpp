@@ -29,7 +29,7 @@ bool says(const std::vector<std::string>& remarks, const std::string& words) {
   return false;
 }
 
-/// a exp(-b t), measured at t = 0, 1, ...; what was measured is given in units of its error.
+/// Residuals of a exp(-b t), measured at t = 0, 1, ..., in units of the error of measurement.
 Residuals decay(const Values& measured, double error) {
   return [=](const Values& p) {
     Values r;
@@ -56,7 +56,8 @@ Values decay_data(std::size_t count, double noise, std::uint32_t stream) {
 TEST(LeastSquares, find_what_perfect_data_were_made_with) {
   const LeastSquaresResult fit =
       least_squares(decay(decay_data(8, 0, 0), 1), decay_parameters, ErrorScale::estimated);
-  // Data of norm 20 are rounded to eps; the slopes by places are as large, or a few times smaller.
+  // Data of norm 20 are rounded to eps; the slopes by positions are as large, or a few times
+  // smaller.
   const double rounding = 10 * std::sqrt(8 * 49.0) * std::numeric_limits<double>::epsilon();
   states("a", fit.parameters[0].value, true_a, true_a * std::log(1000.0) * rounding, "as put in");
   states("b", fit.parameters[1].value, true_b, 2 * rounding, "as put in");
@@ -71,7 +72,8 @@ TEST(LeastSquares, find_what_perfect_data_were_made_with) {
 }
 
 TEST(LeastSquares, find_the_lower_of_two_valleys) {
-  // (x^2 - 1)^2 and a slope: the valley at -1 is the lower one, the start is in the other.
+  // (x^2 - 1)^2 plus a slope has two valleys. The one at -1 is lower; the start is in the other
+  // one.
   const Residuals valleys = [](const Values& p) {
     return Values{p[0] * p[0] - 1, 0.3 * (p[0] + 2)};
   };
@@ -80,7 +82,7 @@ TEST(LeastSquares, find_the_lower_of_two_valleys) {
   EXPECT_GT(fit.parameters[0].value, -1.1);
 }
 
-/// In how many of `sets` the interval of each parameter holds the truth.
+/// Number of `sets` in which the interval of each parameter contains the true value.
 std::array<int, 2> covered(int sets, std::size_t count, double noise, ErrorScale scatter) {
   std::array<int, 2> held{};
   for (int set = 0; set < sets; ++set) {
@@ -94,8 +96,8 @@ std::array<int, 2> covered(int sets, std::size_t count, double noise, ErrorScale
   return held;
 }
 
-// The number that holds is binomial: 400 trials of 0.95, standard deviation 4.4. Beyond 3.3 of them
-// one honest fit in a thousand would fall.
+// The number of intervals that contain the true value is binomial: 400 trials of 0.95, standard
+// deviation 4.4. One correct fit in a thousand lies beyond 3.3 standard deviations.
 constexpr int trials = 400;
 const double spread = 3.3 * std::sqrt(trials * 0.95 * 0.05);
 
@@ -106,20 +108,21 @@ TEST(LeastSquares, intervals_hold_the_truth_in_nineteen_of_twenty_data_sets) {
 }
 
 TEST(LeastSquares, intervals_hold_the_truth_where_noise_is_strong_and_data_are_few) {
-  // Slopes at the best place alone would say too little here: the curve bends within the noise.
+  // Slopes at the optimum alone would give too narrow intervals: the curve bends within the noise.
   const std::array held = covered(trials, 4, 0.8, ErrorScale::estimated);
   states("a, of 400", held[0], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
   states("b, of 400", held[1], 0.95 * trials, spread, "binomial, 3.3 standard deviations");
 }
 
 TEST(LeastSquares, known_errors_give_intervals_that_hold_no_less_often) {
-  // They take the wider of the known and the seen scatter, so they hold more often than 95 %.
+  // The intervals use the larger of known and observed scatter, so they hold more often than 95 %.
   for (const int held : covered(trials, 8, 0.2, ErrorScale::known))
     EXPECT_GE(held, 0.95 * trials - spread);
 }
 
 TEST(LeastSquares, known_errors_give_the_width_of_a_mean) {
-  // n values of error e: the mean is sure to 1.96 e/sqrt(n), however little they happen to scatter.
+  // n values of error e give a mean with the error 1.96 e/sqrt(n), however little the values
+  // scatter.
   const Values data{4.1, 4.0, 4.1, 4.0};
   const double error = 0.5;
   const Residuals residuals = [&](const Values& p) {
@@ -129,7 +132,7 @@ TEST(LeastSquares, known_errors_give_the_width_of_a_mean) {
   };
   const LeastSquaresResult fit = least_squares(residuals, {{"mean", 0, 9}}, ErrorScale::known);
   const double width = 1.959964 * error / 2;
-  const double tolerance = 0.01 * width;  // to which the ends of an interval are sought
+  const double tolerance = 0.01 * width;  // precision of the ends of an interval
   states("mean", fit.parameters[0].value, 4.05, 1e-9, "arithmetic");
   states("lower end", fit.parameters[0].low, 4.05 - width, tolerance, "normal distribution");
   states("upper end", fit.parameters[0].high, 4.05 + width, tolerance, "normal distribution");
@@ -194,7 +197,7 @@ TEST(LeastSquares, a_parameter_that_does_nothing_is_named) {
 }
 
 TEST(LeastSquares, what_drowns_in_the_scatter_is_not_determined) {
-  // The second parameter adds a thousandth of what the data scatter.
+  // The effect of the second parameter is a thousandth of the scatter of the data.
   const Residuals weak = [decay = decay(decay_data(8, 0.2, 3), 1)](const Values& p) {
     Values r = decay({p[0], true_b});
     r[2] += 2e-4 * p[1];
@@ -208,7 +211,7 @@ TEST(LeastSquares, what_drowns_in_the_scatter_is_not_determined) {
 }
 
 TEST(LeastSquares, one_sided_data_give_one_limit) {
-  // A threshold that must lie below what was seen to break, and is zero for all that is known.
+  // A threshold that must lie below the observed breakage. The data do not exclude zero.
   const Residuals threshold = [](const Values& p) {
     Values r;
     for (const double x : {1.0, 2.0, 3.0, 4.0, 5.0})
@@ -243,7 +246,7 @@ TEST(LeastSquares, as_many_data_as_parameters_leave_nothing_to_tell_the_scatter)
   states("a", guess.parameters[0].value, true_a, 1e-6, "as put in");
   const LeastSquaresResult known =
       least_squares(decay(data, 0.1), decay_parameters, ErrorScale::known);
-  const double width = 1.959964 * 0.1;  // a is measured at t = 0, b is free to follow
+  const double width = 1.959964 * 0.1;  // a is measured at t = 0, b can adapt
   EXPECT_TRUE(known.parameters[0].determined);
   states("lower end", known.parameters[0].low, true_a - width, 0.01 * width, "normal distribution");
 }
@@ -255,8 +258,7 @@ TEST(LeastSquares, a_best_value_at_a_bound_is_told) {
   EXPECT_EQ(fit.parameters[1].value, 0.5);
   EXPECT_TRUE(says(fit.parameters[1].remarks, "a wider range may fit better"));
   const LeastSquaresResult hard = least_squares(
-      residuals,
-      {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .min_is_natural = true}},
+      residuals, {{"a", 0.1, 100}, {.name = "b", .least = 0.5, .most = 2, .min_is_natural = true}},
       ErrorScale::estimated);
   EXPECT_TRUE(says(hard.parameters[1].remarks, "beyond which it makes no sense"));
   EXPECT_TRUE(says(fit.parameters[1].remarks, "at the lower end of its range"));
@@ -264,7 +266,7 @@ TEST(LeastSquares, a_best_value_at_a_bound_is_told) {
 }
 
 TEST(LeastSquares, parameters_that_are_hard_to_tell_apart_are_told) {
-  // Two decays of nearly one rate: their sum is known well, each of them badly.
+  // Two decays of nearly equal rate: their sum is well determined, each of them badly.
   const Residuals twins = [](const Values& p) {
     Values r;
     for (int t = 0; t < 20; ++t)
@@ -297,7 +299,7 @@ TEST(LeastSquares, a_model_that_always_fails_is_an_error) {
 }
 
 TEST(LeastSquares, an_error_during_the_search_comes_through_as_it_is) {
-  int left = 70;  // beyond the first places, within the simplexes
+  int left = 70;  // after the first evaluations, within the simplexes
   const Residuals later = [&](const Values& p) {
     if (--left == 0) throw std::domain_error("mine");
     return decay(decay_data(8, 0.2, 1), 1)(p);

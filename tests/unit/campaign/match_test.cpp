@@ -25,7 +25,7 @@ using tests::stays_below;
 constexpr std::size_t one_joule = -LogHistogram::lowest_octave * LogHistogram::per_octave;
 const double bin = std::numbers::ln2 / 4;
 
-/// All power in the bins `first` to `last` of above one joule, evenly.
+/// A spectrum with its power spread evenly over the bins `first` to `last` above one joule.
 DoseSpectrum even(double dose, int first, int last) {
   DoseSpectrum m{
       .dose = dose, .shares = std::vector<double>(LogHistogram::bins, 0), .mean_energy = 1};
@@ -39,8 +39,8 @@ TEST(Distance, of_spectra_is_how_far_one_must_be_moved) {
          "an octave: ln 2");
   states("moved back", spectral_distance(even(1, 4, 6), even(1, 0, 2)), 4 * bin, 1e-14, "the same");
   EXPECT_EQ(spectral_distance(even(1, 0, 2), even(3, 0, 2)), 0);
-  // One bin against three about it: a uniform width w against 3 w. The quantiles differ by
-  // 2 w |u - 1/2|, whose mean is w/2.
+  // One bin against the three bins about it: uniform distributions of width w and 3 w. The
+  // quantiles differ by 2 w |u - 1/2|, with the mean w/2.
   states("made wider", spectral_distance(even(1, 1, 1), even(1, 0, 2)), bin / 2, 1e-14,
          "mean of the quantiles' distance");
 }
@@ -63,7 +63,7 @@ TEST(HalfPowerEnergy, lies_in_the_middle_of_an_even_spectrum) {
          "half an octave above 1 J");
 }
 
-/// Doses scatter by a share of their mean.
+/// Replicates with doses that scatter by the fraction `scatter` of their mean.
 MillSpectra some(double dose, int count, double scatter, std::uint32_t stream) {
   Random random(4, stream);
   MillSpectra made;
@@ -84,7 +84,7 @@ TEST(Difference, of_the_same_mill_is_within_its_scatter_in_nineteen_of_twenty) {
   }
   const double tolerance = 3.3 * std::sqrt(times * 0.95 * 0.05);
   states("within, of 200", within, 0.95 * times, tolerance, "binomial");
-  // Two intervals joined in squares hold somewhat more often than 95 %.
+  // Two intervals combined in quadrature hold somewhat more often than 95 %.
   EXPECT_GE(held, 0.95 * times - tolerance);
 }
 

@@ -24,7 +24,7 @@ std::vector<Fault> faults_of(const std::string& text) {
   return {};
 }
 
-/// Refused for one fault alone, which says that.
+/// Reading `text` gives exactly one fault, with this place, cause and code.
 void expect_fault(const std::string& text, const std::string& where, const std::string& what,
                   const std::string& code) {
   const std::vector<Fault> faults = faults_of(text);

@@ -25,7 +25,7 @@ cases::Case drum(std::int64_t balls, std::int64_t replicates) {
   return c;
 }
 
-/// A folder with files as a system would have them; goes away with its owner.
+/// A temporary root folder for system files (proc, sys), removed by the destructor.
 class System {
  public:
   System() {

@@ -10,16 +10,16 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
-// Runs of every kind, short enough to be run to their end in every test of what is observed.
+// Short cases of every kind, which every test of observers can run to the end.
 namespace mahlwerk::campaign {
 
 struct Kind {
   std::string name;
-  cases::Case what;
+  cases::Case mill_case;
 };
 
-/// `count` balls of 6 mm in a shaken cylinder, made so soft that few steps are needed, counted for
-/// 0.2 s after 0.05 s.
+/// `count` balls of 6 mm in a shaken cylinder. They are so soft that few steps are needed. The run
+/// is observed for 0.2 s after 0.05 s.
 inline cases::Case shaken(const std::string& engine, std::int64_t count) {
   cases::Case c;
   kinematics::Vibration motion;
@@ -43,7 +43,7 @@ inline cases::Case shaken(const std::string& engine, std::int64_t count) {
   return c;
 }
 
-/// One that is shaken so gently that it rolls for most of the time.
+/// One ball, shaken so gently that it rolls for most of the time.
 inline cases::Case rolling_ball() {
   cases::Case c = shaken("event", 1);
   std::get<kinematics::Vibration>(*c.mill.motion).frequency = 6;
@@ -54,7 +54,7 @@ inline cases::Case rolling_ball() {
   return c;
 }
 
-/// Many that lie on each other: the TC rule gives back more than little of what bounces lose.
+/// Many balls that lie on each other: the TC rule returns a considerable part of what bounces lose.
 inline cases::Case dense() {
   cases::Case c = shaken("event", 30);
   std::get<kinematics::Vibration>(*c.mill.motion).amplitude = 8e-4;
@@ -62,7 +62,7 @@ inline cases::Case dense() {
   return c;
 }
 
-/// Five that lie on the floor and hit each other.
+/// Five balls that lie on the floor and hit each other.
 inline cases::Case lying_balls() {
   cases::Case c = shaken("soft", 5);
   std::get<kinematics::Vibration>(*c.mill.motion).amplitude = 8e-4;
@@ -71,7 +71,7 @@ inline cases::Case lying_balls() {
   return c;
 }
 
-/// Both engines, and both ways in which each computes. A crowd has more than 32 balls.
+/// Both engines, each with both of its solvers. The many-body solver has more than 32 balls.
 inline std::vector<Kind> kinds() {
   return {{"event, one ball", rolling_ball()},
           {"event, 30 balls", dense()},

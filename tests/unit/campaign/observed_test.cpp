@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is observed leaves the motion alone, and loses no energy.
+// Observation does not change the motion, and accounts for all energy.
 #include "unit/campaign/observed.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace {
 using tests::Recorder;
 using tests::states;
 
-/// Gives to another, which outlives it.
+/// Forwards records to another recorder, which outlives this object.
 struct Passed final : scene::Observer {
   explicit Passed(Recorder& other) : to(&other) {}
   void collisions(std::span<const scene::Collision> finished) override { to->collisions(finished); }
@@ -51,10 +51,10 @@ TEST(Ledger, spectrum_lasting_and_open_contacts_are_all_that_is_dissipated) {
   }
 }
 
-/// The engine of a replica from its saved state, at the end of which it stands in `size` bytes.
-std::unique_ptr<scene::Engine> restored(const cases::Case& what, const std::string& state,
+/// The engine of a replicate, restored from the last `size` bytes of its saved state.
+std::unique_ptr<scene::Engine> restored(const cases::Case& mill_case, const std::string& state,
                                         std::size_t size) {
-  auto made = engine(what, 0);
+  auto made = engine(mill_case, 0);
   Archive in(state.substr(state.size() - size));
   made->serialize(in);
   in.finish();
@@ -68,8 +68,8 @@ bool same(const std::vector<scene::Ball>& a, const std::vector<scene::Ball>& b) 
   });
 }
 
-double later(const cases::Case& what) {
-  return 1.5 * (what.run.settle + what.run.time);
+double later(const cases::Case& mill_case) {
+  return 1.5 * (mill_case.run.settle + mill_case.run.time);
 }
 
 TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bit) {
@@ -118,7 +118,7 @@ TEST_F(ObservedFrames, frames_change_no_bit_of_a_run) {
   EXPECT_GT(std::distance(std::filesystem::directory_iterator(scratch()), {}), 3);
 }
 
-/// Every number of a summary, as bits: those that do not exist are equal, too.
+/// Every number of a summary as bits, so that NaN equals NaN.
 std::vector<std::uint64_t> bits(const results::Outcome& outcome) {
   std::vector<std::uint64_t> found;
   for (const results::Quantity& q : results::summarise(outcome).quantities)

@@ -25,7 +25,7 @@ double hill(const DesignPoint& x) {
   return 1 - 4 * std::pow(x[0] - 0.37, 2);
 }
 
-/// Branin's function over its usual ranges; its three valleys are 0.397887 deep.
+/// Branin's function over its usual ranges. Its three minima have the value 0.397887.
 double branin(const DesignPoint& point) {
   const double x = 15 * point[0] - 5, y = 15 * point[1], pi = std::numbers::pi;
   return std::pow(y - 5.1 / (4 * pi * pi) * x * x + 5 / pi * x - 6, 2) +
@@ -41,8 +41,8 @@ double four_keys(const DesignPoint& x) {
   return sum;
 }
 
-// What two replicates of one setting cannot tell: their mean is known to noise/sqrt(2), and two
-// settings must be told apart.
+// Difference that two replicates of each setting cannot resolve: their mean is known to
+// noise/sqrt(2), and two settings are compared.
 double hardly_told(double noise) {
   return 2 * noise / std::sqrt(2.0);
 }
@@ -124,7 +124,7 @@ TEST(Optimise, searches_by_ratios_in_a_logarithmic_range) {
 }
 
 TEST(Optimise, keeps_within_a_limit_and_says_that_it_binds) {
-  // The higher the better, but another outcome, x^2, must stay below 0.36.
+  // Maximises 3 x, while another outcome, x^2, must stay below 0.36.
   const NoisySimulation both{{[](const DesignPoint& x) { return 3 * x[0]; },
                               [](const DesignPoint& x) { return x[0] * x[0]; }},
                              0.02};
@@ -132,7 +132,7 @@ TEST(Optimise, keeps_within_a_limit_and_says_that_it_binds) {
       optimise({.keys = 1, .bounds = {{.below = true, .value = 0.36}}, .settings = 20}, both);
   ASSERT_TRUE(found.best);
   const double place = found.trials[*found.best].point[0];
-  const double noise = hardly_told(0.02) / 1.2;  // of x^2, whose slope is 1.2 there
+  const double noise = hardly_told(0.02) / 1.2;  // of x^2, which has a slope of 1.2 there
   states("best tried", place, 0.6, noise, "3 x with x^2 < 0.36");
   states("model's best", found.model_point[0], 0.6, noise, "3 x with x^2 < 0.36");
   EXPECT_TRUE(found.binds[0]);
@@ -188,7 +188,7 @@ TEST(Optimise, says_that_a_key_does_nothing) {
   const Optimum found =
       optimise({.keys = 2, .settings = 24},
                NoisySimulation{{[](const DesignPoint& x) { return 5 + hill(x); }}, 0.02});
-  EXPECT_FALSE(found.keys[0].flat);  // 2 % of 6 is lost 0.17 beside the top
+  EXPECT_FALSE(found.keys[0].flat);  // 2 % of 6 is lost at a distance of 0.17 from the top
   EXPECT_TRUE(found.keys[1].flat);
   states("good from", found.keys[0].good_low, 0.37 - std::sqrt(0.03), 0.06, "hill is 0.12 lower");
   EXPECT_GT(found.keys[1].high - found.keys[1].low, 0.7);
@@ -252,7 +252,7 @@ TEST(Optimise, refuses_a_goal_out_of_its_ranges) {
 }
 
 TEST(Optimise, intervals_hold_the_truth_as_often_as_they_claim) {
-  // A guess of where the top may be is rather too careful: what it supposes is rougher than a hill.
+  // Intervals of the optimum are somewhat too wide: the prior of the model is rougher than a hill.
   constexpr int times = 200;
   int place = 0;
   for (int seed = 0; seed < times; ++seed) {

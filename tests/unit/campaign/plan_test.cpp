@@ -92,7 +92,7 @@ TEST(Plan, ranges_that_are_none_are_refused) {
   EXPECT_TRUE(refused(range("a", "0", "1", 0, true)));
   Sweep sweep;
   for (const char* key : {"a", "b", "c"}) sweep.keys.push_back(range(key, "0", "1", 1000));
-  EXPECT_THROW(Plan(sweep, 1), InputError);  // a thousand millions
+  EXPECT_THROW(Plan(sweep, 1), InputError);  // 1e9 points
   sweep.design = Design::morris;
   sweep.samples = 9'000'000;
   EXPECT_THROW(Plan(sweep, 1), InputError);

@@ -30,7 +30,7 @@ TEST(Queue, a_point_fails_once_and_when_none_of_its_replicates_is_at_work) {
   std::atomic<int> alive = 0, failed = 0, done = 0, at_work = -1;
   RunQueue queue;
   queue.size = 1;
-  queue.open = [](std::size_t) {  // far longer than a test: only the failure ends it
+  queue.open = [](std::size_t) {  // far longer than a test: only the failure ends the run
     return read_sample(with(vial, "time", "time = \"1 Ms\"\nreplicates = 6"));
   };
   queue.done = [&](std::size_t, results::Outcome&&) { ++done; };
@@ -87,7 +87,8 @@ TEST(Queue, trouble_with_files_is_no_failure_of_a_point) {
 
 TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop) {
   const Folder folder;
-  const cases::Case what = read_sample(with(vial, "time", "time = \"2000 s\"\nreplicates = 3"));
+  const cases::Case mill_case =
+      read_sample(with(vial, "time", "time = \"2000 s\"\nreplicates = 3"));
   std::atomic<bool> stop = false;
   results::Outcome whole, again;
   const auto run = [&](Checkpoint& states, bool no_further, results::Outcome& outcome) {
@@ -95,7 +96,7 @@ TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop)
     queue.size = 1;
     queue.open = [&](std::size_t) {
       stop = no_further;  // nothing more is computed
-      return what;
+      return mill_case;
     };
     queue.done = [&](std::size_t, results::Outcome&& ended) { outcome = std::move(ended); };
     queue.checkpoint_slot = [&](std::size_t) {

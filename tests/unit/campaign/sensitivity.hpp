@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/campaign/sweep/sensitivity.hpp"
 
-// Outcomes by formula, and noise on them.
+// Outcomes by formula, with noise.
 namespace mahlwerk::campaign {
 
 using Values = std::vector<double>;

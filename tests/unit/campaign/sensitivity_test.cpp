@@ -34,8 +34,8 @@ TEST(ElementaryEffects, are_exact_for_a_line) {
 }
 
 TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
-  // Of y = (x1 - 1/2) x2 the effect of key 1 is x2: 0, 1/3, 2/3 or 1, so mu is 1/2 and sigma^2 the
-  // mean square of +-1/2, +-1/6. Key 2 does +-1/2 or +-1/6: mu is 0, mu* is 1/3.
+  // For y = (x1 - 1/2) x2 the effect of key 1 is x2: 0, 1/3, 2/3 or 1, so mu is 1/2 and sigma^2 is
+  // the mean square of +-1/2, +-1/6. The effect of key 2 is +-1/2 or +-1/6: mu is 0, mu* is 1/3.
   constexpr int times = 200, ways = 40;
   const double sigma = std::sqrt(5.0 / 36);
   std::array<int, 4> held{};
@@ -70,8 +70,8 @@ TEST(ElementaryEffects, of_noise_alone_are_what_errors_give) {
 }
 
 TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates) {
-  // The error of a mean of two is half their difference. On the mean it is smaller than the true
-  // one, by sqrt(2/pi); its square is not.
+  // The standard error of a mean of two values is half their difference. On average it is smaller
+  // than the true error by sqrt(2/pi); its square is unbiased.
   constexpr std::size_t ways = 4000;
   const DesignMatrix rows = morris_design(1, ways, 3);
   Random random(5, 4);
@@ -79,11 +79,12 @@ TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const double one = normal(random), other = normal(random), half = std::abs(one - other) / 2;
     y.push_back((one + other) / 2);
-    ci95.push_back(std::tan(0.475 * std::numbers::pi) * half);  // Student's law of one is Cauchy's
+    ci95.push_back(std::tan(0.475 * std::numbers::pi) * half);  // Student's t_1 is Cauchy's law
   }
   const Values errors = standard_errors(y, ci95, Values(y.size(), 2));
   const auto found = elementary_effects(rows, y, errors);
-  // Squares of one degree of freedom scatter by sqrt(2) of their mean, a root by half of that.
+  // A square of one degree of freedom scatters by sqrt(2) of its mean, a square root by half of
+  // that.
   const double alone = 3.3 * found.keys[0].of_noise * std::sqrt(2.0 / (2 * ways)) / 2;
   states("mu*", found.keys[0].mean_absolute.value, found.keys[0].of_noise,
          std::hypot(alone, half_width(found.keys[0].mean_absolute) * 3.3 / 1.96),
@@ -100,7 +101,8 @@ TEST(ElementaryEffects, are_told_if_surely_more_than_noise_makes) {
   EXPECT_EQ(found.keys[1].significant, std::optional(false));
   EXPECT_EQ(errors_unknown.keys[0].significant, std::nullopt);
 
-  // One way has no interval: what is below noise is not told, of what is above nothing is known.
+  // One trajectory has no interval. An effect below the noise is not significant; whether one above
+  // it is significant is unknown.
   const auto one = elementary_effects({{0}, {2.0 / 3}}, {1, 5}, {1, 1});
   EXPECT_TRUE(std::isnan(one.keys[0].mean_absolute.low));
   EXPECT_EQ(one.keys[0].significant, std::nullopt);
@@ -121,8 +123,8 @@ TEST(ElementaryEffects, say_which_key_changes_nothing) {
 TEST(ElementaryEffects, leave_out_steps_that_failed) {
   const DesignMatrix rows = morris_design(2, 4, 1);
   Values y = outcomes(rows, [](const Values& x) { return x[0]; });
-  y[1] = nan;  // the middle of the first way: both of its steps
-  y[3] = nan;  // the start of the second: its first step
+  y[1] = nan;  // the middle of the first trajectory: both of its steps
+  y[3] = nan;  // the start of the second trajectory: its first step
   const auto found = elementary_effects(rows, y, {});
   EXPECT_EQ(found.failed, 2);
   EXPECT_EQ(found.keys[0].count + found.keys[1].count, 8U - 3);
@@ -149,7 +151,7 @@ TEST(Swings, are_what_each_key_does_alone) {
 }
 
 TEST(Swings, are_compared_with_the_case_itself) {
-  // The ends differ by 2, more than sqrt(1 + 1); from the case both by 1, which is less.
+  // The ends differ by 2, more than sqrt(1 + 1). Both differ from the case by 1, which is less.
   EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].significant, std::optional(false));
   EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].significant, std::optional(true))
       << "the high end";

@@ -15,33 +15,33 @@ namespace {
 using namespace cases::sample;
 using Overrides = std::vector<cases::Override>;
 
-/// The planetary mill by the soft engine, with these lines in place of its restitution.
+/// The planetary mill with the soft engine; these lines replace its restitution.
 cases::Case soft_case(const std::string& lines, Overrides overrides = {}) {
   overrides.push_back({"run.engine", "soft"});
   return read_sample(with(planetary, "restitution", lines), overrides);
 }
-/// The codes of what keeps it from running.
-std::string codes(const cases::Case& what) {
+/// The codes of the faults that keep the case from running.
+std::string codes(const cases::Case& mill_case) {
   std::string all;
-  for (const Fault& f : run_faults(what)) all += (all.empty() ? "" : " ") + f.code;
+  for (const Fault& f : run_faults(mill_case)) all += (all.empty() ? "" : " ") + f.code;
   return all;
 }
 std::string faults_with_step(const char* step) {
   return codes(soft_case("restitution = 0.5", {{"run.time_step", step}}));
 }
-bool says(const cases::Case& what, const std::string& words) {
-  for (const Notice& one : soft_notices(what))
+bool says(const cases::Case& mill_case, const std::string& words) {
+  for (const Notice& one : soft_notices(mill_case))
     if (one.text.find(words) != std::string::npos) return true;
   return false;
 }
 
-bool warned(const cases::Case& what) {
-  const Notices notices = overlap_warnings(what);
+bool warned(const cases::Case& mill_case) {
+  const Notices notices = overlap_warnings(mill_case);
   return notices.size() == 1 && notices[0].code == "soft-contacts";
 }
 
 TEST(SoftSettings, paper_b_s_time_step_is_an_eighth_of_the_rayleigh_time) {
-  // 1 us for 15 mm steel balls, E = 200 GPa, nu = 0.265; a fiftieth of the collision is less.
+  // 15 mm steel balls, E = 200 GPa, nu = 0.265: 1 us. A fiftieth of the collision time is less.
   const SoftSettings s = soft_settings(soft_case("restitution = 0.5"));
   EXPECT_NEAR(s.steps.rayleigh, 8.1e-6, 0.2e-6);
   EXPECT_NEAR(s.steps.recommended(1) * 50, s.steps.contact, 1e-12);
@@ -61,12 +61,12 @@ TEST(SoftSettings, what_decides_on_the_step_is_said) {
 
 TEST(SoftSettings, what_the_step_leaves_a_collision_off_by_is_said_and_is_less_in_shorter_steps) {
   const auto rebound = [](const char* step) {
-    const cases::Case what = soft_case("restitution = 0.2", {{"run.time_step", step}});
-    const SoftSettings s = soft_settings(what);
+    const cases::Case mill_case = soft_case("restitution = 0.2", {{"run.time_step", step}});
+    const SoftSettings s = soft_settings(mill_case);
     const auto error =
         soft::step_error(contact::HertzMindlin{}, 0.2, s.steps.contact / s.rules.time_step);
     const std::string words = fmt::format("{:.2g} % of its rebound speed", 100 * error.rebound);
-    EXPECT_TRUE(says(what, "off by at most about " + words)) << words;
+    EXPECT_TRUE(says(mill_case, "off by at most about " + words)) << words;
     return error.rebound;
   };
   EXPECT_LE(rebound("0.5 us"), rebound("1 us") / 2);
@@ -81,11 +81,11 @@ TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
 }
 
 TEST(SoftSettings, work_is_balls_times_steps) {
-  const cases::Case what = soft_case("restitution = 0.5", {{"run.settle", "2 s"}});
+  const cases::Case mill_case = soft_case("restitution = 0.5", {{"run.settle", "2 s"}});
   double balls = 0;
-  for (const cases::BallSet& set : what.balls) balls += static_cast<double>(set.count);
-  EXPECT_DOUBLE_EQ(soft_work(what),
-                   balls * (2 + what.run.time) / soft_settings(what).rules.time_step);
+  for (const cases::BallSet& set : mill_case.balls) balls += static_cast<double>(set.count);
+  EXPECT_DOUBLE_EQ(soft_work(mill_case),
+                   balls * (2 + mill_case.run.time) / soft_settings(mill_case).rules.time_step);
 }
 
 TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {

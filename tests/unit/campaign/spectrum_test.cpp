@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A ball dropped on a floor: every impact, and so every number of the spectrum, by hand.
+// A ball dropped on a floor: every impact, and so every number of the spectrum, is computed by
+// hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +25,8 @@ using tests::states;
 
 constexpr double e = 0.8, high = 0.05, gravity = 9.81;  // [m], [m/s2]
 
-/// Falls `high` onto the floor of a box, on which nothing rubs, until shortly before all is over.
+/// A ball falls from the height `high` onto the frictionless floor of a box and makes this many
+/// bounces.
 cases::Case dropped(int bounces) {
   cases::Case c;
   c.mill.motion = kinematics::Still{};
@@ -34,7 +36,7 @@ cases::Case dropped(int bounces) {
   c.contact.rule = {.restitution = e, .tangential_restitution = 1, .friction = 0};
   c.contact.lasting = cases::SustainedContactModel::none;
   const double fall = std::sqrt(2 * high / gravity);
-  c.run.time = fall;  // up to half of the flight after the last
+  c.run.time = fall;  // ends at half of the flight after the last bounce
   for (int n = 1; n < bounces; ++n) c.run.time += 2 * fall * std::pow(e, n);
   c.run.time += fall * std::pow(e, bounces);
   c.observe.threshold = 0.1;
@@ -45,7 +47,7 @@ double mass(const cases::Case& c) {
   return c.balls[0].mass();
 }
 
-/// Edges of the quarters of an octave that `value` is between.
+/// Edges of the quarter-octave bin that contains `value`.
 std::pair<double, double> quarter(double value) {
   const double low = std::floor(4 * std::log2(value));
   return {std::exp2(low / 4), std::exp2((low + 1) / 4)};
@@ -54,11 +56,11 @@ std::pair<double, double> quarter(double value) {
 class Dropped : public testing::TestWithParam<int> {};
 
 TEST_P(Dropped, spectrum_is_that_written_by_hand) {
-  const cases::Case what = dropped(GetParam());
-  const results::Outcome outcome = run(what);
+  const cases::Case mill_case = dropped(GetParam());
+  const results::Outcome outcome = run(mill_case);
   std::map<double, std::pair<int, double>> bins, lost;  // by lower edge: count and sum
   for (int n = 0; n < GetParam(); ++n) {
-    const double energy = mass(what) * gravity * high * std::pow(e, 2 * n);
+    const double energy = mass(mill_case) * gravity * high * std::pow(e, 2 * n);
     for (const auto& [list, value] : {std::pair(&bins, energy), {&lost, energy * (1 - e * e)}}) {
       auto& [count, sum] = (*list)[quarter(value).first];
       ++count;
@@ -73,7 +75,7 @@ TEST_P(Dropped, spectrum_is_that_written_by_hand) {
   };
   ASSERT_EQ(outcome.replicates[0].tally.all.count, GetParam());
   std::size_t seen = 0, seen_lost = 0;
-  const double time = what.run.time;
+  const double time = mill_case.run.time;
   const std::string why = "m g h e^(2n); touches are found to 1e-12 of the radius";
   for (const auto& row : table.rows)
     for (const auto& [list, name] : {std::pair(&bins, "normal"), {&lost, "lost"}}) {
@@ -96,9 +98,9 @@ TEST_P(Dropped, spectrum_is_that_written_by_hand) {
 }
 
 TEST_P(Dropped, histograms_sum_to_the_geometric_series) {
-  const cases::Case what = dropped(GetParam());
-  const observe::Spectra whole = run(what).replicates[0].tally.total_spectra();
-  const double first = mass(what) * gravity * high, q = std::pow(e * e, GetParam());
+  const cases::Case mill_case = dropped(GetParam());
+  const observe::Spectra whole = run(mill_case).replicates[0].tally.total_spectra();
+  const double first = mass(mill_case) * gravity * high, q = std::pow(e * e, GetParam());
   const std::string why = "m g h (1 - e^(2N))/(1 - e^2)";
   const double all = first * (1 - q) / (1 - e * e);
   states("impact energy over the series", whole.energy_normal.sum() / all, 1, 1e-9, why);

@@ -28,7 +28,7 @@ class StoreTest : public ::testing::Test {
   fs::path here_;
 };
 
-/// Points whose runs have these numbers.
+/// A plan with points that refer to these runs.
 CampaignPlan planned(std::vector<RunHash> runs, const std::string& unit = " rpm") {
   CampaignPlan p;
   p.title = "A \"campaign\"; DROP TABLE runs";
@@ -80,7 +80,7 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
   EXPECT_EQ(list[1].values, (std::vector<std::string>{"200 rpm", "steel"}));
   EXPECT_EQ(list[1].state, RunState::done);
   EXPECT_EQ(list[1].value[0], 6.5);
-  EXPECT_EQ(list[1].ci95[0], 0.25);  // over time, as there is none over replicates
+  EXPECT_EQ(list[1].ci95[0], 0.25);  // over time, because there is none over replicates
   EXPECT_TRUE(std::isnan(list[1].value[1]));
   EXPECT_EQ(list[1].value[2], 3.25);
   EXPECT_EQ(list[1].ci95[2], 0.5);
@@ -145,7 +145,8 @@ TEST_F(StoreTest, a_new_plan_keeps_the_runs_it_shares_with_the_old_one) {
   EXPECT_EQ(store.states().size(), 3U);
 }
 
-/// Of runs by two engines, one of them with powder whose property has a name of its own.
+/// Runs with different quantities: the soft engine adds `overlap`, and each of two powders has a
+/// `property` with a description of its own.
 std::vector<RunRecord> three_forms() {
   std::vector<RunRecord> list{finished(1, 5), finished(2, 6), finished(3, 7)};
   auto& soft = list[1].quantities;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Runs that go on until a quantity is known well enough: [run] time = "until 2 %".
+// Runs that continue until a quantity is known well enough: [run] time = "until 2 %".
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using tests::states;
 using tests::stays_below;
 
-/// 50 ms are a period.
+/// A period is 50 ms.
 cases::Case waiting(double within, double longest) {
   cases::Case c = shaken("event", 1);
   c.contact.rule.restitution = 0.9;
@@ -35,9 +35,9 @@ double found(const results::Replicate& r) {
   return e.ci95 / e.mean;
 }
 
-bool warned(const cases::Case& what, const results::Replicate& r) {
+bool warned(const cases::Case& mill_case, const results::Replicate& r) {
   results::Outcome outcome;
-  outcome.what = what;
+  outcome.mill_case = mill_case;
   outcome.replicates = {r};
   outcome.summary = results::summarise(outcome);
   return std::ranges::any_of(results::warnings(outcome), [](const Notice& one) {
@@ -49,12 +49,12 @@ bool warned(const cases::Case& what, const results::Replicate& r) {
 TEST(Until, a_run_ends_with_the_certainty_asked_for) {
   double shorter = 0;
   for (const double within : {0.08, 0.04, 0.02}) {
-    const cases::Case what = waiting(within, 2000);
-    ReplicateRun replica(what, 0);
+    const cases::Case mill_case = waiting(within, 2000);
+    ReplicateRun replica(mill_case, 0);
     const results::Replicate r = to_the_end(replica).result();
     EXPECT_TRUE(r.complete);
     EXPECT_TRUE(r.precision_reached);
-    EXPECT_FALSE(warned(what, r));
+    EXPECT_FALSE(warned(mill_case, r));
     stays_below("half-width over mean", found(r), within, "over_time() of the windows");
     EXPECT_GT(r.time(), shorter) << "more certainty takes longer";
     EXPECT_LT(r.time(), 1999);
@@ -66,22 +66,22 @@ TEST(Until, a_run_ends_with_the_certainty_asked_for) {
 }
 
 TEST(Until, goes_on_to_the_longest_time_otherwise_and_says_so) {
-  const cases::Case what = waiting(0.001, 7);
-  ReplicateRun replica(what, 0);
+  const cases::Case mill_case = waiting(0.001, 7);
+  ReplicateRun replica(mill_case, 0);
   const results::Replicate r = to_the_end(replica).result();
   EXPECT_TRUE(r.complete);
   EXPECT_FALSE(r.precision_reached);
   EXPECT_GT(found(r), 0.001);
-  EXPECT_TRUE(warned(what, r));
+  EXPECT_TRUE(warned(mill_case, r));
   states("time [s]", r.time(), 7, 0.05 + 1e-9, "a window of one period");
 }
 
 TEST(Until, goes_on_from_a_saved_state_to_the_same_bits) {
-  const cases::Case what = waiting(0.03, 1000);
-  ReplicateRun whole(what, 0);
+  const cases::Case mill_case = waiting(0.03, 1000);
+  ReplicateRun whole(mill_case, 0);
   const results::Replicate one = to_the_end(whole).result();
   for (const double share : {0.1, 0.5, 0.9}) {
-    ReplicateRun first(what, 0), second(what, 0);
+    ReplicateRun first(mill_case, 0), second(mill_case, 0);
     while (first.energy_balance().time < share * one.energy_balance.time && !first.done())
       first.run_slice();
     ASSERT_FALSE(first.done());
@@ -100,10 +100,10 @@ TEST(Until, goes_on_from_a_saved_state_to_the_same_bits) {
   }
 }
 
-/// A state holds all that a replicate keeps; what grows in it is the list of windows.
+/// A state contains everything that a replicate stores. Only the list of windows grows in it.
 TEST(Until, windows_stay_between_100_and_200_and_memory_does_not_grow) {
-  const cases::Case what = waiting(1e-6, 90);  // 1800 periods
-  ReplicateRun replica(what, 0);
+  const cases::Case mill_case = waiting(1e-6, 90);  // 1800 periods
+  ReplicateRun replica(mill_case, 0);
   std::size_t most = 0, least = 1000, early = 0, late = 0;
   while (!replica.done()) {
     replica.run_slice();

@@ -22,7 +22,8 @@ double ishigami(const Values& x) {
          0.1 * std::pow(t(2), 4) * std::sin(t(0));
 }
 
-/// Its variances, by hand: of key 1 alone, of key 2 alone, of keys 1 and 3 together beyond that.
+/// Variances of the Ishigami function, by hand: of key 1 alone, key 2 alone, and the interaction of
+/// keys 1 and 3.
 struct IshigamiParts {
   double first, second, together;
   double all() const { return first + second + together; }
@@ -48,7 +49,7 @@ TEST(VarianceDecomposition, are_those_of_ishigamis_function) {
   const std::array first{v.first / v.all(), v.second / v.all(), 0.0};
   const std::array total{(v.first + v.together) / v.all(), v.second / v.all(),
                          v.together / v.all()};
-  for (std::size_t i = 0; i < 3; ++i) {  // Sobol's points are surer than the drawn anew tell
+  for (std::size_t i = 0; i < 3; ++i) {  // Sobol' points are more accurate than their intervals
     const SobolIndices& key = found.keys[i];
     states("first", key.first.value, first[i], half_width(key.first), "closed form; own interval");
     states("total", key.total.value, total[i], half_width(key.total), "closed form; own interval");
@@ -73,7 +74,7 @@ TEST(VarianceDecomposition, are_those_of_the_g_function) {
 }
 
 TEST(VarianceDecomposition, intervals_hold_the_truth_as_often_as_they_claim) {
-  // Points drawn at random, so that nothing is surer than the intervals suppose.
+  // Points drawn at random, because Sobol' points are more accurate than the intervals suppose.
   constexpr int times = 200, base = 512;
   const IshigamiParts v = ishigami_parts();
   std::array<int, 4> held{};
@@ -102,7 +103,7 @@ TEST(VarianceDecomposition, intervals_hold_the_truth_as_often_as_they_claim) {
 TEST(VarianceDecomposition, leave_out_what_hangs_on_failed_runs) {
   const DesignMatrix rows = saltelli_design(3, 2048);
   Values y = outcomes(rows, ishigami);
-  y[0] = nan;                                            // a of group 0: nothing is left of it
+  y[0] = nan;                                            // a of group 0: the whole group is lost
   y[5 + 2] = nan;                                        // key 1 in group 1
   for (std::size_t i = 1000; i < 1100; ++i) y[i] = nan;  // 20 groups
   const VarianceDecomposition found = variance_decomposition(3, y, {});
@@ -112,7 +113,7 @@ TEST(VarianceDecomposition, leave_out_what_hangs_on_failed_runs) {
   const IshigamiParts v = ishigami_parts();
   states("first", found.keys[1].first.value, v.second / v.all(), half_width(found.keys[1].first),
          "closed form");
-  // Nor do the errors of failed runs, which have none, hide those of the others.
+  // Failed runs have no errors. That must not hide the errors of the other runs.
   const Values widths(y.size(), 0.1 * 1.96);
   const Values errors = standard_errors(y, widths, Values(y.size(), 1e6));
   ASSERT_EQ(errors.size(), y.size());
@@ -124,7 +125,7 @@ TEST(VarianceDecomposition, leave_out_what_hangs_on_failed_runs) {
 }
 
 TEST(VarianceDecomposition, are_free_of_the_share_of_errors) {
-  // Errors as large as the outcome's own spread: without a correction they look like a share of
+  // Errors comparable to the outcome's own spread: without a correction they look like a share of
   // every key.
   constexpr std::size_t base = 8192;
   const DesignMatrix rows = saltelli_design(2, base);
@@ -144,12 +145,12 @@ TEST(VarianceDecomposition, are_free_of_the_share_of_errors) {
 }
 
 TEST(VarianceDecomposition, of_a_key_that_changes_nothing_are_zero_whatever_the_errors) {
-  // Runs that differ in an idle key alone are the same run: their errors do not add up.
+  // Runs that differ only in an inactive key are the same run: their errors do not add up.
   Random random(5, 2);
   const DesignMatrix rows = saltelli_design(2, 64);
   Values y;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    const bool same = row % 4 == 2;  // key 1 from b: as a, two rows before
+    const bool same = row % 4 == 2;  // key 1 from b: same run as a, two rows before
     y.push_back(same ? y[row - 2] : 10 * rows[row][0] + normal(random));
   }
   const VarianceDecomposition found = variance_decomposition(2, y, Values(y.size(), 1.0));
@@ -163,8 +164,8 @@ TEST(VarianceDecomposition, of_a_key_that_changes_nothing_are_zero_whatever_the_
 }
 
 TEST(VarianceDecomposition, of_noise_are_told_in_few_of200_designs) {
-  // Key 0 does much, key 1 nothing, but its runs have errors of their own. The whole interval of a
-  // total lies above the truth in 2.5 of 100.
+  // Key 0 has a large effect, key 1 none, but its runs have errors of their own. The whole interval
+  // of a total index lies above the truth in 2.5 of 100 cases.
   constexpr int times = 200;
   constexpr double share = 0.025;
   const DesignMatrix rows = saltelli_design(2, 128);
@@ -180,12 +181,12 @@ TEST(VarianceDecomposition, of_noise_are_told_in_few_of200_designs) {
   EXPECT_EQ(first, times);
   stays_below("told of noise", second, times * share + 3.3 * std::sqrt(times * share * (1 - share)),
               "binomial");
-  EXPECT_EQ(unsure, 0) << "errors that are not known may make all of it";
+  EXPECT_EQ(unsure, 0) << "unknown errors may explain the effect";
 }
 
 TEST(VarianceDecomposition, are_not_told_where_the_outcome_hardly_varies_more_than_its_errors) {
-  // Nothing but noise, said to be all but a hundredth of the variance: of the groups drawn anew
-  // many have less than that.
+  // Pure noise, with errors declared as all but a hundredth of the variance: many bootstrap samples
+  // of the groups have less variance than that.
   Random random(5, 3);
   const DesignMatrix rows = saltelli_design(2, 64);
   const Values y = outcomes(rows, [&](const Values&) { return normal(random); });

@@ -77,7 +77,7 @@ TEST(Build, the_chamber_is_the_case_s) {
   EXPECT_NEAR(norm(chamber.mount * Vec3{0, 0, 1} - Vec3{1, 0, 0}), 0, 1e-15);
 }
 
-/// Every ball lies free of the wall and of the others, in the laboratory's axes.
+/// No ball touches the wall or another ball. Positions are in laboratory coordinates.
 void expect_free(const Case& c, int replicate) {
   const scene::Chamber chamber = cases::chamber(c);
   const auto balls = starting_balls(c, replicate);
@@ -110,7 +110,7 @@ TEST(Build, starting_balls_touch_nothing) {
 }
 
 TEST(Build, starting_balls_are_uniform_over_the_free_volume) {
-  const Case c = read_sample(vial);  // free: a capsule of radius 2 mm, cylinder 36.2 mm
+  const Case c = read_sample(vial);  // free volume: a capsule of radius 2 mm, cylinder 36.2 mm
   const double half = 0.5 * std::get<geometry::Capsule>(*c.jar.shape).height;
   const int n = 20000;
   int in_caps = 0, above = 0;

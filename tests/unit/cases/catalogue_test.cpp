@@ -104,7 +104,8 @@ TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
   });
 }
 
-/// Between polymers and metals heat capacity by volume differs little: what is far off is a slip.
+/// Volumetric heat capacity differs little between polymers and metals: a value far off is a
+/// mistake.
 TEST(Catalogue, every_material_conducts_and_stores_heat_as_solids_do) {
   for_each_entry([&](const CatalogueEntry& entry) {
     if (entry.category != "materials") return;

@@ -198,7 +198,7 @@ TEST(CaseFaults, ratios_that_are_none) {
   EXPECT_TRUE(bad("ratio = \"1:2:3\"", 4, "bad-quantity"));
   EXPECT_TRUE(bad("ratio = nan", 4, "bad-quantity"));
   EXPECT_TRUE(bad("ratio = -2\nratio_convention = \"other\"", 5, "unknown-word"));
-  EXPECT_TRUE(bad("ratio_convention = \"absolute\"", 4, "missing-value"));  // whose ratio?
+  EXPECT_TRUE(bad("ratio_convention = \"absolute\"", 4, "missing-value"));  // without a ratio
   EXPECT_TRUE(only(with(planetary, "ball_to", "ball_to_powder = \"0:1\""), "case.toml:12",
                    "above 0", "out-of-range"));
   EXPECT_TRUE(only(with(planetary, "ball_to", "ball_to_powder = \"a:1\""), "case.toml:12", "30:1",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case says of the powder's sizes, and powder that does not fit its jar.
+// Particle sizes of the powder in a case, and powder that does not fit its jar.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +89,7 @@ TEST(PowderFaults, more_than_the_jar_holds) {
 }
 
 TEST(PowderWarnings, loose_powder_that_has_no_room) {
-  // Free are 5 ml - 0.268 ml = 4.732 ml, which 3.634 g of 1280 kg/m3 fill at 60 %.
+  // The free volume is 5 ml - 0.268 ml = 4.732 ml. 3.634 g of 1280 kg/m3 fill it at 60 %.
   const auto warnings = [](const std::string& mass) {
     return jar_warnings(read_sample(with(powdered, "mass", "mass = \"" + mass + "\"")));
   };

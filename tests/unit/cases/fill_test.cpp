@@ -21,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 BallSet set_of(std::int64_t count, double diameter) {
   return {count, diameter, 7850, ""};
 }
-/// As many as make the share `filling` of the jar solid.
+/// As many balls as give the jar the solid volume fraction `filling`.
 BallSet share(const geometry::AnyShape& shape, double filling, double diameter) {
   const double jar = geometry::volume(shape);
   return set_of(std::llround(filling * jar / (pi / 6 * std::pow(diameter, 3))), diameter);
@@ -72,7 +72,7 @@ TEST(Fill, few_balls_in_narrow_jars) {
   for (std::uint32_t stream = 0; stream < 20; ++stream)
     for (const std::int64_t count : {1, 2, 3, 6})
       expect_filled(tube, {set_of(count, 8e-3)}, stream);
-  const geometry::Sphere hollow{20e-3};  // three of 9.28 mm fill it, two of 10 mm
+  const geometry::Sphere hollow{20e-3};  // full with three of 9.28 mm or two of 10 mm
   for (std::uint32_t stream = 0; stream < 20; ++stream) {
     expect_filled(hollow, {set_of(3, 9.2e-3)}, stream);
     expect_filled(hollow, {set_of(2, 9.95e-3)}, stream);
@@ -125,7 +125,7 @@ TEST(Fill, a_set_of_many_sizes_half_full) {
 
 TEST(Fill, five_large_balls_among_many_fifteen_times_smaller) {
   const geometry::Cylinder jar{0.06, 0.06};
-  for (const std::int64_t grains : {4000, 12000})  // placed one by one; pushed, sorted in memory
+  for (const std::int64_t grains : {4000, 12000})  // 4000 are placed one by one, 12000 pushed apart
     expect_filled(jar, {set_of(5, 0.015), set_of(grains, grains == 4000 ? 0.001 : 0.0022)});
 }
 

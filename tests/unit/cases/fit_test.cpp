@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case leaves to `mahlwerk fit`: [fit], and the numbers that may be adjusted.
+// [fit] in a case, and the numbers that `mahlwerk fit` may adjust.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace sample;
 
-/// Without f_mat; the line after [fit] is line 39.
+/// A case without f_mat; the line after [fit] is line 39.
 const std::string unfitted = vial + R"([powder]
 mass = "0.15 g"
 density = "1280 kg/m3"

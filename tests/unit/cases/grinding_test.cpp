@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case says of grinding: [capture], [breakage], [fragments], [grinding], [kinetics].
+// Sections of a case on grinding: [capture], [breakage], [fragments], [grinding], [kinetics].
 #include "mahlwerk/cases/grinding.hpp"
 
 #include <gtest/gtest.h>

@@ -24,7 +24,7 @@ std::set<std::string> known_keys() {
   return known;
 }
 
-/// The keys of a case as it is written, without the numbers of lists.
+/// The keys in a case file, without list indices.
 std::set<std::string> keys_of(const std::string& written) {
   std::set<std::string> keys;
   std::istringstream lines(written);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A jar from an STL file: what is read, and every way in which it can be wrong.
+// A jar from an STL file: reading it, and every kind of faulty file.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/cases/build.hpp"
@@ -46,7 +46,7 @@ Case read_with(const std::string& stl, const std::string& text = meshed) {
   return read(folder.path() / "case.toml", catalogue());
 }
 
-/// The one fault, without the folder's name: "what|remedy|code".
+/// The only fault, without the name of the folder: "what|remedy|code".
 std::string fault_with(const std::string& stl, const std::string& text = meshed) {
   const Folder folder;
   folder.write("jar.stl", stl);

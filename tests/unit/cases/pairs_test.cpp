@@ -15,7 +15,7 @@ namespace {
 using namespace sample;
 using contact::Restitution;
 
-/// The vial with `lines` in place of its [contact], which begins at line 16.
+/// The vial; `lines` replace its [contact], which begins at line 16.
 std::string contact(const std::string& lines) {
   std::string text = with(with(vial, "restitution", lines), "tangential_restitution", "");
   return text;
@@ -24,8 +24,8 @@ Restitution restitution(const std::string& lines) {
   return read_sample(contact(lines)).contact.rule.restitution;
 }
 
-/// The drum with 10 mm balls of steel and 20 mm of titanium carbide; it is of steel itself. Its
-/// [contact] begins at line 17.
+/// The steel drum with 10 mm balls of steel and 20 mm balls of titanium carbide. Its [contact]
+/// begins at line 17.
 std::string two(const std::string& contact) {
   std::string text =
       with(with(drum, "density", "material = \"steel\""), "density", "material = \"tic\"");
@@ -189,12 +189,12 @@ TEST(PairTable, moduli_of_the_two_softened) {
   const contact::PairTable table = pair_table(read_sample(two(lines)));
   EXPECT_EQ(table.kinds(), 2);
   EXPECT_EQ(table.faces(), 3);
-  // Steel of 200 GPa, 0.265 on itself: E / (2 (1 - nu^2)), E / (4 (2 - nu) (1 + nu)).
+  // Steel on steel, 200 GPa and 0.265: E / (2 (1 - nu^2)), E / (4 (2 - nu) (1 + nu)).
   const double e = 2e9, nu = 0.265;
   EXPECT_NEAR(table.balls(0, 0).modulus, e / (2 * (1 - nu * nu)), 1e-6 * e);
   EXPECT_NEAR(table.balls(0, 0).shear_modulus, e / (4 * (2 - nu) * (1 + nu)), 1e-6 * e);
   EXPECT_EQ(table.wall(0, 1), table.balls(0, 0));
-  // On the assumed steel, which stands in for the carbide: 210 GPa, 0.3.
+  // Steel on the assumed steel that stands in for the carbide: 210 GPa, 0.3.
   const double compliance = (1 - nu * nu) / e + (1 - 0.09) / 2.1e9;
   EXPECT_NEAR(table.balls(0, 1).modulus, 1 / compliance, 1e-6 * e);
   EXPECT_EQ(table.balls(1, 0), table.balls(0, 1));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Starting places that a case gives, and the frame of starting speeds.
+// Starting positions given in a case, and the reference frame of starting velocities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace sample;
 
-/// The pot, 42 mm wide and 32.5 mm high, with 15 mm balls at `places`, in line 7.
+/// The jar, 42 mm wide and 32.5 mm high, with 15 mm balls at `places`, given in line 7.
 std::string at(const std::string& places) {
   return with(planetary, "count", "positions = " + places);
 }
@@ -61,7 +61,7 @@ TEST(Positions, faults_name_the_ball) {
          "both `count` and `positions`"));
   EXPECT_EQ(faults_of(planetary, {{"balls.positions", "[[\"1 mm\"]]"}}).at(0).where,
             "--set balls.positions");
-  // On the floor, at the side, at each other: touching is no overlap.
+  // Balls that touch the floor, the side or each other do not overlap.
   EXPECT_EQ(fault("[[\"0 mm\", \"0 m\", \"-8.75 mm\"], [\"0 mm\", \"0 m\", \"6.25 mm\"]]"), "");
   EXPECT_EQ(fault("[[\"13.5 mm\", \"0 m\", \"0 mm\"]]"), "");
 }
@@ -84,7 +84,7 @@ TEST(Positions, balls_start_there_and_the_rest_around_them) {
                             "diameter = \"20 mm\"\npositions = [[\"0 m\", \"0 m\", \"-20 mm\"], "
                             "[\"0 m\", \"90 mm\", \"20 mm\"]]"));
   c.jar.material = "";
-  for (const std::int64_t count : {1, 500, 1600}) {  // the last are pushed apart
+  for (const std::int64_t count : {1, 500, 1600}) {  // 1600 balls are pushed apart
     c.balls[0].count = count;
     const auto balls = starting_balls(c, 0);
     ASSERT_EQ(balls.size(), static_cast<std::size_t>(count) + 2);

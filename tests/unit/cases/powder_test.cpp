@@ -122,7 +122,7 @@ TEST(PowderAsGrains, stands_among_the_balls_when_a_run_starts) {
   EXPECT_EQ(kinds.back(), 1);
 }
 
-/// The one fault of a case: its cause and remedy, and its code.
+/// The only fault of a case: its cause, remedy and code.
 std::string wrong(const std::string& text) {
   const std::vector<Fault> found = faults_of(text);
   return found.size() == 1 ? found[0].what + "; " + found[0].remedy + " [" + found[0].code + "]"

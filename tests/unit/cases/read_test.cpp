@@ -105,7 +105,7 @@ TEST(ReadCase, every_value_has_its_origin) {
 
 TEST(ReadCase, the_planetary_mill_of_paper_b) {
   const Case c = read_sample(planetary);
-  EXPECT_EQ(c.title, "case");  // the file's stem
+  EXPECT_EQ(c.title, "case");  // the stem of the file name
   const auto& mill = std::get<Planetary>(*c.mill.motion);
   EXPECT_EQ(c.mill.model, "p7");
   EXPECT_EQ(mill.orbit_radius, 0.07);
@@ -124,7 +124,7 @@ TEST(ReadCase, the_planetary_mill_of_paper_b) {
 }
 
 TEST(ReadCase, a_drum_s_speed_in_every_unit) {
-  const double critical = std::sqrt(9.81 / (0.1 - 0.01));  // the largest ball counts
+  const double critical = std::sqrt(9.81 / (0.1 - 0.01));  // the largest ball determines it
   const auto speed = [](const std::string& text) {
     return std::get<Tumbling>(
                *read_sample(with(drum, "speed", "speed = \"" + text + "\"")).mill.motion)
@@ -160,7 +160,7 @@ TEST(ReadCase, balls_by_number_mass_filling_or_none) {
   EXPECT_EQ(count("mass = \"68 g\""), 5);     // 13.6 g each
   EXPECT_EQ(count("mass = \"74.7 g\""), 5);   // 5.49 balls
   EXPECT_EQ(count("mass = \"1 g\""), 1);      // never none
-  EXPECT_EQ(count("filling = \"20 %\""), 5);  // solid volume fraction, as paper B has it
+  EXPECT_EQ(count("filling = \"20 %\""), 5);  // solid volume fraction, as in paper B
   EXPECT_EQ(count("filling = 0.4"), 10);
   EXPECT_EQ(count("# nothing said"), 1);
 }
@@ -270,7 +270,7 @@ TEST(ReadCase, a_sweep_is_kept_as_text) {
   EXPECT_EQ(c.sweep.keys[0].values, (std::vector<std::string>{"0.9", "0.5", "1"}));
   EXPECT_EQ(c.sweep.keys[1].key, "mill.frequency");
   EXPECT_EQ(c.sweep.keys[1].values, (std::vector<std::string>{"13 Hz", "16 Hz"}));
-  EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 10);  // the case's own stays
+  EXPECT_EQ(std::get<Vibration>(*c.mill.motion).frequency, 10);  // the case itself keeps its own
 }
 
 TEST(ReadCase, what_only_the_sweep_gives_is_not_missing) {

@@ -15,10 +15,10 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
 
-// A small catalogue of known contents in a folder of its own, and short ways to read cases with it.
+// A small catalogue with known contents in a temporary folder, and helpers to read cases with it.
 namespace mahlwerk::cases::sample {
 
-/// A folder that goes away with its owner.
+/// A temporary folder, removed by the destructor.
 class Folder {
  public:
   Folder() {
@@ -81,7 +81,7 @@ inline Case read_sample(const std::string& text, const std::vector<Override>& ov
   return read_text(text, "case.toml", catalogue(), overrides);
 }
 
-/// The faults reading finds; empty if it finds none.
+/// Faults found when reading `text`; empty if there are none.
 inline std::vector<Fault> faults_of(const std::string& text,
                                     const std::vector<Override>& overrides = {}) {
   try {
@@ -92,7 +92,8 @@ inline std::vector<Fault> faults_of(const std::string& text,
   return {};
 }
 
-/// The one fault reading finds as "where|what|remedy|code"; all of them if there are several.
+/// The only fault found when reading, as "where|what|remedy|code"; all of them if there are
+/// several.
 inline std::string fault_of(const std::string& text, const std::vector<Override>& overrides = {}) {
   std::string all;
   for (const Fault& f : faults_of(text, overrides))
@@ -100,7 +101,7 @@ inline std::string fault_of(const std::string& text, const std::vector<Override>
   return all;
 }
 
-/// One fault and no more, at `where`, with `what` in its cause or remedy, under `code`.
+/// Exactly one fault: at `where`, with `what` in its cause or remedy, and with this `code`.
 inline ::testing::AssertionResult only(const std::string& text, const std::string& where,
                                        const std::string& what, const std::string& code,
                                        const std::vector<Override>& overrides = {}) {
@@ -111,7 +112,7 @@ inline ::testing::AssertionResult only(const std::string& text, const std::strin
   return ::testing::AssertionFailure() << "got: " << fault_of(text, overrides);
 }
 
-/// The one fault as "what|remedy|code"; all of them if there are several.
+/// The only fault as "what|remedy|code"; all of them if there are several.
 inline std::string one_fault(const std::string& text, const std::vector<Override>& overrides = {}) {
   const std::vector<Fault> found = faults_of(text, overrides);
   return found.size() == 1 ? found[0].what + "|" + found[0].remedy + "|" + found[0].code
@@ -123,7 +124,7 @@ inline void expect_says(const std::string& part, const std::string& text,
   EXPECT_NE(said.find(part), std::string::npos) << "expected: " << part << "\nsaid: " << said;
 }
 
-/// `text` with the first line that begins with `key` exchanged for `line`.
+/// `text` with its first line that begins with `key` replaced by `line`.
 inline std::string with(std::string text, std::string_view key, const std::string& line) {
   const auto at = text.find(std::string("\n").append(key));
   if (at == std::string::npos) throw std::runtime_error("no line " + std::string(key));

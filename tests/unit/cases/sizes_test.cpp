@@ -38,7 +38,7 @@ double mean_cube(double low, double high, Density density) {
   return cube / number;
 }
 
-/// A drum whose balls have these words.
+/// A drum with `lines` in its ball set.
 std::string drum_with(const std::string& lines, const std::string& count = "count = 1000") {
   return "[mill]\nkind = \"tumbling\"\nspeed = \"75 %\"\n[jar]\nkind = \"cylinder\"\ndiameter = "
          "\"400 mm\"\nheight = \"400 mm\"\n[[balls]]\ndensity = \"7850 kg/m3\"\n" +
@@ -190,7 +190,7 @@ TEST(Sizes, balls_of_all_classes_start_in_the_jar_as_one_kind) {
     }
 }
 
-/// The one fault of a drum with these words for its balls: its cause and remedy, and its code.
+/// The only fault of a drum with these lines in its ball set: its cause, remedy and code.
 std::string wrong(const std::string& words, const std::string& count = "count = 1000") {
   const std::vector<Fault> found = faults_of(drum_with(words, count));
   if (found.size() != 1) return fault_of(drum_with(words, count));

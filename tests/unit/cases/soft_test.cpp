@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case says for the soft engine: moduli, contact law, time step.
+// Keys of a case for the soft engine: moduli, contact law, time step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,14 +17,14 @@ using namespace sample;
 using contact::ElasticConstants;
 using contact::Rolling;
 
-/// The planetary mill with these lines in place of its restitution, in line 15 of the file.
+/// The planetary mill; these lines replace its restitution, in line 15 of the file.
 std::string with_contact(const std::string& lines) {
   return with(planetary, "restitution", lines);
 }
 Contact contact_of(const std::string& lines) {
   return read_sample(with_contact(lines)).contact;
 }
-/// The one fault as "line code"; what there is if it is another number.
+/// The only fault as "line code"; all faults if their number is not one.
 std::string fault(const std::string& text) {
   const auto found = faults_of(text);
   if (found.size() != 1) return fault_of(text);
@@ -49,7 +49,7 @@ TEST(ReadModuli, from_the_case_the_material_or_steel) {
   EXPECT_EQ(tic.balls[0].elastic, (ElasticConstants{210e9, 0.3}));
   EXPECT_EQ(source_of(tic, "balls.1.youngs_modulus"),
             "default: steel, handbook; uncalibrated; the catalogue gives none for tic");
-  EXPECT_EQ(tic.jar.elastic, (ElasticConstants{210e9, 0.3}));  // a name the catalogue need not know
+  EXPECT_EQ(tic.jar.elastic, (ElasticConstants{210e9, 0.3}));  // unknown to the catalogue: allowed
   const Case none = read_sample(drum, {{"balls.2.poisson_ratio", "0.5"}});
   EXPECT_EQ(none.balls[1].elastic, (ElasticConstants{210e9, 0.5}));
   EXPECT_EQ(source_of(none, "jar.poisson_ratio"), "default: steel, handbook; uncalibrated");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What a case says of wear and heat: hardness, conductivity, [wear], [heat].
+// Keys of a case for wear and heat: hardness, conductivity, [wear], [heat].
 #include "mahlwerk/cases/wear_heat.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 using namespace sample;
 using tests::states;
 
-/// The one fault as "line code"; what there is if it is another number.
+/// The only fault as "line code"; all faults if their number is not one.
 std::string fault(const std::string& text) {
   const auto found = faults_of(text);
   if (found.size() != 1) return fault_of(text);
@@ -52,7 +52,7 @@ TEST(ReadSubstance, from_the_case_the_material_or_hardened_steel) {
             "default: hardened steel (1.4034), handbook; uncalibrated; the catalogue gives none "
             "for mystery");
   EXPECT_EQ(c.jar.wall, 8e-3);
-  EXPECT_EQ(read_sample(planetary).jar.density, 7700);  // of its steel
+  EXPECT_EQ(read_sample(planetary).jar.density, 7700);  // from its material, steel
   EXPECT_EQ(read_sample(vial).jar.wall, 5e-3);
 }
 

@@ -93,7 +93,7 @@ TEST(WriteCase, a_measured_motion_keeps_its_file) {
   expect_round_trip(read(file, catalogue()), file.string());
 }
 
-/// Cases drawn at random over the registers, odd digits and all.
+/// Random cases from all registers, with numbers of many digits.
 class AnyCase {
  public:
   explicit AnyCase(std::uint32_t stream) : random_(11, stream) {}
@@ -202,7 +202,7 @@ class AnyCase {
     const double low = 1e-6 * size(), share = random_.uniform();
     feed.passing = {{low, 0}, {low * 1.1, share}, {low * random_.uniform(1.2, 9), 1}};
   }
-  /// Classes that are too many or too few make faults, and no round trip.
+  /// Cases with too many or too few classes have faults and are not read back.
   void draw_grinding(Case& c) {
     if (!c.powder || !c.powder->size || !c.powder->density) return;
     Capture& capture = c.capture.emplace();
@@ -244,14 +244,14 @@ class AnyCase {
   }
   contact::ElasticConstants elastic() { return {size(), random_.uniform(-0.99, 0.5)}; }
   Substance substance() { return {size(), size(), size()}; }
-  /// Places of the last set; those that do not fit make faults, and no round trip.
+  /// Positions for the last set. Cases in which they do not fit have faults and are not read back.
   void draw_places(Case& c) {
     BallSet& set = c.balls.back();
     const double r = 0.5 * set.diameter;
     for (std::int64_t n = 0; n < set.count; ++n)
       set.positions.push_back({0.1 * r * random_.uniform(), 0, (n == 0 ? -1.1 : 1.1) * r});
   }
-  /// Numbers that may be left out are so at times, and those that others take the place of always.
+  /// Optional numbers are sometimes left out; numbers that others replace are always left out.
   template <class L>
   void draw_numbers(L& law) {
     for (const auto& s : contact::switches_of<L>()) law.*s.second = flip();
@@ -296,7 +296,7 @@ class AnyCase {
 
 TEST(WriteCase, random_cases_over_the_registers_are_read_back) {
   int tried = 0, ground = 0;
-  for (std::uint32_t i = 0; i < 1600; ++i) {  // a third of the mills are faster than any material
+  for (std::uint32_t i = 0; i < 1600; ++i) {  // a third of the mills exceed the speed limit
     const Case c = AnyCase(i).draw();
     if (std::holds_alternative<kinematics::Tabulated>(*c.mill.motion))
       continue;  // has its own test

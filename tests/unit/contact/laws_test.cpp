@@ -60,7 +60,7 @@ TEST(Jkr, pulls_off_at_three_pi_gamma_r) {
   const LawCoefficients k = law.coefficients(t, 0);
   const double wanted = -3 * pi * 0.5 * t.radius, reach = law.pull_off_distance(t);
   double least = 0, at = 0;
-  for (int i = 0; i <= 20000; ++i) {  // separated slowly, to where it lets go
+  for (int i = 0; i <= 20000; ++i) {  // separated slowly until pull-off
     const double overlap = reach * (1 - 1e-4 * i), f = force<Jkr>(k, overlap);
     if (f < least) least = f, at = overlap;
   }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A calendar and a sorted list that are told the same.
+/// A calendar queue and a sorted list that receive the same operations.
 class Pair {
  public:
   Pair(std::int32_t balls, std::uint64_t seed) : random_(seed, 0), balls_(balls) {
@@ -29,7 +29,7 @@ class Pair {
     calendar_.schedule(ball, time);
     list_.schedule(ball, time);
   }
-  /// One thing that an engine may do, or a little more.
+  /// One random operation that an engine may do, or a slightly more extreme one.
   void do_something() {
     const double what = random_.uniform();
     const event::ScheduledEvent due = list_.next();
@@ -41,7 +41,7 @@ class Pair {
     } else if (what < 0.85) {
       schedule(any(), never);
     } else if (what < 0.9) {
-      schedule(any(), due.time);  // two at once, or `never`
+      schedule(any(), due.time);  // two events at one time, or `never`
     } else if (what < 0.92) {
       schedule(any(), now_);
     } else if (what < 0.921) {
@@ -73,7 +73,7 @@ class Pair {
   SortedList list_;
 };
 
-/// Thousandths of a second, then a million times faster, then a million times slower.
+/// Intervals of milliseconds, then a million times shorter, then a million times longer.
 void hold_side_by_side(std::int32_t balls, std::int64_t operations) {
   Pair pair(balls, static_cast<std::uint64_t>(balls));
   for (std::int64_t i = 0; i < operations; ++i) {
@@ -107,13 +107,13 @@ TEST(CalendarQueue, with_nothing_due_says_so) {
   EXPECT_EQ(calendar.next(), (event::ScheduledEvent{never, -1}));
 }
 
-/// All at once makes the narrowest slices there are, too many of them up to an hour later.
+/// Simultaneous events give the narrowest slices, too many of them to number up to an hour later.
 TEST(CalendarQueue, an_earlier_time_after_one_beyond_all_slices_comes_first) {
   event::CalendarQueue calendar;
   calendar.start(std::vector<double>{0, 0}, 0);
   calendar.schedule(0, 1e5);
   calendar.schedule(1, 1e6);
-  ASSERT_EQ(calendar.next(), (event::ScheduledEvent{1e5, 0}));  // a look ahead; now is still 0
+  ASSERT_EQ(calendar.next(), (event::ScheduledEvent{1e5, 0}));  // a preview; now is still 0
   calendar.schedule(1, 1e-3);
   EXPECT_EQ(calendar.next(), (event::ScheduledEvent{1e-3, 1}));
 }

@@ -15,7 +15,8 @@ namespace {
 
 using Counts = std::array<int, 3>;
 
-/// Balls anywhere in a grid of so many cells, which they have left by up to the slack.
+/// Balls at random positions in a grid with `counts` cells. They are up to the slack outside their
+/// cells.
 class RandomBalls {
  public:
   static constexpr double side = 1, slack = 0.05;
@@ -72,7 +73,7 @@ void check_neighbours(const Counts& counts, bool periodic, int balls, std::uint6
   for (std::size_t i = 0; i < crowd.of_.size(); ++i) {
     const auto list = crowd.near(crowd.of_[i]);
     const std::set<std::int32_t> seen(list.begin(), list.end());
-    ASSERT_EQ(seen.size(), list.size()) << "nobody is near twice";
+    ASSERT_EQ(seen.size(), list.size()) << "no ball is listed twice";
     for (std::size_t j = 0; j < crowd.of_.size(); ++j) {
       if (crowd.distance(i, j) <= RandomBalls::side - 2 * RandomBalls::slack) {
         ASSERT_TRUE(seen.contains(static_cast<std::int32_t>(j)))
@@ -141,7 +142,7 @@ TEST(Cells, beyond_its_borders_a_ball_is_in_another_cell) {
       EXPECT_GT(borders.high.x, at.x);
       for (const double x : {borders.low.x, borders.high.x}) {
         const double inside = crowd.size_.x;
-        if (x <= crowd.low_.x || x >= crowd.low_.x + inside) continue;  // none there, or folded
+        if (x <= crowd.low_.x || x >= crowd.low_.x + inside) continue;  // no border, or periodic
         EXPECT_NE(crowd.cells_.cell_at({x, at.y, at.z}), cell);
       }
     }

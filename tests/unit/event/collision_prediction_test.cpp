@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// When balls meet: the fast form, four at a time, against a plain one with more digits.
+// Predicted collisions: the fast form, four pairs at a time, against a plain form in long double.
 #include "mahlwerk/event/collision_prediction.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ Wide product(const Wide3& a, const Wide3& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// One pair in long double, and how far rounding in double may move the answer.
+/// One pair in long double, and the error of the result that rounding in double may cause.
 struct Truth {
   enum Kind { meets, misses, too_close_to_tell } kind = misses;
   Wide since_now = 0, tolerance = 0;  // [s]
@@ -38,7 +38,7 @@ struct Truth {
 
 Truth truth(const CollisionQuery& me, const Trajectory& other, Wide reach, const Vec3& periods) {
   const Wide passed = Wide{me.time} - other.since;
-  Wide from_places = 0;  // [m] rounding of where they are
+  Wide from_places = 0;  // [m] rounding error of the positions
   const auto apart = [&](double mine, double start, double speed, double period) {
     const Wide there = start + passed * speed;
     from_places += 4 * half_digit *
@@ -53,7 +53,7 @@ Truth truth(const CollisionQuery& me, const Trajectory& other, Wide reach, const
                 Wide{me.velocity.z} - other.velocity.z};
   const Wide b = product(r, u), u2 = product(u, u), r2 = product(r, r), gap = r2 - reach * reach;
   const Wide d = b * b - u2 * gap, size = std::sqrt(r2), speed = std::sqrt(u2);
-  // Each of b, gap, d has the error of its operations and of the places it is made of.
+  // The errors of b, gap and d come from their own operations and from the positions.
   const Wide of_b = 6 * half_digit * size * speed + speed * from_places;
   const Wide of_gap = 8 * half_digit * (r2 + reach * reach) + 2 * size * from_places;
   const Wide of_d =
@@ -77,7 +77,7 @@ double decades(Random& random, double least, double most) {
   return std::pow(10, random.uniform(std::log10(least), std::log10(most)));
 }
 
-/// A ball and some others: far and touching and overlapping, nearing, leaving and side by side.
+/// A ball and several others: distant, touching, overlapping, approaching, receding, side by side.
 Scene scene(Random& random, int count, bool periodic, int species) {
   Scene s;
   for (int i = 0; i < species; ++i) s.radii.push_back(decades(random, 0.01, 1));
@@ -103,7 +103,7 @@ Scene scene(Random& random, int count, bool periodic, int species) {
     const double aim = random.uniform();
     if (aim < 0.5) velocity = s.me.velocity - decades(random, 1e-6, 1e6) * way;     // head on
     if (aim < 0.25) velocity += 0.5 * norm(velocity) * random.direction();          // nearly so
-    if (aim > 0.95) velocity = s.me.velocity;                                       // together
+    if (aim > 0.95) velocity = s.me.velocity;                                       // same velocity
     if (aim > 0.90 && aim < 0.95) velocity = s.me.velocity + cross(way, velocity);  // past it
     const double since = random.uniform() < 0.5 ? time : time - decades(random, 1e-9, 1e-6);
     Vec3 place = s.me.position + far * way - (time - since) * velocity;
@@ -169,7 +169,7 @@ TEST(Meetings, of_many_are_the_earliest_of_all_pairs_to_the_bit) {
     const PredictedCollision found = among(s, s.others);
     ASSERT_EQ(found.time, earliest.time) << i;
     if (found.partner < 0) continue;
-    // Where times tie, as of all that overlap it now, any of them will do.
+    // If times tie, as for all balls that overlap this one now, any partner is correct.
     ASSERT_EQ(among(s, std::span(&found.partner, 1)).time, earliest.time) << i;
   }
 }
@@ -184,7 +184,7 @@ TEST(Meetings, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
     for (Trajectory& l : s.trajectories)
       l.species = static_cast<std::uint32_t>(random.uniform() * 3);
     ASSERT_TRUE(same_bits(among(s, s.others), one_size)) << "three species of one radius";
-    // Itself, anyone again, and more and more who go away.
+    // Adds the ball itself and repeated others to the list, more and more of them.
     std::vector<std::int32_t> more = s.others;
     for (int k = 0; k < 9; ++k) {
       more.push_back(k % 3 == 0 ? s.me.self

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Classes of sizes: whom a ball can touch before it leaves its cell is near it, whatever the sizes.
+// Size classes: all balls that a ball can touch before it leaves its cell are its neighbours,
+// whatever their sizes.
 #include "mahlwerk/event/hierarchical_grid.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +22,8 @@ struct Placed {
   Cell cell;
 };
 
-/// Balls of diameters 1, 0.3 and 0.1 anywhere in a box; each near all that it would touch.
+/// Balls of diameters 1, 0.6, 0.3 and 0.1 at random positions in a box. Each finds all balls it
+/// would touch.
 void check(bool periodic, const Vec3& size, std::uint32_t stream) {
   const std::vector<double> diameters{0.3, 1, 0.1, 0.6};
   constexpr std::int32_t count = 400;
@@ -68,7 +70,7 @@ TEST(HierarchicalGrid, sizes_within_a_factor_two_share_a_grid) {
   const std::vector<double> diameters{1, 0.6, 0.5, 0.3, 0.1};
   const HierarchicalGrid neighbours({-2, -2, -2}, {4, 4, 4}, false, diameters, 0, 10);
   EXPECT_EQ(neighbours.level_of(0), neighbours.level_of(1));
-  EXPECT_NE(neighbours.level_of(1), neighbours.level_of(2));  // half the largest begins the next
+  EXPECT_NE(neighbours.level_of(1), neighbours.level_of(2));  // half the largest starts a new level
   EXPECT_EQ(neighbours.level_of(2), neighbours.level_of(3));
   EXPECT_NE(neighbours.level_of(3), neighbours.level_of(4));
 }

@@ -56,7 +56,7 @@ TEST(TcRule, no_collision_gains_energy_beyond_what_is_stored) {
 }
 
 TEST(TcRule, what_is_drawn_is_what_the_bodies_gain) {
-  // Sticking, so that nothing slides; the bodies gain what is drawn and no more.
+  // Sticking contact without sliding: the bodies gain the drawn energy and no more.
   const contact::BounceRule rule{0.5, 0, 0.3};
   const double u = 1e-6, stored = 1e-9;
   const auto out = sustained.collide(rule, {0.01, u, 0, 0, 9.81, stored});
@@ -82,7 +82,7 @@ TEST(TcRule, bodies_store_losses_as_far_as_there_is_room_and_give_no_more) {
   EXPECT_EQ(one, 3);
   const auto drawn = settle({-3.5, 0}, 3.5);
   EXPECT_EQ(both.sum(), 0.5);
-  EXPECT_EQ(drawn.loss.normal, 0) << "what is drawn was not dissipated before";
+  EXPECT_EQ(drawn.loss.normal, 0) << "drawn energy was not dissipated before";
   EXPECT_EQ(settle({-0.5, 0}, 0.5).kept, -0.5);
   EXPECT_EQ(both.sum(), 0);
 }
@@ -115,7 +115,8 @@ TEST(TcRule, friction_stays_within_coulombs_limit) {
 }
 
 TEST(TcRule, sliding_returns_to_the_rebound_all_that_it_dissipates) {
-  // Crowded, so that w is not the limit; u_t far above 7/2 mu u_n, so that the contact slides.
+  // Crowded (since = 0), so that w is not the limit. u_t is far above 7/2 mu u_n, so that the
+  // contact slides.
   const contact::BounceRule rule{0.5, 0, 0.3};
   const auto out = sustained.collide(rule, {0.01, 1e-4, 5e-4, 0, 9.81});
   EXPECT_GT(out.impulse.normal, 2 * 0.01 * 1e-4) << "more than elastic along the normal";

@@ -26,7 +26,7 @@ const std::vector<Triangles>& samples() {
   return all;
 }
 
-/// Triangles as the mesh has them, for some are turned or left out.
+/// Triangles as stored in the mesh, which reverses or leaves out some.
 Triangles triangles_of(const Mesh& mesh) {
   Triangles t;
   for (const auto& [a, b, c] : mesh.surface().triangles) {
@@ -88,8 +88,8 @@ TEST(Mesh, distances_of_faces_are_those_of_their_triangles) {
   stays_below("distance [m]", worst, 1e-15, "all triangles one by one");
 }
 
-/// The definition (geo.10), said another way: of the nearest points of all triangles those where
-/// the whole wall is nowhere nearer around.
+/// The definition (geo.10) in other words: of the nearest points of all triangles, the contacts are
+/// those that are local minima of the distance over the whole wall.
 TEST(Mesh, a_ball_touches_each_face_where_no_point_of_the_wall_around_is_nearer) {
   int touches = 0, wrong = 0;
   for (const Triangles& t : samples()) {
@@ -106,7 +106,7 @@ TEST(Mesh, a_ball_touches_each_face_where_no_point_of_the_wall_around_is_nearer)
         if (distance_to(all, foot) > 1e-14) ++wrong;
         for (const Corners& c : all) {
           const Vec3 near = nearest_on(c, foot);
-          if (norm(near - foot) > 1e-13) continue;  // of the triangles at the foot
+          if (norm(near - foot) > 1e-13) continue;  // skips triangles away from the foot
           for (int n = 0; n < 4; ++n) {
             Vec3 way = random.direction();
             way = nearest_on(c, foot + eps * way) - p;
@@ -114,7 +114,7 @@ TEST(Mesh, a_ball_touches_each_face_where_no_point_of_the_wall_around_is_nearer)
           }
         }
       }
-      // The nearest of all is always among them, once.
+      // The nearest point of all triangles is always among the contacts, once.
       const double least = distance_to(all, p);
       int nearest = 0;
       for (const Gap& gap : touched(mesh, p, least * (1 + 1e-12))) nearest += gap.distance > 0;
@@ -180,7 +180,7 @@ TEST(Mesh, facets_tend_to_the_round_wall_as_their_width_squared) {
   }
 }
 
-/// Over the edge of a bar at a constant distance: from its side round the edge onto its top.
+/// A ball moves around the edge of a bar at a constant distance: from its side onto its top.
 TEST(Mesh, one_ball_over_a_convex_edge_is_one_contact_and_its_direction_turns_steadily) {
   const Mesh mesh = mesh_of(samples()[2]);
   const double r = 0.1, half = 0.004, foot = std::sqrt(r * r - half * half), d = 0.003;
@@ -218,7 +218,7 @@ TEST(Mesh, a_ball_in_the_corner_of_a_cube_has_three_contacts) {
   EXPECT_EQ(touched(mesh, {0.015, 0, 0}, 0.0050001).size(), 1U);
 }
 
-/// Exactly over corners, edges and diagonals, where roundings decide.
+/// Balls exactly over corners, edges and diagonals, where rounding decides.
 TEST(Mesh, a_ball_over_any_line_of_the_triangles_is_one_contact) {
   Triangles t = box(0.04, 0.04, 0.04);
   const Mesh mesh = mesh_of(t);
@@ -241,7 +241,7 @@ TEST(Mesh, a_ball_over_any_line_of_the_triangles_is_one_contact) {
   EXPECT_EQ(wrong, 0);
 }
 
-/// A fin across a box, so thin that a ball beside it is as near to its far side.
+/// A fin across a box. It is so thin that a ball beside it is equally near to its far side.
 TEST(Mesh, the_far_side_of_a_thin_wall_is_not_touched) {
   const double w = 0.02;
   const Vec3 foot{-1e-4, w, 0}, tip{-2e-5, 0.005, 0};
@@ -283,7 +283,7 @@ TEST(Mesh, corners_a_little_apart_are_one_and_triangles_without_area_are_left_ou
   EXPECT_FALSE(geometry::flaw_of(geometry::weld(t)));
   states("volume [m3]", mesh_of(t).volume(), volume, 1e-9 * 0.042 * 0.0325 / 2,
          "a corner moved by a nanometre");
-  // A corner in the middle of an edge, held by a triangle without area.
+  // A corner in the middle of an edge, connected by a triangle without area.
   Triangles cut = box(0.03, 0.042, 0.0325);
   const auto [a, b, c] = cut[0];
   const Vec3 middle = 0.5 * (a + b);
@@ -295,7 +295,7 @@ TEST(Mesh, corners_a_little_apart_are_one_and_triangles_without_area_are_left_ou
   EXPECT_EQ(mesh_of(cut).faces, 6);
 }
 
-/// [s] of the processor.
+/// CPU time [s].
 template <class Do>
 double spent(Do what) {
   const std::clock_t from = std::clock();
@@ -303,22 +303,22 @@ double spent(Do what) {
   return static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC;
 }
 
-/// In the middle of a sphere every triangle is as near as any other. Joining looks at each triangle
-/// a few times; measuring takes a dozen times as long, and took eighty.
+/// At the centre of a sphere every triangle is equally near. Joining visits each triangle a few
+/// times; measuring takes a dozen times as long, and took eighty.
 TEST(Mesh, a_fine_sphere_is_measured_in_the_time_of_a_few_joins) {
   const Triangles sphere = ball_of_triangles(80, 0.04);
   geometry::Surface surface;
   const double joining = spent([&] { surface = geometry::weld(sphere); });
   double inradius = 0;
   const double measuring = spent([&] { inradius = Mesh(surface, crease).inradius(); });
-  const double step = std::numbers::pi / 80;  // the flattest facets lie an eighth of its square in
+  const double step = std::numbers::pi / 80;  // flattest facets lie 1/8 of its square inside
   EXPECT_GT(inradius, 0.04 * (1 - step * step));
   EXPECT_LT(inradius, 0.04);
   stays_below("measuring over joining, 25 280 triangles", measuring / joining, 40,
               "a few looks at each triangle, not one for each of 4000 places");
 }
 
-/// A box whose triangles are fans, and whose sides are closed by triangles without height.
+/// A box with its triangles split into fans. Triangles without height close its sides.
 Triangles flat_ones(int count) {
   Triangles t = box(0.03, 0.03, 0.03), split;
   for (const Corners& c : t)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Jars with parts in them, lifter bars and stirrers: distances are distances, volumes are exact,
-// and sizes that do not go together are refused.
+// Jars with internal parts (lifter bars, stirrers): gaps are true distances, volumes are exact, and
+// inconsistent dimensions are refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,7 +50,8 @@ Vec3 anywhere(const S& jar, Random& random) {
           random.uniform(-half.z, half.z)};
 }
 
-/// The foot lies on the face, no nearer point does, and the normal points from it.
+/// The foot of a gap is on the face, no point of the face is nearer, and the normal points from the
+/// foot.
 template <class S>
 void has_distances(const S& jar) {
   Random random(1, 0);
@@ -62,7 +63,7 @@ void has_distances(const S& jar) {
       const geometry::Gap gap = jar.gap(face, p);
       EXPECT_NEAR(norm(gap.inward), 1, 1e-14);
       foot = max_or_nan(foot, std::abs(jar.gap(face, p - gap.distance * gap.inward).distance));
-      // Anything nearer than 0.999 d is not on the face: distances change by what one moves.
+      // Points within 0.999 d are not on the face: a distance changes at most by the displacement.
       const Vec3 q = p + 0.999 * gap.distance * random.direction();
       nearer = max_or_nan(nearer, 1e-3 * gap.distance - jar.gap(face, q).distance);
     }
@@ -92,7 +93,7 @@ TEST(Lifters, volume_is_that_of_the_points_inside) {
   has_volume(lifters(3, 0.5 * pi));
 }
 /// By hand (geo.13): the middle of the top of bar i is at the angle 2 pi i/n, its height inside the
-/// shell. Tolerances are some five roundings of the radius, and of a unit vector.
+/// shell. Tolerances are about five roundings of the radius, and of a unit vector.
 TEST(Lifters, stand_evenly_round_the_shell) {
   for (const int count : {1, 3, 8}) {
     const LifterCylinder jar = lifters(count);

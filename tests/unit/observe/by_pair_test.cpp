@@ -109,7 +109,7 @@ TEST(StatisticsByPair, merging_gives_the_bits_of_counting_together) {
   }
 }
 
-/// However a stream is split over tallies, and in whatever order they are merged.
+/// The result depends neither on how a stream is split over tallies nor on the order of merging.
 TEST(StatisticsByPair,
      streams_split_and_merged_in_any_order_have_the_same_counts_and_sums_to_the_bit) {
   const auto stream = some(3, 5000);

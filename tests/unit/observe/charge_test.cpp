@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Where the charge is and how it moves: sharing mass out among cells keeps what it is of.
+// Position and motion of the charge: distributing mass over cells conserves mass, centre, momentum
+// and energy.
 #include "mahlwerk/observe/charge.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,7 @@ std::vector<scene::Ball> random_balls_in(double within, int count) {
   return balls;
 }
 
-/// What a field holds: mass, where its middle is, momentum, energy of flight.
+/// Sums over a field: mass, first moments, momentum, kinetic energy of translation.
 struct Held {
   double mass = 0, x = 0, y = 0, px = 0, py = 0, energy = 0;
 };
@@ -107,7 +108,7 @@ TEST(Fields, mass_at_the_very_edge_is_not_lost) {
   states("mass [kg]", held(field).mass, 12 * 0.25, 1e-12, "obs.5");
 }
 
-/// A ball that turns with the jar, looked at as the mill goes through all its phases.
+/// A ball that rotates with the jar, sampled through all phases of the mill.
 TEST(Fields, a_ball_that_rides_on_the_wall_rests_in_the_jar_and_turns_on_the_disc) {
   for (const double ratio : {-2.5, -1.0, 0.5}) {
     const scene::Chamber mill = planetary(ratio);
@@ -165,7 +166,7 @@ TEST(Fields, a_ball_that_rides_on_the_disc_is_at_one_angle_and_place) {
          "one place");
 }
 
-/// Wall and ball at rest to each other, and a ball held still while the drum turns under it.
+/// A ball at rest relative to the wall, and a ball held still while the drum turns under it.
 TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
   const scene::Chamber mill = drum(3);
   const auto& motion = std::get<kinematics::Tumbling>(*mill.motion);

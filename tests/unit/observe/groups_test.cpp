@@ -14,7 +14,7 @@
 namespace mahlwerk::observe::groups_test {
 namespace {
 
-/// Normal numbers of width 1, the first `shifted` of them moved up by `by`.
+/// Normal numbers with standard deviation 1; the first `shifted` of them are increased by `by`.
 std::vector<double> sample(std::uint32_t number, std::size_t size, std::size_t shifted = 0,
                            double by = 0) {
   Random random(77, number);
@@ -26,7 +26,7 @@ std::vector<double> sample(std::uint32_t number, std::size_t size, std::size_t s
   return values;
 }
 
-/// Of `trials` samples, those in which two groups are seen.
+/// Number of `trials` samples in which two groups are found.
 int seen(int trials, std::size_t size, std::size_t shifted, double by) {
   int count = 0;
   for (int i = 0; i < trials; ++i)
@@ -35,8 +35,8 @@ int seen(int trials, std::size_t size, std::size_t shifted, double by) {
 }
 
 TEST(TwoGroups, one_normal_distribution_is_split_as_often_as_the_level_says) {
-  // 2000 samples at a level of 0.01: 20 expected, a standard deviation of 4.45. That of the 1999
-  // samples drawn to judge by is as large, and the same for all samples of a size.
+  // 2000 samples at a level of 0.01: 20 expected, with a standard deviation of 4.45. The 1999
+  // reference samples of the test add as large a deviation, the same for all samples of one size.
   constexpr int trials = 2000;
   constexpr double level = 0.01;
   const double deviation = std::sqrt(2 * trials * level * (1 - level));
@@ -86,7 +86,7 @@ TEST(TwoGroups, fewer_than_four_values_show_nothing) {
 
 TEST(TwoGroups, equal_values_are_one_group) {
   EXPECT_FALSE(two_groups({3, 3, 3, 3, 3}));
-  EXPECT_FALSE(two_groups({1, 1 + 1e-15, 1 - 1e-15, 1 + 2e-15})) << "but for rounding";
+  EXPECT_FALSE(two_groups({1, 1 + 1e-15, 1 - 1e-15, 1 + 2e-15})) << "equal except for rounding";
   EXPECT_FALSE(two_groups({0, 0, 0, 0}));
 }
 

@@ -82,7 +82,7 @@ std::vector<double> correlated(double phi, std::size_t count, std::uint32_t stre
 
 constexpr std::uint32_t trials = 4000;
 
-/// How often the interval holds the true mean.
+/// Share of trials with the true mean in the interval.
 double coverage(double phi, std::size_t count) {
   int held = 0;
   for (std::uint32_t trial = 0; trial < trials; ++trial) {
@@ -101,8 +101,9 @@ TEST(OverTime, holds_the_true_mean_in_95_of_100_series) {
 }
 
 /// 200 values of phi = 0.8 are worth k = 200 (1 - phi)/(1 + phi) = 22 independent ones. The
-/// correlation that widens the interval is known to 1/sqrt(k) (Bartlett 1946), and so is the width;
-/// widths that scatter by the share s hold z^3 exp(-z^2/2)/sqrt(2 pi) s^2 = 0.44 s^2 less.
+/// correlation that widens the interval is known to 1/sqrt(k) (Bartlett 1946), and so is the width.
+/// If widths scatter by the share s, coverage is lower by
+/// z^3 exp(-z^2/2)/sqrt(2 pi) s^2 = 0.44 s^2.
 TEST(OverTime, misses_little_where_values_are_worth_few_independent_ones) {
   states("share of 200 values correlated by 0.8", coverage(0.8, 200), 0.95 - 0.44 / 22, by_chance,
          "sta.4");
@@ -139,8 +140,9 @@ TEST(Unsettled, finds_a_start_that_decays) {
     if (first == 0) ++none;
   }
   EXPECT_EQ(none, 0);
-  // Leaving out one more batch of 5, at i, pays while the square of its excess is above the
-  // variance of a batch's mean, 1/5, and a mean over the rest of about 1/5: 20 exp(-i/10) = 0.6.
+  // Leaving out one more batch of 5, at i, pays while the square of its excess exceeds the sum of
+  // the variance of a batch's mean, 1/5, and a mean over the rest of about 1/5:
+  // 20 exp(-i/10) = 0.6.
   states("values left out, mean", found, 10 * std::log(20 / 0.6), 15, "sta.5; three batches");
 }
 

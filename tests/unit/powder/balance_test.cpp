@@ -20,7 +20,7 @@ using tests::stays_below;
 
 const Nip nip{0.004, 110e9};
 
-/// A gram of quartz-like powder under ten kinds of hits.
+/// A gram of quartz-like powder, stressed by ten kinds of hits.
 Process process(AnyBreakage breakage = VogelPeukert{2, 0.05},
                 AnyFragments fragments = BinaryFragments{}, AnyCapture capture = FixedMass{2e-6}) {
   Process p{.capture = capture, .breakage = breakage, .fragments = fragments};
@@ -38,7 +38,7 @@ double sum(const std::vector<double>& all) {
   return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
-/// Reid's closed form of a chain without equal rates, in long double.
+/// Reid's closed-form solution for rates that all differ, in long double.
 std::vector<long double> reid(const RateMatrix& rates, const std::vector<double>& start,
                               double time) {
   const auto n = static_cast<std::size_t>(rates.size);
@@ -90,7 +90,8 @@ TEST(Balance, two_short_steps_are_one_long) {
 }
 
 TEST(Balance, first_order_grinding_is_gaudin_and_meloys) {
-  // S = k x as long as hits break hardly ever, B = x/y: what is coarser than x decays at S(x).
+  // S = k x while hits rarely break grains, and B = x/y: the mass coarser than x decays at the rate
+  // S(x).
   constexpr double f = 1e-12;
   Process p = process(VogelPeukert{f, 0}, AustinFragments{1, 1, 1});
   const StressSpectrum hits{{nip}, {{0, 1e-3, 100}}};
@@ -114,9 +115,9 @@ TEST(Balance, first_order_grinding_is_gaudin_and_meloys) {
 }
 
 TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
-  // Rate proportional to volume, pieces uniform in volume, from one size: the share of the mass in
-  // grains of less than v is 1 - exp(-t v) (1 + t (1 - v) + ... ) as below, v over that at the
-  // start.
+  // Rate proportional to volume, fragments uniform in volume, one initial size: the mass share of
+  // grains of less than v is 1 - exp(-t v) (1 + t (1 - v) + ... ) as below, with v relative to the
+  // initial volume.
   const auto finer = [](double v, double t) {
     // Integral of u n(u) from 0 to v with n = exp(-t u) (2 t + t^2 (1 - u)).
     const auto antiderivative = [t](double u) {
@@ -129,7 +130,7 @@ TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
   const double t = 4;
   std::vector<double> errors;
   for (const int per_octave : {6, 12, 24, 48}) {
-    // The start on an edge, v = 1 the upper edge of the first class.
+    // The initial size is on an edge: v = 1 is the upper edge of the first class.
     const SizeGrid grid(std::exp2(-0.5 / per_octave), std::exp2(-0.5 / per_octave), 0.05,
                         per_octave);
     RateMatrix rates(grid.classes());
@@ -142,10 +143,10 @@ TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
         rates.at(i, j) =
             y * y * y * (binary.breakage_function(std::min(1.0, grid.upper(i) / y), y, 0) - low);
       }
-    // Grains of exactly v = 1 are kept apart from the classes: they decay by themselves.
+    // Grains of exactly v = 1 are kept apart from the classes and decay by themselves.
     std::vector<double> state(static_cast<std::size_t>(grid.classes()), 0.0);
     constexpr int slices =
-        4000;  // Duhamel's integral over when a grain of the start broke, midpoint
+        4000;  // Duhamel's integral over the time at which initial grains broke, midpoint
     const Matrix slice = transition_matrix(rates, t / slices),
                  half = transition_matrix(rates, 0.5 * t / slices);
     for (int s = 0; s < slices; ++s) {
@@ -168,7 +169,8 @@ TEST(Balance, random_binary_breakage_is_ziff_and_mcgradys) {
     errors.push_back(worst);
     std::printf("    %d classes an octave: off by %.2g\n", per_octave, worst);
   }
-  // A class counts as its middle: of second order. Halving it three times leaves a sixty-fourth.
+  // A class is represented by its middle, which is of second order. Halving its width three times
+  // leaves a sixty-fourth of the error.
   for (std::size_t i = 1; i < errors.size(); ++i)
     stays_below("error over that of classes twice as wide", errors[i] / errors[i - 1], 0.3,
                 "second order: a quarter");
@@ -181,7 +183,7 @@ TEST(Balance, mass_is_kept_and_sizes_never_grow_under_every_model) {
   for (const AnyBreakage& breakage : tests::every_breakage())
     for (const AnyFragments& fragments : tests::every_fragments())
       for (const AnyCapture& capture : tests::every_capture()) {
-        const bool many = std::holds_alternative<Tavares>(breakage);  // states
+        const bool many = std::holds_alternative<Tavares>(breakage);  // damage states
         const SizeGrid grid(0.5e-3, feed.largest(), many ? 100e-6 : 4e-6, 3);
         PopulationBalance balance(process(breakage, fragments, capture), spectrum(), grid,
                                   grid.shares(feed));
@@ -235,7 +237,7 @@ TEST(Balance, stuck_grains_slow_grinding_down_by_their_share) {
 }
 
 TEST(Balance, mixed_bed_is_of_second_order_in_its_steps) {
-  // Against steps a hundred times shorter than those it takes by itself.
+  // Compared with steps a hundred times shorter than the automatic ones.
   Process p = process(VogelPeukert{2, 0.05}, BinaryFragments{}, Barrios{300});
   p.bed = Bed::mixed;
   const Feed feed{Feed::Law::equal, 1e-3};

@@ -59,7 +59,7 @@ TEST(Breakage, threshold_of_finer_grains_is_higher_by_its_exponent) {
 TEST(Breakage, tavares_median_breaks_half_of_the_grains) {
   for (const double cut : {0.0, 4.0}) {
     Tavares model{43.4, 3.48e-3, 1.61, 0.5, cut, 5, 0.6, 0.03};
-    // With a cut E' = E_max E/(E_max - E) is E_50 where E = E_50 cut/(cut + 1).
+    // With a cut, E' = E_max E/(E_max - E) is E_50 at E = E_50 cut/(cut + 1).
     const double at = model.median(1e-3) * (cut > 0 ? cut / (cut + 1) : 1);
     states("chance", model.breakage_probability(1e-3, at), 0.5, 1e-15, "physics 5.2");
     EXPECT_EQ(model.breakage_probability(1e-3, cut > 0 ? cut * model.median(1e-3) : 1e9), 1);
@@ -69,7 +69,8 @@ TEST(Breakage, tavares_median_breaks_half_of_the_grains) {
 TEST(Breakage, tavares_damage_is_one_at_the_strength_and_a_power_far_below) {
   const Tavares model{43.4, 3.48e-3, 1.61, 0.5, 0, 5, 0.6, 0.03};
   states("at the strength", model.damage(1), 1, 0, "2 gamma/(2 gamma) = 1; physics 5.2");
-  // With r(D) the right side, r'(1) = 1 and r''(1) = 1 + 5/(2 gamma): D goes to 1 as a root does.
+  // With r(D) the right-hand side, r'(1) = 1 and r''(1) = 1 + 5/(2 gamma): D approaches 1 like a
+  // square root.
   const double short_of = std::sqrt(2 * (2 * 5.0 / 5) * 1e-9 / (1 + 5 / (2 * 5.0)));
   states("just below", model.damage(1 - 1e-9), 1 - short_of, short_of * short_of * 10,
          "1 - sqrt(2 (2 gamma/5) (1 - x)/(1 + 5/(2 gamma))), next order");
@@ -115,7 +116,7 @@ TEST(Fragments, share_finer_than_a_tenth_is_t10) {
          0.2, 1e-15, "(frg.3)");
 }
 
-/// Kolmogorov's distance of sizes drawn from what the curve says.
+/// Kolmogorov's distance between drawn sizes and the breakage function.
 template <class Model>
 double distance(const Model& model, double parent, double t10, int count) {
   SplitMix64 draw(7);

@@ -14,15 +14,15 @@ namespace {
 
 using tests::states;
 
-/// Two 15 mm balls of paper B; a grain of its powder, of a strength that stands for any.
+/// Two 15 mm balls of paper B, and a grain of its powder with an arbitrary strength.
 const Nip nip{0.00375, 200e9 / (2 * (1 - 0.265 * 0.265))};
 const Grain grain{40e-6, 4930, 1000};
 
-/// [m] Hertz's depth where the spring 4/3 E* R*^(1/2) x^(3/2) holds that energy, by bisection of
-/// its integral, summed up in steps.
+/// Hertz's depth [m] at which the spring 4/3 E* R*^(1/2) x^(3/2) stores this energy, by bisection
+/// of its integral, which is summed up in steps.
 double hertz_depth(const Nip& n, double energy) {
   const auto stored = [&](double depth) {
-    constexpr int steps = 200000;  // midpoint rule of x^1.5: off by 1e-11 of it
+    constexpr int steps = 200000;  // midpoint rule of x^1.5: relative error 1e-11
     double sum = 0;
     for (int i = 0; i < steps; ++i) sum += std::pow(depth * (i + 0.5) / steps, 1.5) * depth / steps;
     return 4.0 / 3 * n.modulus * std::sqrt(n.radius) * sum;
@@ -44,8 +44,8 @@ TEST(Capture, radius_of_a_bed_that_does_not_yield_is_hertzs_radius_of_contact) {
 }
 
 TEST(Capture, spot_of_a_bed_is_where_a_ball_is_no_higher_than_the_bed) {
-  // A sphere of radius K_g on a plane, pressed in by D: at the edge of the spot its surface is D
-  // up.
+  // A sphere of radius K_g is pressed into a plane by D: at the edge of the spot its surface is at
+  // the height D.
   for (const double depth : {1e-6, 1e-4, 3e-3}) {
     const double r = capture_radius(nip, 0, depth);
     states("height of the ball at the edge",

@@ -28,7 +28,7 @@ double energy(const FlashPair& p, double speed) {
   return 0.5 * p.mass * speed * speed;
 }
 
-/// A Hertzian collision followed in small steps: how deep it gets, and how long it takes.
+/// A Hertzian collision integrated in small steps: its maximum depth and its duration.
 struct Collision {
   double depth = 0, time = 0;
 };
@@ -46,15 +46,16 @@ Collision collide(const FlashPair& p, double speed) {
   return c;
 }
 
-/// A medium beside the plane where heat is set free.
+/// A medium next to the plane where heat is released.
 struct Medium {
   double conductivity, volumetric;  // [W/(m K)], [J/(m3 K)]
   double diffusivity() const { return conductivity / volumetric; }
   double effusivity() const { return std::sqrt(conductivity * volumetric); }
 };
 
-/// [K] Rise after `time` of the plane between two half-spaces where `flux` [W/m2] is set free: the
-/// heat equation by finite volumes, explicit in time, `fine` cells to the length heat goes.
+/// Temperature rise [K] after `time` of the plane between two half-spaces where `flux` [W/m2] is
+/// released. Solves the heat equation by finite volumes, explicit in time, with `fine` cells per
+/// diffusion length.
 double plane(const Medium& one, const Medium& other, double flux, double time, int fine) {
   constexpr int lengths = 8;
   const int n = lengths * fine;
@@ -94,7 +95,7 @@ TEST(Flash, hertz_by_its_formulas_is_hertz_followed_in_steps) {
 }
 
 TEST(Flash, of_a_steel_ball_by_hand) {
-  // 18.213 mJ at 3 m/s: 28.10 um deep, on 0.4414 mm2, for 27.57 us.
+  // 18.213 mJ at 3 m/s: depth 28.10 um, contact area 0.4414 mm2, duration 27.57 us.
   const FlashPair p = steel_ball();
   states("effusivity of 1.4034", p.effusivity, 10'328, 1, "sqrt(30 * 7730 * 460)");
   const double lost = 0.36 * energy(p, 3);  // restitution 0.8

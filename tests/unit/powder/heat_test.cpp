@@ -25,7 +25,7 @@ HeatNodes small_mill() {
 }
 constexpr Heating five_watts{2.5, 2.5};
 
-/// Runge and Kutta's method of fourth order on (hea.1, hea.2).
+/// Fourth-order Runge-Kutta integration of (hea.1, hea.2).
 Temperatures followed(const HeatNodes& n, const Heating& heat, Temperatures t, double duration,
                       int steps) {
   const auto rate = [&](const Temperatures& at) {
@@ -50,7 +50,7 @@ double apart(const Temperatures& a, const Temperatures& b) {
   return std::max(std::abs(a.balls - b.balls), std::abs(a.jar - b.jar));
 }
 
-/// Rates alike, far apart, and none at all.
+/// Heat nodes with rates that are equal, very different, or zero.
 struct Sort {
   std::string name;
   HeatNodes nodes;
@@ -153,7 +153,7 @@ TEST(Heat, repeats_itself_after_many_cycles) {
                     std::abs(points[i].balls - points[i - cycle].balls)});
     mean += 0.5 * (points[i].jar + points[i - 1].jar) / static_cast<double>(cycle);
   }
-  // 59 cycles of 900 s are 32 time constants of 1.66 ks: what is left of the start is e^-32.
+  // 59 cycles of 900 s are 32 time constants of 1.66 ks: the start has decayed to e^-32.
   states("last cycle less the one before [K]", off, 0, 1e-11, "settled");
   states("mean rise of the jar over a cycle [K]", mean - room, 5 / 0.13 * 2 / 3, 1e-9,
          "power on for two thirds of the time; errors of trapezoids cancel over a period");

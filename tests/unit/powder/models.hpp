@@ -9,8 +9,8 @@
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/powder/process.hpp"
 
-// One of every model of the registers, with numbers that make it do something. A model that is not
-// here does not link.
+// A sample of every model in the registers, with parameters that have an effect. A model without a
+// sample here does not link.
 namespace mahlwerk::tests {
 
 template <class Model>

@@ -22,7 +22,7 @@ const Nip nip{0.004, 110e9};
 constexpr int grains = 2000, samples = 200;
 constexpr double duration = 200;  // [s]
 
-/// Energies that fall on rows of the sample's tables, so that both see the same catches.
+/// Energies on rows of the sample's tables, so that both methods have the same captures.
 StressSpectrum spectrum() {
   return {{nip}, {{0, std::exp2(-12.0), 40}, {0, std::exp2(-10.0), 20}, {0, std::exp2(-8.5), 5}}};
 }
@@ -33,7 +33,7 @@ Process process(AnyBreakage breakage, AnyFragments fragments) {
   return p;
 }
 
-/// Share of each class after that time: mean of samples, and its standard error.
+/// Share of each class after `duration`: the mean of samples and its standard error.
 struct Mean {
   std::vector<double> share, error;
 };
@@ -68,15 +68,16 @@ std::vector<double> expected(const Process& p, const SizeGrid& grid, const Feed&
   return balance.shares();
 }
 
-/// [1] How many standard errors the two are apart, root of the mean square over classes that hold
-/// something; `known` is what the balance may be off by.
+/// Deviation in standard errors [1]: root mean square over the classes that contain some mass.
+/// `known` is the known error of the balance.
 double apart(const Mean& found, const std::vector<double>& expected,
              const std::vector<double>& known) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
     if (expected[i] < 1e-4) continue;
-    // Hits one by one instead of all at once: off by the share of a class one collision hits.
+    // Hits one by one instead of all at once: an error of the share of a class that one collision
+    // hits.
     const double error = std::hypot(found.error[i], known[i], 2e-3 * expected[i]);
     sum += std::pow((found.share[i] - expected[i]) / error, 2);
     ++count;
@@ -87,12 +88,12 @@ double apart(const Mean& found, const std::vector<double>& expected,
 }
 
 TEST(Sample, mean_of_many_is_the_balance_under_every_model_of_breakage) {
-  // Halves of equal grains lie in the middles of classes, where the balance has no error of its
+  // Halves of equal grains are in the middles of classes, where the balance has no error of its
   // own.
   const SizeGrid grid(1e-3, 1e-3, 30e-6, 6);
   const Feed feed{Feed::Law::equal, 1e-3};
   for (const AnyBreakage& breakage : tests::every_breakage()) {
-    if (std::holds_alternative<Tavares>(breakage)) continue;  // its levels, below
+    if (std::holds_alternative<Tavares>(breakage)) continue;  // needs levels: tested below
     const Process p = process(breakage, Halves{});
     const std::string name =
         std::visit([](const auto& m) { return std::string(m.name); }, breakage);
@@ -104,7 +105,8 @@ TEST(Sample, mean_of_many_is_the_balance_under_every_model_of_breakage) {
 }
 
 TEST(Sample, mean_of_many_is_the_balance_under_every_kind_of_fragments) {
-  // A class counts as its middle: what halving the classes changes is what is left to be off by.
+  // A class is represented by its middle. The error is the change if the width of classes is
+  // halved.
   const Feed feed{Feed::Law::lognormal, 0.5e-3, 1.4};
   for (const AnyFragments& fragments : tests::every_fragments()) {
     if (std::holds_alternative<Halves>(fragments)) continue;
@@ -145,7 +147,8 @@ TEST(Sample, mean_of_many_is_the_balance_where_grains_remember_damage) {
     for (std::size_t i = 0; i < states.size(); ++i) shares[i / some.fresh.size()] += states[i];
     return shares;
   };
-  // Steps of strength against three energies alone: what doubling their number changes, twice.
+  // Strength has discrete levels, and there are only three energies: the known error is the change
+  // when the number of levels doubles, for two doublings.
   const std::vector<double> coarse = by(20), middling = by(40), fine = by(80);
   std::vector<double> known;
   for (std::size_t i = 0; i < fine.size(); ++i)

@@ -18,7 +18,7 @@ using tests::states;
 
 const double pi = std::numbers::pi;
 
-/// Finnie's f at an angle from the surface, as he writes it.
+/// Finnie's f at an angle from the surface, in his notation.
 double by_angle(double a) {
   return std::tan(a) <= 1.0 / 3 ? std::sin(2 * a) - 3 * std::sin(a) * std::sin(a)
                                 : std::cos(a) * std::cos(a) / 3;
@@ -94,7 +94,7 @@ TEST(Finnie, agrees_with_archard_where_a_ball_grazes) {
     const double lost = contact::loss(j, mass, approach, slip).tangential;
     const double ratio = finnie_volume(0.5 * (1 + e) * coefficient, mass, approach, slip, h) /
                          archard(coefficient, load_distance(lost, mu), h);
-    const double slows = 0.5 * 3.5 * mu * (1 + e);  // of the slip, by half the impulse
+    const double slows = 0.5 * 3.5 * mu * (1 + e);  // reduction of the slip by half the impulse
     states("Finnie over Archard, k = K (1 + e)/2", ratio, 1, (slows + 1.5) * tangent + 1e-12,
            "both K m (1 + e) u_n u_t/H, to first order in the angle (wea.5)");
   }

@@ -12,7 +12,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/report/campaign/campaign.hpp"
 
-// Campaigns with numbers made up by formulas.
+// Artificial campaigns with numbers from formulas.
 namespace mahlwerk::report {
 
 inline std::vector<Column> fake_columns() {
@@ -27,7 +27,7 @@ inline void fill(Point& p, double speed, double diameter) {
   p.regime = speed * diameter < 2500 ? "cascading" : "cataracting";
 }
 
-/// Speeds from 150 rpm by 50 rpm.
+/// A campaign over speeds from 150 rpm in steps of 50 rpm.
 inline Campaign speeds(int number) {
   Campaign c{.title = "Speeds", .keys = {{"mill.speed", "rpm"}}, .columns = fake_columns()};
   for (int i = 0; i < number; ++i) {
@@ -41,7 +41,7 @@ inline Campaign speeds(int number) {
   return c;
 }
 
-/// Each of the speeds with each of the diameters from 5 mm by 2 mm.
+/// All combinations of the speeds with diameters from 5 mm in steps of 2 mm.
 inline Campaign grid(int speeds, int diameters) {
   Campaign c{.title = "Grid",
              .keys = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}},
@@ -57,7 +57,7 @@ inline Campaign grid(int speeds, int diameters) {
   return c;
 }
 
-/// Points anywhere in three ranges.
+/// Random points in the ranges of three keys.
 inline Campaign scattered(int number) {
   Campaign c{.title = "Scattered",
              .keys = {{"mill.speed", "rpm"}, {"balls.1.diameter", "mm"}, {"contact.friction", ""}},

@@ -96,7 +96,7 @@ TEST(CampaignFigures, shade_the_intervals_from_point_to_point) {
   ASSERT_NE(band, std::string::npos);
   const std::size_t start = picture.rfind("d=\"", band) + 3;
   const std::string path = picture.substr(start, picture.find('"', start) - start);
-  // Up the upper ends, back along the lower ones: six corners, the last above the first's x.
+  // Along the upper ends, back along the lower ones: six corners, the last at the x of the first.
   EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 5);
   EXPECT_TRUE(path.ends_with("Z"));
   const double first = std::strtod(path.c_str() + 1, nullptr);
@@ -106,7 +106,7 @@ TEST(CampaignFigures, shade_the_intervals_from_point_to_point) {
       << "no interval, no band";
 }
 
-/// The colour of the cell whose title has `words`.
+/// Colour of the cell with `words` in its title.
 std::string colour_of(const std::string& picture, const std::string& words) {
   const std::size_t at = picture.find(words);
   if (at == std::string::npos) return "none";
@@ -157,7 +157,7 @@ TEST(CampaignFigures, regimes_have_the_colours_of_their_legend) {
   const std::string scatter = campaign_figures(dots).at("figures/regimes.svg");
   const auto slow =
       static_cast<std::size_t>(std::ranges::count(dots.points, "cascading", &Point::regime));
-  // One more of each in the legend.
+  // The legend has one more of each.
   EXPECT_EQ(times(scatter, fmt::format("fill=\"{}\"", kind_colour(0))), slow + 1);
   EXPECT_EQ(times(scatter, fmt::format("fill=\"{}\"", kind_colour(1))), 40 - slow + 1);
 }

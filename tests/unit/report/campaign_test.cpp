@@ -13,7 +13,7 @@
 namespace mahlwerk::report::campaign_test {
 namespace {
 
-/// The numbers of the cells of a row of the table of points, in full.
+/// All cell values of one row of the table of points, unrounded.
 std::vector<double> row_of(const std::string& html, std::size_t number) {
   std::size_t at = html.find("<tbody>", html.find("id=\"points\""));
   for (std::size_t i = 0; i < number; ++i) at = html.find("<tr>", at + 1);
@@ -54,7 +54,8 @@ TEST(CampaignPage, says_what_varies_what_failed_and_what_stands_out) {
                   "8 points. Varied keys: mill.speed from 150 rpm to 500 rpm (8 values). "
                   "1 point failed. The charge is cascading at 2, cataracting at 5."))
       << html.substr(html.find("lead"), 400);
-  // 12 W (speed/300 rpm)^3 with 2 %: 1.5 W at 150 rpm, 55.6 W at 500 rpm, (500/150)^3 = 37.04.
+  // 12 W (speed/300 rpm)^3 with 2 %: 1.5 W at 150 rpm, 55.6 W at 500 rpm, ratio
+  // (500/150)^3 = 37.04.
   EXPECT_TRUE(
       has(html,
           "The largest change is that of dissipated power: from 1.500 ± 0.030 W (speed 150 rpm) to "
@@ -124,11 +125,11 @@ TEST(CampaignPage, of_little_or_strange_numbers_is_still_a_page) {
   strange.points[0].value = {NAN, INFINITY};
   strange.points[1].value = {0, -1};
   strange.points[2].ci95 = {NAN, NAN};
-  strange.points[3].value = {};  // none was told
+  strange.points[3].value = {};  // no values given
   strange.points[4].ci95 = {};
   strange.points[5].value = {1e300, 1e-300};
   std::string html = campaign_page(strange, "1");
-  html.erase(html.find("<h2>Points"));  // where an infinite value is called so
+  html.erase(html.find("<h2>Points"));  // this table prints infinite values as such
   EXPECT_EQ(html.find("nan"), std::string::npos) << html.substr(html.find("nan") - 300, 400);
   for (const auto& [name, picture] : campaign_figures(strange)) {
     EXPECT_TRUE(well_formed(picture)) << name;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Claims against campaigns that were put there by hand.
+// Claims judged against campaigns made by hand.
 #include "mahlwerk/report/paper/claims.hpp"
 
 #include <gtest/gtest.h>
@@ -164,7 +164,7 @@ TEST(Claims, other_keys_make_lines_of_their_own_but_not_those_that_go_together) 
   EXPECT_TRUE(judged.finding.starts_with("friction 0: ")) << judged.finding;
   EXPECT_TRUE(has(judged, "; friction 0.5: ")) << judged.finding;
   EXPECT_FALSE(has(judged, "time")) << judged.finding;
-  c.keys[0].key = "wall.friction";  // then the word alone does not tell
+  c.keys[0].key = "wall.friction";  // then the last word of the key is ambiguous
   Claim along = claim(Kind::trend, "rises");
   along.against = "wall.friction";
   EXPECT_TRUE(judge(along, c).finding.starts_with("contact friction 0: "));

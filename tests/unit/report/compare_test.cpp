@@ -18,7 +18,7 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The soft engine saw twice as much.
+/// A comparison in which the soft engine counts twice as many collisions.
 Comparison doubled() {
   auto soft = fake_outcome({200, 240, 280});
   soft.cpu_seconds = 3;
@@ -37,7 +37,7 @@ TEST(Beside, ratio_and_its_half_width_follow_from_both) {
   EXPECT_DOUBLE_EQ(b.ratio_ci95(), 2 * std::hypot(0.1, 0.2));
   EXPECT_TRUE(b.differs());
   EXPECT_FALSE((EnginePair{{10, 6}, {20, 4}}).differs()) << "they touch";
-  EXPECT_FALSE((EnginePair{{10, NAN}, {20, 4}}).differs()) << "nobody knows";
+  EXPECT_FALSE((EnginePair{{10, NAN}, {20, 4}}).differs()) << "interval unknown";
 }
 
 TEST(Compare, sets_the_same_quantities_beside_each_other) {
@@ -68,7 +68,7 @@ TEST(Compare, spectra_hold_every_collision_once) {
     EXPECT_NEAR(event, 12, 1e-12);
     EXPECT_NEAR(soft, 24, 1e-12);
   }
-  EXPECT_DOUBLE_EQ(c.speeds.back().low, 2);  // hard ones come at 2 m/s, 4 mJ
+  EXPECT_DOUBLE_EQ(c.speeds.back().low, 2);  // hard collisions have 2 m/s, 4 mJ
   EXPECT_DOUBLE_EQ(c.speeds.back().rate.event.mean, 6);
   EXPECT_LE(c.energies.back().low, 0.004);
   EXPECT_GT(c.energies.back().high, 0.004);
@@ -112,9 +112,9 @@ TEST(Compare, table_csv_and_page_show_both_columns) {
 
 TEST(Compare, says_where_the_case_means_another_thing_to_each_engine) {
   auto event = fake_outcome();
-  event.what.contact.rule.tangential_restitution = 0;  // surfaces stick, as friction makes them
+  event.mill_case.contact.rule.tangential_restitution = 0;  // surfaces stick as by friction
   EXPECT_EQ(compare(event, fake_outcome()).caution, "");
-  event.what.contact.rule.tangential_restitution = 0.9;
+  event.mill_case.contact.rule.tangential_restitution = 0.9;
   const Comparison c = compare(event, fake_outcome());
   EXPECT_TRUE(has(c.caution, "tangential_restitution = 0.9"));
   EXPECT_TRUE(has(compare_table(c), c.caution));

@@ -27,7 +27,7 @@ FitParameter found(const std::string& key, double value, double low, double high
           .remarks = {}};
 }
 
-/// D90 over time under two conditions, one number found and one not.
+/// D90 over time under two conditions. One parameter is determined, one is not.
 FitReport report(bool errors_known) {
   FitReport fit{.title = "A & B", .case_file = "case.toml", .data_file = "data.csv"};
   fit.parameters = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};

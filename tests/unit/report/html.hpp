@@ -37,7 +37,7 @@ inline std::size_t times(const std::string& text, std::string_view part) {
   return number;
 }
 
-/// Where in order the parts stand in the text, each after the one before.
+/// True if the text contains the parts in this order.
 inline bool in_order(const std::string& text, const std::vector<std::string>& parts) {
   std::size_t at = 0;
   for (const std::string& part : parts) {

@@ -83,7 +83,7 @@ TEST(Laws, weights_are_those_of_the_textbooks_weighted_line) {
   // Weights that add up to n = 5; k = 3 numbers: a, b and the scatter.
   states("AICc", line.aicc, 5 * std::log(left * 5 / w / 5) + 2 * 3 * 5.0 / (5 - 3 - 1), 1e-10,
          "(cam.26)");
-  // Weights are shares: all intervals ten times as wide change nothing.
+  // Only relative weights count: intervals that are ten times as wide change nothing.
   List wide = ci;
   for (double& v : wide) v *= 10;
   const FittedLaw same = of(fitted_laws(x, y, wide), LawForm::line);
@@ -140,7 +140,8 @@ TEST(Laws, a_parabola_is_recovered_exactly_far_from_zero_too) {
   const List x{1000, 1001, 1002, 1004, 1007};
   const List y = map(x, [](double v) { return 3 * v * v - 5990 * v + 2.99e6; });
   const FittedLaw parabola = of(fitted_laws(x, y, {}), LawForm::parabola);
-  // Numbers near 3e6 are known to 5e-10, and a parabola over 7 of 1000 is read from 147 of them.
+  // Values near 3e6 are known to 5e-10. Over 7 of 1000 in x the parabola contributes only 147 of
+  // them.
   states("c", parabola.coefficients[2], 3, 1e-9, "what the points were made with");
   states("b over its own", parabola.coefficients[1] / -5990, 1, 1e-9, "the same");
   states("a over its own", parabola.coefficients[0] / 2.99e6, 1, 1e-9, "the same");
@@ -154,7 +155,7 @@ TEST(Laws, the_intervals_hold_the_truth_in_95_of_100) {
   for (int trial = 0; trial < trials; ++trial) {
     List line, power, ci;
     for (const double v : x) {
-      const double half = 0.02 * (1 + v);  // points are surer on the left
+      const double half = 0.02 * (1 + v);  // points on the left are more precise
       ci.push_back(half);
       line.push_back(1 + 2 * v + half * normal(random));
       power.push_back(2 * std::pow(v, 1.5) + half * normal(random));
@@ -183,7 +184,7 @@ TEST(Laws, a_line_through_the_origin_is_also_a_power_law_and_said_to_be) {
   EXPECT_TRUE(through_origin(of(laws, LawForm::line)));
   const LawSelection choice = select_law(laws);
   EXPECT_TRUE(choice.by_aicc);
-  EXPECT_NE(laws[choice.best].form, LawForm::parabola) << "a number more that gains nothing";
+  EXPECT_NE(laws[choice.best].form, LawForm::parabola) << "one more parameter without gain";
   ASSERT_EQ(choice.equivalent.size(), 1U);
   EXPECT_NE(laws[choice.equivalent[0]].form, LawForm::parabola);
   for (double& v : y) v += 1;

@@ -70,7 +70,8 @@ OptimumReport some() {
   return made;
 }
 
-/// The same, the best of which is outside the validity of its engine and told from all others.
+/// The same report. Its best setting is outside the validity of its engine and distinct from the
+/// others.
 OptimumReport invalid_best() {
   OptimumReport made = some();
   made.settings[1].probability_best = 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// paper.toml as it is read, its faults, and the page made of it.
+// Reading of paper.toml, its faults, and the page made from it.
 #include "mahlwerk/report/paper/paper.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ std::vector<Fault> faults_of(const std::string& text) {
   return {};
 }
 
-/// One fault, of this code, at this line.
+/// Reading `text` gives exactly one fault, with this code and at this line.
 void expect_fault(const std::string& text, const std::string& code, int line) {
   const std::vector<Fault> faults = faults_of(text);
   ASSERT_EQ(faults.size(), 1U) << text << describe(faults);
@@ -41,7 +41,7 @@ void expect_fault(const std::string& text, const std::string& code, int line) {
 }
 
 cases::Case swept_case() {
-  cases::Case c = results::fake_outcome().what;
+  cases::Case c = results::fake_outcome().mill_case;
   c.sweep.keys = {{.key = "mill.frequency", .values = {"10 Hz", "20 Hz"}}};
   return c;
 }

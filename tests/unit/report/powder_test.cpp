@@ -35,25 +35,25 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The fake outcome with 0.15 g of grains of 0.5 mm in it, which grind and convert.
+/// The fake outcome with 0.15 g of grains of 0.5 mm, with grinding and conversion.
 Outcome ground_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   Outcome o = results::fake_outcome(hits);
-  o.what.powder = cases::Powder{
+  o.mill_case.powder = cases::Powder{
       .material = "", .mass = 1.5e-4, .size = 5e-4, .density = 1200, .feed = {.size = 5e-4}};
-  o.what.capture = cases::Capture{.model = powder::Barrios{1000}, .energy_share = 0.25};
+  o.mill_case.capture = cases::Capture{.model = powder::Barrios{1000}, .energy_share = 0.25};
   cases::Grinding g;
   g.breakage = powder::VogelPeukert{0.1, 0.05};
   g.fragments = powder::AustinFragments{0.4, 0.8, 3};
   g.time = 60;
   g.smallest = 1e-6;
-  o.what.grinding = g;
-  o.what.kinetics = cases::Kinetics{.conversion = {.dose_constant = 1e6},
-                                    .time = 60,
-                                    .property = "amorphous content",
-                                    .initial = 0,
-                                    .final = 100};
+  o.mill_case.grinding = g;
+  o.mill_case.kinetics = cases::Kinetics{.conversion = {.dose_constant = 1e6},
+                                         .time = 60,
+                                         .property = "amorphous content",
+                                         .initial = 0,
+                                         .final = 100};
   int index = 0;
-  for (results::Replicate& r : o.replicates) results::grind(o.what, r, index++);
+  for (results::Replicate& r : o.replicates) results::grind(o.mill_case, r, index++);
   return ended(std::move(o));
 }
 
@@ -83,7 +83,7 @@ TEST(PowderReport, curves_of_sizes_end_in_the_numbers_of_the_summary) {
 }
 
 TEST(PowderReport, passing_crosses_half_at_d50_and_density_holds_all_the_mass) {
-  const Outcome o = ground_outcome({100});  // of one replicate D50 is exact, not a mean of three
+  const Outcome o = ground_outcome({100});  // with one replicate D50 is exact, not a mean of three
   const Series milled = passing_plot(o).series.back();
   const double d50 = 1e6 * quantity(o, "d50");
   const auto above =
@@ -150,8 +150,8 @@ TEST(PowderReport, sections_are_there_for_what_the_case_asks_and_no_other) {
   EXPECT_FALSE(has(all, "d90 "));
   EXPECT_EQ(powder_sections(results::fake_outcome()), "");
   Outcome caught = ground_outcome();
-  caught.what.grinding.reset();
-  caught.what.kinetics.reset();
+  caught.mill_case.grinding.reset();
+  caught.mill_case.kinetics.reset();
   const std::string part = powder_sections(ended(caught));
   EXPECT_TRUE(has(part, "Powder captured by collisions"));
   EXPECT_FALSE(has(part, "Fineness"));
@@ -167,10 +167,11 @@ TEST(PowderReport, says_where_grains_get_more_than_the_mill_gives_off) {
   const double share = 100 * gets / quantity(o, "dissipated_power");
   EXPECT_TRUE(
       has(powder_sections(o), fmt::format("That is {:.0f} % of the dissipated power", share)));
-  // Normal energies sum to 2 mJ a hit, of which each loses 1 mJ: at most a half may be given.
+  // The normal energy is 2 mJ per hit on average, of which 1 mJ is lost: at most a half may be
+  // given.
   EXPECT_FALSE(has(powder_sections(o), "more than the mill dissipates"));
-  o.what.capture->energy_share = 1;
-  for (results::Replicate& r : o.replicates) results::grind(o.what, r, 0);
+  o.mill_case.capture->energy_share = 1;
+  for (results::Replicate& r : o.replicates) results::grind(o.mill_case, r, 0);
   EXPECT_TRUE(has(powder_sections(ended(o)), "more than the mill dissipates"));
 }
 
@@ -183,7 +184,7 @@ TEST(PowderReport, methods_name_models_and_numbers) {
         "dose D of energy dissipated"})
     EXPECT_TRUE(has(text, part)) << part << "\n" << text;
   Outcome strong = ground_outcome();
-  strong.what.capture->model = powder::Barrios{0};  // as the breakage model says
+  strong.mill_case.capture->model = powder::Barrios{0};  // strength from breakage model
   EXPECT_TRUE(has(methods(strong, "1"), "model barrios;"));
   EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "capture"));
 }

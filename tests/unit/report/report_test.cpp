@@ -85,7 +85,7 @@ TEST(Table, shows_twins_beside_each_other) {
 
 TEST(Table, what_is_counted_above_the_threshold_stands_in_its_column) {
   auto o = fake_outcome();
-  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
   const auto quantities = results::summarise(o).quantities;
   for (const char* name : {"collision_rate_in_flight", "stress_energy"}) {
     const auto all = rows(quantities);
@@ -146,7 +146,7 @@ TEST(Report, warns_of_what_makes_it_doubtful) {
   auto steps = fake_outcome();
   steps.replicates[0].energy_balance.kinetic = 1e-3;
   EXPECT_EQ(warnings(ended(steps)).size(), 1U);
-  steps.engine = cases::EngineName::soft;  // follows contacts in steps
+  steps.engine = cases::EngineName::soft;  // has time steps within contacts
   EXPECT_TRUE(warnings(ended(steps)).empty());
   o.notices = warnings(ended(o));
   EXPECT_TRUE(has(report_page(ended(o), "1"), "too many bounces"));

@@ -11,7 +11,7 @@
 namespace mahlwerk::report::sensitivity_test {
 namespace {
 
-/// x and width of the bars, in their order.
+/// x and width of the bars, in drawing order.
 std::vector<std::pair<double, double>> bars(const std::string& picture) {
   std::vector<std::pair<double, double>> list;
   for (std::size_t at = picture.find("<rect x=\""); at != std::string::npos;
@@ -79,7 +79,7 @@ TEST(Tornado, names_the_key_that_matters_and_those_that_may_not) {
   none.effects.pop_back();
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: no key has an effect that differs significantly from zero.");
-  // Where it is not known nothing is said of zero.
+  // If the significance is unknown, the text does not mention zero.
   none.effects[0].significant = std::nullopt;
   EXPECT_EQ(sensitivity_words(none),
             "dissipated power: contact.friction matters most (changes it by "
@@ -114,7 +114,7 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
   std::string html = campaign_page(c, "1");
   EXPECT_TRUE(in_order(html, {"<p>Without effect in this case: contact.friction.</p>", "<svg"}));
   EXPECT_FALSE(has(html, "Not significant"));
-  // It changes one of them.
+  // Now the key changes one of the two quantities.
   c.sensitivities[1].effects[0].inactive = false;
   html = campaign_page(c, "1");
   EXPECT_FALSE(has(html, "Without effect in"));
@@ -141,7 +141,7 @@ TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
   EXPECT_TRUE(has(idle, ">0.2, 0.8<"));
   EXPECT_FALSE(has(idle, ">0.2<"));
   EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
-  // The case stands at the low end of the range.
+  // The case is at the low end of the range.
   s.effects[0].high = 14;
   s.effects[0].inactive = false;
   const std::string one_end = sensitivity_pictures(s)[0].svg;
@@ -204,7 +204,7 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
                        .total_ci95 = 0.03,
                        .count = 63,
                        .significant = false});
-  s.effects.push_back({.key = "jar.material"});  // nothing is known of it
+  s.effects.push_back({.key = "jar.material"});  // with unknown effects
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 1U);
   EXPECT_TRUE(well_formed(pictures[0].svg));

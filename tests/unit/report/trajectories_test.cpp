@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Ways and snapshots of balls whose places are known.
+// Trajectories and snapshots of balls at known positions.
 #include "mahlwerk/report/paper/trajectories.hpp"
 
 #include <gtest/gtest.h>
@@ -24,14 +24,14 @@ results::Outcome outcome() {
   results::Outcome o;
   kinematics::Planetary mill;
   mill.orbit_radius = 0.3, mill.speed = speed, mill.ratio = -2;
-  o.what.mill.motion = mill;
-  o.what.jar.shape = geometry::Cylinder{2 * radius, 0.1};
-  o.what.balls = {{1, 0.01, 7850, ""}, {1, 0.002, 2000, ""}};
-  o.what.balls[1].grains = true;
+  o.mill_case.mill.motion = mill;
+  o.mill_case.jar.shape = geometry::Cylinder{2 * radius, 0.1};
+  o.mill_case.balls = {{1, 0.01, 7850, ""}, {1, 0.002, 2000, ""}};
+  o.mill_case.balls[1].grains = true;
   o.replicates.emplace_back(0.1, observe::BallKinds{},
                             observe::WallGrid{.radius = radius, .bottom = -0.05, .top = 0.05});
-  std::vector<scene::Ball> balls = cases::starting_balls(o.what, 0);
-  observe::Replay film(cases::chamber(o.what), 2, 0, 1);
+  std::vector<scene::Ball> balls = cases::starting_balls(o.mill_case, 0);
+  observe::Replay film(cases::chamber(o.mill_case), 2, 0, 1);
   for (double t = film.next_frame_time(); std::isfinite(t); t = film.next_frame_time()) {
     balls[0].position = {0.025 * std::cos(speed * t), 0.025 * std::sin(speed * t), 0};
     balls[0].velocity = {};
@@ -67,8 +67,8 @@ TEST(Trajectories, a_ball_at_rest_on_the_disc_is_a_point_there_and_a_circle_seen
   const results::Outcome o = outcome();
   const std::string disc = trajectories_picture({{"p", &o}}, View::carrier);
   EXPECT_EQ(count(disc, "<path"), 1);  // of the ball; the grain has none
-  EXPECT_LE(spread(disc), 0.2);        // places are told to 0.1 px
-  // A panel of 340 px less its rim holds a jar 100 mm wide: the circle's diameter is half of that.
+  EXPECT_LE(spread(disc), 0.2);        // coordinates are rounded to 0.1 px
+  // A panel of 340 px less its rim shows a jar 100 mm wide: the circle's diameter is half of that.
   const std::string jar = trajectories_picture({{"p", &o}}, View::jar);
   EXPECT_NEAR(spread(jar), 0.5 * 336, 1);
 }

@@ -10,7 +10,7 @@
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/summarise.hpp"
 
-// An outcome made by hand, whose every number can be worked out on paper.
+// An outcome made by hand. All its numbers can be computed on paper.
 namespace mahlwerk::results {
 
 /// `hits` collisions of 2 g: every second one at u_n = 2 m/s and slip 2 m/s, the others at u_n =
@@ -66,7 +66,7 @@ inline Replicate fake_replicate(int hits) {
   return r;
 }
 
-/// The outcome as a run that has ended leaves it.
+/// The outcome of a run that has ended, with its summary.
 inline Outcome ended(Outcome outcome) {
   outcome.summary = summarise(outcome);
   return outcome;
@@ -74,18 +74,18 @@ inline Outcome ended(Outcome outcome) {
 
 inline Outcome fake_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   Outcome o;
-  o.what.title = "A <fake> case & more";
-  o.what.seed = 7;
-  o.what.mill.motion = kinematics::Vibration{};
-  std::get<kinematics::Vibration>(*o.what.mill.motion).frequency = 10;
-  std::get<kinematics::Vibration>(*o.what.mill.motion).amplitude = 0.025;
-  o.what.jar.shape = geometry::Capsule{0.012, 0.036};
-  o.what.balls = {{1, 0.008, 7850, ""}};
-  o.what.run.time = 10;
-  o.what.run.replicates = static_cast<std::int64_t>(hits.size());
-  o.what.observe.threshold = 0.1;
-  o.what.origins = {{"gravity", "9.81 m/s2", "default: on Earth", true, false},
-                    {"jar.diameter", "12 mm", "catalogue jars/some", false, true}};
+  o.mill_case.title = "A <fake> case & more";
+  o.mill_case.seed = 7;
+  o.mill_case.mill.motion = kinematics::Vibration{};
+  std::get<kinematics::Vibration>(*o.mill_case.mill.motion).frequency = 10;
+  std::get<kinematics::Vibration>(*o.mill_case.mill.motion).amplitude = 0.025;
+  o.mill_case.jar.shape = geometry::Capsule{0.012, 0.036};
+  o.mill_case.balls = {{1, 0.008, 7850, ""}};
+  o.mill_case.run.time = 10;
+  o.mill_case.run.replicates = static_cast<std::int64_t>(hits.size());
+  o.mill_case.observe.threshold = 0.1;
+  o.mill_case.origins = {{"gravity", "9.81 m/s2", "default: on Earth", true, false},
+                         {"jar.diameter", "12 mm", "catalogue jars/some", false, true}};
   for (const int n : hits) o.replicates.push_back(fake_replicate(n));
   o.cpu_seconds = 0.5;
   return ended(std::move(o));

@@ -90,7 +90,7 @@ TEST(Csv, heads_are_names_with_units_and_words_are_written) {
             "0.5,100000,,\"a,b\"\n0.5,100000,,plain\n0.5,100000,,\"a,b\"\n");
 }
 
-/// As they have been since version 0.1.0: scripts of users name them.
+/// The column names are those of version 0.1.0, because scripts of users contain them.
 TEST(Csv, heads_of_results_stay_as_they_are) {
   const auto head = [](const Table& t) { return csv(t).substr(0, csv(t).find('\n')); };
   const Outcome o = fake_outcome();
@@ -114,7 +114,7 @@ TEST(Tables, every_column_says_its_unit_and_what_it_is) {
   const Outcome o = fake_outcome();
   for (const Table& t :
        {spectrum(o), speeds(o), angles(o), time_series(o), replicates(o), collisions_by_pair({}),
-        spectra_by_pair(o), sizes(o.what), balls_at_stop(Replicate(0.1))})
+        spectra_by_pair(o), sizes(o.mill_case), balls_at_stop(Replicate(0.1))})
     for (const Column& c : t.columns) {
       EXPECT_FALSE(c.unit.empty()) << c.name;
       EXPECT_FALSE(c.about.empty()) << c.name;
@@ -205,7 +205,7 @@ TEST_F(FilesTest, collisions_read_back_to_the_bit) {
     one.collisions(numbered(20000, 50001));
   }
   {
-    CollisionFile out(scratch() / "d.h5", "", "");  // closed by hand
+    CollisionFile out(scratch() / "d.h5", "", "");  // closed explicitly
     CollisionLog(out, 0).collisions(numbered(0, 3));
     out.close();
     out.close();

@@ -31,7 +31,7 @@ constexpr std::string_view our_picture =
     "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 400\" role=\"img\" "
     "aria-label=\"power\"></svg>";
 
-/// The code and text of the error that making the folder gives, or nothing.
+/// Code and text of the error from creating the folder, or an empty string.
 std::string refusal(const fs::path& place, bool force) {
   try {
     const Folder folder(place, force);
@@ -56,14 +56,14 @@ TEST_F(FolderTest, appears_only_when_complete) {
   folder.commit();
   EXPECT_EQ(read(place / "summary.json"), our_summary);
   EXPECT_EQ(read(place / "point-1" / "spectrum.csv"), "a,b\n");
-  EXPECT_EQ(entries(place.parent_path()), 2U) << "beside it is its lock, as long as it is ours";
+  EXPECT_EQ(entries(place.parent_path()), 2U) << "the result and its lock, while it is ours";
 }
 
 TEST_F(FolderTest, leaves_nothing_behind_when_given_up) {
   {
     Folder folder(scratch() / "result", false);
     folder.write("summary.json", our_summary);
-    EXPECT_EQ(entries(scratch()), 2U) << "what is in the making, and its lock";
+    EXPECT_EQ(entries(scratch()), 2U) << "the unfinished folder and its lock";
   }
   EXPECT_EQ(entries(scratch()), 0U);
 }
@@ -138,7 +138,7 @@ TEST_F(FolderTest, what_is_listed_may_be_replaced_and_nothing_else) {
     for (const char* folder : {"deep/down", "deep", "runs"}) fs::remove(place / folder);
   }
   fs::create_directory(place / "empty");
-  EXPECT_NE(refusal(place, true).find("empty/"), std::string::npos) << "somebody made it";
+  EXPECT_NE(refusal(place, true).find("empty/"), std::string::npos) << "made by someone else";
   fs::remove(place / "empty");
   Folder folder(place, true);
   folder.write("summary.json", our_summary);
@@ -261,12 +261,12 @@ TEST_F(FolderTest, what_comes_in_during_the_run_is_not_overwritten) {
   }
   EXPECT_EQ(read(place / "summary.json"), our_summary);
   const std::size_t at = said.find(".result.complete-");
-  ASSERT_NE(at, std::string::npos) << said;  // the hours of work are kept, and it says where
+  ASSERT_NE(at, std::string::npos) << said;  // the result is kept, and the message says where
   const std::string kept = said.substr(at, said.find(';', at) - at);
   EXPECT_EQ(read(scratch() / kept / "summary.json"), "ours");
   folder.reset();
   EXPECT_EQ(refusal(place, true), "");
-  EXPECT_TRUE(fs::exists(scratch() / kept)) << "the next start lets it be";
+  EXPECT_TRUE(fs::exists(scratch() / kept)) << "the next start keeps it";
 }
 
 TEST_F(FolderTest, a_place_that_cannot_be_written_is_an_error_before_the_run) {
@@ -288,7 +288,7 @@ TEST_F(FolderTest, a_full_disk_is_an_error) {
   }
 }
 
-/// While it lives, no file of this process may grow beyond a size: as on a full disk.
+/// During its lifetime no file of this process can grow beyond a size, as on a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -324,7 +324,7 @@ TEST_F(FolderTest, collisions_that_do_not_fit_are_an_error) {
   const auto fill = [&] {
     CollisionFile file(folder.file("collisions.h5"), "", "");
     std::vector<scene::Collision> records = fake_collisions(50000);
-    for (std::size_t i = 0; i < records.size(); ++i)  // does not pack well
+    for (std::size_t i = 0; i < records.size(); ++i)  // compresses badly
       records[i].slip = std::sin(1e6 * static_cast<double>(i));
     CollisionLog(file, 0).collisions(records);
     file.close();

@@ -31,26 +31,27 @@ scene::Ball ball(double x) {
 }
 
 TEST(FrameTimes, begin_when_counting_does_and_end_with_it) {
-  cases::Case what;
-  what.run.settle = 0.5;
-  what.run.time = 0.3;
-  EXPECT_EQ(FrameTimes(what).next(), INFINITY);
-  what.observe.frames = 0.1;
-  FrameTimes times(what);
+  cases::Case mill_case;
+  mill_case.run.settle = 0.5;
+  mill_case.run.time = 0.3;
+  EXPECT_EQ(FrameTimes(mill_case).next(), INFINITY);
+  mill_case.observe.frames = 0.1;
+  FrameTimes times(mill_case);
   for (const double expected : {0.5, 0.6, 0.7, 0.8}) {
     EXPECT_NEAR(times.next(), expected, 1e-15);
-    EXPECT_LE(times.next(), what.run.settle + what.run.time);
+    EXPECT_LE(times.next(), mill_case.run.settle + mill_case.run.time);
     times.advance();
   }
   EXPECT_EQ(times.next(), INFINITY);
-  what.observe.frames = 1;  // longer than the run
-  FrameTimes one(what);
+  mill_case.observe.frames = 1;  // longer than the run
+  FrameTimes one(mill_case);
   one.advance();
   EXPECT_EQ(one.next(), INFINITY);
 }
 
 TEST_F(FramesTest, say_where_the_balls_and_the_jar_are) {
-  FrameFiles frames(scratch() / frames_name(0), fake_outcome().what);  // shakes at 10 Hz, 25 mm
+  FrameFiles frames(scratch() / frames_name(0),
+                    fake_outcome().mill_case);  // shakes at 10 Hz, 25 mm
   const fs::path file = scratch() / "frames-1.xyz";
   frames.add(0.025, {ball(0.001), ball(0.5)});
   EXPECT_EQ(read(file),
@@ -60,13 +61,13 @@ TEST_F(FramesTest, say_where_the_balls_and_the_jar_are) {
             "jar\" jar_centre=\"0 0 0.025\" jar_x=\"1 0 0\" jar_y=\"0 1 0\" jar_z=\"0 0 1\"\n"
             "1 2 0.001 -0.002 0.003 0.004 1 2 3 10 -20 30.5\n"
             "2 2 0.5 -0.002 0.003 0.004 1 2 3 10 -20 30.5\n");
-  frames.add(0.05, {ball(0.002)}, {{0.5, -1, 2}});  // there at once
+  frames.add(0.05, {ball(0.002)}, {{0.5, -1, 2}});  // written at once
   EXPECT_NE(read(file).find(":angular_velocity:R:3:forces:R:3 Time=0.05"), std::string::npos);
   EXPECT_TRUE(read(file).ends_with(" 10 -20 30.5 0.5 -1 2\n"));
 }
 
 TEST_F(FramesTest, read_back_as_the_same_doubles) {
-  FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
+  FrameFiles frames(scratch() / "frames-1", fake_outcome().mill_case);
   const double odd = 1.0 / 3;
   frames.add(0.1 + 0.2, {ball(odd)});
   const std::string text = read(scratch() / "frames-1.xyz");
@@ -75,7 +76,7 @@ TEST_F(FramesTest, read_back_as_the_same_doubles) {
 }
 
 TEST_F(FramesTest, for_paraview_are_a_list_and_a_file_for_each_frame) {
-  FrameFiles frames(scratch() / "frames-1", fake_outcome().what);
+  FrameFiles frames(scratch() / "frames-1", fake_outcome().mill_case);
   const auto list = [&] { return read(scratch() / "frames-1.pvd"); };
   const std::string begin =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
@@ -107,11 +108,11 @@ TEST_F(FramesTest, for_paraview_are_a_list_and_a_file_for_each_frame) {
 }
 
 TEST_F(FramesTest, are_written_as_the_case_asks) {
-  cases::Case what = fake_outcome().what;
-  what.observe.frames_format = cases::FramesFormat::xyz;
-  FrameFiles(scratch() / "a", what).add(0, {ball(0)});
-  what.observe.frames_format = cases::FramesFormat::vtk;
-  FrameFiles(scratch() / "b", what).add(0, {ball(0)});
+  cases::Case mill_case = fake_outcome().mill_case;
+  mill_case.observe.frames_format = cases::FramesFormat::xyz;
+  FrameFiles(scratch() / "a", mill_case).add(0, {ball(0)});
+  mill_case.observe.frames_format = cases::FramesFormat::vtk;
+  FrameFiles(scratch() / "b", mill_case).add(0, {ball(0)});
   EXPECT_TRUE(fs::exists(scratch() / "a.xyz"));
   EXPECT_FALSE(fs::exists(scratch() / "a.pvd"));
   EXPECT_FALSE(fs::exists(scratch() / "b.xyz"));
@@ -119,35 +120,36 @@ TEST_F(FramesTest, are_written_as_the_case_asks) {
 }
 
 /// Size on disk of `folder` over the size that the program estimates.
-double room(const fs::path& folder, const cases::Case& what, bool forces) {
+double room(const fs::path& folder, const cases::Case& mill_case, bool forces) {
   fs::create_directory(folder);
-  std::vector<scene::Ball> balls(static_cast<std::size_t>(what.balls[0].count), ball(-1.0 / 3000));
+  std::vector<scene::Ball> balls(static_cast<std::size_t>(mill_case.balls[0].count),
+                                 ball(-1.0 / 3000));
   for (scene::Ball& b : balls) b.velocity = b.spin = {-1.0 / 3, 1.0 / 7, -1.0 / 70};
-  FrameFiles files(folder / "frames-1", what);
+  FrameFiles files(folder / "frames-1", mill_case);
   const std::vector<Vec3> pushes(forces ? balls.size() : 0, {1.0 / 3, -1.0 / 7, 1.0 / 70});
   constexpr int frames = 10;
   for (int i = 0; i < frames; ++i) files.add(1.0 / 3, balls, pushes);
   double size = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) size += static_cast<double>(entry.file_size());
-  return size / frames / cases::frame_bytes(what);
+  return size / frames / cases::frame_bytes(mill_case);
 }
 
 TEST_F(FramesTest, take_about_the_room_that_is_reckoned_with) {
-  cases::Case what = fake_outcome().what;
-  what.balls[0].count = 100;
-  what.run.engine = cases::EngineName::event;
-  what.observe.frames_format = cases::FramesFormat::xyz;
-  EXPECT_NEAR(room(scratch() / "xyz", what, false), 1, 0.2);
-  what.jar.shape = geometry::Box{0.02, 0.02, 0.02};
-  what.observe.frames_format = cases::FramesFormat::vtk;
-  EXPECT_NEAR(room(scratch() / "vtk", what, false), 1, 0.2);
-  what.observe.frames_format = cases::FramesFormat::both;
-  what.run.engine = cases::EngineName::soft;
-  EXPECT_NEAR(room(scratch() / "both", what, true), 1, 0.2);
-  what.mill.motion = kinematics::Tumbling{5};  // about an axis across: drawn anew every time
-  what.mill.jar_axis = {0, 0, 1};
-  what.observe.frames_format = cases::FramesFormat::vtk;
+  cases::Case mill_case = fake_outcome().mill_case;
+  mill_case.balls[0].count = 100;
+  mill_case.run.engine = cases::EngineName::event;
+  mill_case.observe.frames_format = cases::FramesFormat::xyz;
+  EXPECT_NEAR(room(scratch() / "xyz", mill_case, false), 1, 0.2);
+  mill_case.jar.shape = geometry::Box{0.02, 0.02, 0.02};
+  mill_case.observe.frames_format = cases::FramesFormat::vtk;
+  EXPECT_NEAR(room(scratch() / "vtk", mill_case, false), 1, 0.2);
+  mill_case.observe.frames_format = cases::FramesFormat::both;
+  mill_case.run.engine = cases::EngineName::soft;
+  EXPECT_NEAR(room(scratch() / "both", mill_case, true), 1, 0.2);
+  mill_case.mill.motion = kinematics::Tumbling{5};  // about a transverse axis: a jar per frame
+  mill_case.mill.jar_axis = {0, 0, 1};
+  mill_case.observe.frames_format = cases::FramesFormat::vtk;
   int number = 0;
   geometry::LifterCylinder lifters;
   lifters.diameter = 0.2, lifters.height = 0.1, lifters.lifters = 30, lifters.lifter_height = 0.01;
@@ -161,14 +163,14 @@ TEST_F(FramesTest, take_about_the_room_that_is_reckoned_with) {
         geometry::AnyShape(geometry::Capsule{0.02, 0.02}),
         geometry::AnyShape(geometry::Box{0.02, 0.02, 0.02}), geometry::AnyShape(lifters),
         geometry::AnyShape(stirrer)}) {
-    what.jar.shape = shape;
-    EXPECT_NEAR(room(scratch() / std::to_string(++number), what, true), 1, 0.25)
+    mill_case.jar.shape = shape;
+    EXPECT_NEAR(room(scratch() / std::to_string(++number), mill_case, true), 1, 0.25)
         << geometry::name_of(shape);
   }
 }
 
 TEST_F(FramesTest, say_when_they_cannot_be_written) {
-  EXPECT_THROW(FrameFiles(scratch() / "no" / "folder", fake_outcome().what), InputError);
+  EXPECT_THROW(FrameFiles(scratch() / "no" / "folder", fake_outcome().mill_case), InputError);
   const std::vector<scene::Ball> balls{ball(0)};
   const std::vector<Vec3> none;
   const Frame frame{0, balls, none, {}, {}};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The surface that is drawn is the wall that balls meet, of every shape of the register.
+// The drawn surface is the wall that balls collide with, for every shape in the register.
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 
 #include <gtest/gtest.h>
@@ -52,17 +52,18 @@ std::vector<AnyShape> samples() {
           lifters(8, 70 * pi / 180, 0.02),
           lifters(1, 0.5 * pi, 0.05),
           lifters(2, 0.5 * pi, 0.05),
-          lifters(150, 0.5 * pi, 0.002),  // more than a facet each
+          lifters(150, 0.5 * pi, 0.002),  // more bars than facets
           stirrer(),
           mesh_of(lumpy(0.02))};
 }
 
-/// How far a point is from the nearest wall [m]; a periodic box's are where it begins anew.
+/// Distance of a point from the nearest wall [m]; a periodic box has its periodic boundaries as
+/// walls.
 double depth(const AnyShape& shape, const Vec3& p) {
   if (const auto* box = std::get_if<geometry::PeriodicBox>(&shape))
     return depth(geometry::Box{box->width, box->depth, box->height}, p);
   if (const auto* jar = std::get_if<geometry::RoundedCylinder>(&shape))
-    return jar->gap(3, p).distance;  // as small balls meet it
+    return jar->gap(3, p).distance;  // the wall for small balls
   return std::visit(
       [&](const auto& s) {
         double least = geometry::never;
@@ -72,13 +73,13 @@ double depth(const AnyShape& shape, const Vec3& p) {
       shape);
 }
 
-/// How far a corner of what is drawn is from the wall that it draws [m].
+/// Distance of a corner of the drawn surface from the wall that it represents [m].
 double off_wall(const AnyShape& shape, const JarMesh& mesh, const Vec3& p) {
   const auto* stirred = std::get_if<geometry::Attritor>(&shape);
   if (stirred == nullptr) return std::abs(depth(shape, p));
   if (!mesh.rotor)  // the shaft goes through the middle of its lid
     return std::abs(depth(geometry::Cylinder{stirred->diameter, stirred->height}, p));
-  double least = std::abs(stirred->gap(2, p).distance);  // or ends there
+  double least = std::abs(stirred->gap(2, p).distance);  // the shaft ends at the lid
   for (int face = stirred->first_rotor_face; face < stirred->faces; ++face)
     least = std::min(least, std::abs(stirred->gap(face, p).distance));
   return least;
@@ -126,12 +127,12 @@ TEST(JarSurface, every_edge_is_shared_by_two_triangles_that_run_along_it_both_wa
     }
 }
 
-/// A facet of a wall with radius of curvature R lies at most R (1 - cos(half a facet)) beside it
-/// in each of two directions, so a step four times as long to either side of it is certain.
+/// A facet of a wall with radius of curvature R deviates from it by at most R (1 - cos(half a
+/// facet)) in each of two directions, so a step four times as long to either side of it is certain.
 TEST(JarSurface, triangles_run_anticlockwise_as_seen_from_outside) {
   for (const AnyShape& shape : samples())
     for (const JarMesh& mesh : results::jar_surface(shape)) {
-      if (std::holds_alternative<geometry::Mesh>(shape)) continue;  // as it was: geo.11
+      if (std::holds_alternative<geometry::Mesh>(shape)) continue;  // as in the input: geo.11
       const double step =
           of(shape, [](const auto& s) { return s.reach(); }) * 4 * (1 - std::cos(0.5 * facet));
       int inside_out = 0;
@@ -146,8 +147,8 @@ TEST(JarSurface, triangles_run_anticlockwise_as_seen_from_outside) {
     }
 }
 
-/// A convex shape and what is drawn, whose distance is at most d: shrunk by 1 - d/inradius it fits
-/// into it.
+/// Lower bound of the volume drawn over the volume of a convex shape. The drawn surface deviates by
+/// at most d: the shape shrunk by 1 - d/inradius fits into it.
 double shrunk(double radius, double inradius, double angle) {
   const double d = 2 * radius * (1 - std::cos(0.5 * angle));
   return std::pow(1 - d / inradius, 3);

@@ -26,7 +26,7 @@ TEST(SummaryJson, holds_every_quantity_to_the_bit) {
     EXPECT_EQ(entry.at("about"), q.about);
     if (std::isfinite(q.value))
       EXPECT_EQ(entry.at("value").get<double>(), q.value);
-    else  // of a charge nobody looked at
+    else  // of a charge that was not sampled
       EXPECT_TRUE(entry.at("value").is_null());
     if (std::isfinite(q.ci95))
       EXPECT_EQ(entry.at("ci95").get<double>(), q.ci95);
@@ -64,7 +64,7 @@ TEST(SummaryJson, holds_every_notice_with_its_code) {
 
 TEST(SummaryJson, names_the_engine_that_ran) {
   Outcome o = fake_outcome();
-  o.what.run.engine = cases::EngineName::automatic;
+  o.mill_case.run.engine = cases::EngineName::automatic;
   o.engine = cases::EngineName::soft;
   EXPECT_EQ(parsed(o).at("_about").at("engine"), "soft");
 }
@@ -103,7 +103,7 @@ TEST(SummaryJson, tells_what_is_missing) {
 
 TEST(SummaryJson, survives_a_title_that_is_not_utf8) {
   Outcome o = fake_outcome();
-  o.what.title = "M\xFChle";
+  o.mill_case.title = "M\xFChle";
   EXPECT_NO_THROW(parsed(o));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Spread and speed of charges put there by hand.
+// Spread and speed of charges made by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double radius = 0.1, ball = 0.005;
 
 Outcome drum() {
   Outcome outcome;
-  cases::Case& c = outcome.what;
+  cases::Case& c = outcome.mill_case;
   c.mill.motion = kinematics::Tumbling{2.0};
   c.mill.jar_axis = kinematics::Tumbling::jar_axis;
   c.jar.shape = geometry::Cylinder{2 * radius, 0.1};
@@ -34,16 +34,16 @@ Outcome drum() {
 }
 
 double value(const Outcome& outcome, const std::string& name) {
-  std::vector<Measure> list = motion_measures(outcome.what);
+  std::vector<Measure> list = motion_measures(outcome.mill_case);
   for (const Measure& m : tangential_measures()) list.push_back(m);
   for (const Measure& m : list)
-    if (m.name == name) return m.compute(outcome.what, outcome.replicates[0]);
+    if (m.name == name) return m.compute(outcome.mill_case, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
 
-/// A ball at `r` and `angle` in the drum's plane that rests in the laboratory or moves.
+/// Samples a ball at `r` and `angle` in the drum's plane, at rest in the laboratory by default.
 void look(Outcome& outcome, double time, double r, double angle, const Vec3& velocity = {}) {
-  scene::Ball b = cases::starting_balls(outcome.what, 0).front();
+  scene::Ball b = cases::starting_balls(outcome.mill_case, 0).front();
   const observe::Charge& charge = outcome.replicates[0].charge;
   b.position = r * (std::cos(angle) * charge.right() + std::sin(angle) * charge.up());
   b.velocity = velocity;
@@ -60,8 +60,8 @@ TEST(Motion, an_even_charge_occupies_all_and_half_a_circle_of_it_half) {
       look(whole, 0, r, angle);
       if (k < around / 2) look(half, 0, r, angle);
     }
-  // Cells at the edge hold less: a ring a cell wide is 2 (200/48)/95 = 9 % of the area, half of it
-  // along a half; cells cut through hold a part of what the rest does.
+  // Cells at the edge hold less: a ring a cell wide is 2 (200/48)/95 = 9 % of the area, and half of
+  // it along a half. Cells cut by the edge hold only a part of what the others hold.
   EXPECT_NEAR(value(whole, "occupied_share"), 1, 0.01);
   EXPECT_NEAR(value(half, "occupied_share"), 0.5, 0.05);
 }
@@ -69,9 +69,9 @@ TEST(Motion, an_even_charge_occupies_all_and_half_a_circle_of_it_half) {
 TEST(Motion, a_ball_at_one_place_occupies_the_cells_it_is_shared_among) {
   Outcome outcome = drum();
   for (int i = 0; i < 10; ++i) look(outcome, i, 0.03, 1.0);
-  // Cells whose middle is within 95 mm: pi 95^2/(200/48)^2 = 1633, give or take what their rim
-  // cuts, a few in a hundred. The ball is shared out among four, each with more than a tenth of
-  // 1/1633.
+  // Cells with their middle within 95 mm: pi 95^2/(200/48)^2 = 1633, to a few per cent because the
+  // rim cuts cells. The mass of the ball is distributed among four cells, each with more than a
+  // tenth of 1/1633.
   const double share = value(outcome, "occupied_share");
   EXPECT_NEAR(share * 1633, 4, 0.2);
 }
@@ -111,7 +111,8 @@ TEST(Motion, nothing_was_seen_gives_no_number) {
 }
 
 TEST(Motion, only_mills_with_a_regime_have_an_occupied_share) {
-  for (const Measure& m : motion_measures(fake_outcome().what)) EXPECT_NE(m.name, "occupied_share");
+  for (const Measure& m : motion_measures(fake_outcome().mill_case))
+    EXPECT_NE(m.name, "occupied_share");
 }
 
 }  // namespace

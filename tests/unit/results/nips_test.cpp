@@ -20,7 +20,7 @@ using tests::states;
 constexpr double ball = 4e-3, jar = 6e-3;  // radii [m]
 const double in_sphere = 1 / (1 / ball - 1 / jar), in_cylinder = std::sqrt(ball * in_sphere);
 
-/// A map over a jar of that size along its axis, hit in one cell; -1: nowhere.
+/// A map over a jar of this half length along its axis, hit in one cell; -1: no cell.
 WallMap hit_in(double half_length, int cell) {
   WallMap map(WallGrid{.radius = jar, .bottom = -half_length, .top = half_length});
   if (cell >= 0) map.at(cell).energy_normal = 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Toe, shoulder and regime of charges that were put there by hand.
+// Toe, shoulder and regime of charges made by hand.
 #include "mahlwerk/results/quantities/regime.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr double slot = 360.0 / Charge::angles;  // [deg]
 /// Ten seconds of two balls of 10 mm in a drum 200 mm wide, or a planetary mill.
 Outcome of(const kinematics::AnyMotion& motion) {
   Outcome outcome;
-  cases::Case& c = outcome.what;
+  cases::Case& c = outcome.mill_case;
   c.mill.motion = motion;
   c.jar.shape = geometry::Cylinder{0.2, 0.1};
   c.balls = {{2, 0.01, 7850, ""}};
@@ -46,7 +46,7 @@ Outcome planetary(double ratio) {
   return of(mill);
 }
 
-/// `count` slots from `first` on, at so many slots from the plane's right, with equal mass.
+/// Gives `count` slots from `first` on equal mass. Slots are counted from the right of the plane.
 void put(Outcome& outcome, int first, int count, double mass = 1) {
   for (int i = 0; i < count; ++i) {
     const int at = ((first + i) % Charge::angles + Charge::angles) % Charge::angles;
@@ -55,8 +55,8 @@ void put(Outcome& outcome, int first, int count, double mass = 1) {
 }
 
 double value(const Outcome& outcome, const std::string& name) {
-  for (const Measure& m : regime_measures(outcome.what))
-    if (m.name == name) return m.compute(outcome.what, outcome.replicates[0]);
+  for (const Measure& m : regime_measures(outcome.mill_case))
+    if (m.name == name) return m.compute(outcome.mill_case, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
 
@@ -65,8 +65,8 @@ void touch(Outcome& outcome, double share) {
   outcome.replicates[0].energy_balance.contact_time = share * 10 * 2;
 }
 
-/// Of a wedge of `count` slots that begins `from` degrees after the reference, in the sense of
-/// turning.
+/// Checks toe and shoulder of a wedge of `count` slots that begins `from` degrees after the
+/// reference, in the sense of rotation.
 void expect_ends(const Outcome& outcome, double from, int count, const std::string& name) {
   const double wide = count * slot, toe = std::remainder(from + 0.05 * wide, 360);
   const std::string why = "5 % and 95 % of an even wedge; rounding of a turn";
@@ -74,8 +74,8 @@ void expect_ends(const Outcome& outcome, double from, int count, const std::stri
   states(name + ": shoulder [deg]", value(outcome, "shoulder_angle"), toe + 0.9 * wide, 1e-9, why);
 }
 
-/// The drum's plane has its lowest point at 270 degrees; seen from where its axis points to, y, z
-/// is up and x to the left, so that it turns anticlockwise with a positive speed.
+/// The lowest point of the drum's plane is at 270 degrees. Seen from where its axis, y, points to,
+/// z is up and x points left, so that it turns anticlockwise with a positive speed.
 TEST(Regime, toe_and_shoulder_of_a_wedge_are_those_by_hand_in_both_senses_of_turning) {
   for (const int count : {1, 2, 7, 20, 45, 60, 89}) {
     const std::string name = "wedge of " + std::to_string(count) + " slots";
@@ -98,7 +98,7 @@ TEST(Regime, a_few_strays_do_not_move_the_ends_of_a_charge) {
   Outcome clean = drum(3), dirty = drum(3);
   put(clean, 130, 40);
   put(dirty, 130, 40);
-  put(dirty, 50, 4, 0.1);  // 1 % of the mass, up there
+  put(dirty, 50, 4, 0.1);  // 1 % of the mass, near the top
   states("toe [deg]", value(dirty, "toe_angle"), value(clean, "toe_angle"), slot,
          "5 % are left out");
   states("shoulder [deg]", value(dirty, "shoulder_angle"), value(clean, "shoulder_angle"), slot,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Tables of result.h5 are read by the tests in tests/opening; here, its matrices, and how it is
-// written.
+// The tests in tests/opening read the tables of result.h5. These tests are for its matrices, and
+// for how it is written.
 #include "mahlwerk/results/files/result_file.hpp"
 
 #include <hdf5.h>
@@ -45,7 +45,7 @@ Matrix map() {
 
 TEST_F(ResultFileTest, the_same_content_gives_the_same_bytes) {
   const std::string first = written("a.h5", {map()});
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // clocks of files tick in seconds
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // file times have 1 s resolution
   EXPECT_GT(first.size(), 1000U);
   EXPECT_EQ(first, written("b.h5", {map()}));
 }

@@ -53,7 +53,7 @@ TEST(Summary, residuals_are_those_of_the_worst_replicate) {
   Outcome o = fake_outcome();
   EXPECT_DOUBLE_EQ(value(o, "energy_residual"), 1.4e-13);
   EXPECT_LT(value(o, "energy_balance"), 1e-15);
-  o.replicates[1].energy_balance.kinetic = 0.1;  // from nowhere
+  o.replicates[1].energy_balance.kinetic = 0.1;  // energy from nothing
   const scene::EnergyBalance& a = o.replicates[1].energy_balance;
   EXPECT_NEAR(value(o, "energy_balance"), 0.1 / (a.wall_work + a.lost()), 1e-12);
   EXPECT_TRUE(std::isnan(named(summarise(o).quantities, "energy_balance").ci95));
@@ -92,7 +92,7 @@ TEST(Summary, replicates_cut_short_are_left_out_while_there_are_two_others) {
 TEST(Summary, doses_need_powder) {
   Outcome o = fake_outcome();
   EXPECT_THROW(value(o, "specific_energy_dose"), std::out_of_range);
-  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
   EXPECT_NEAR(value(o, "specific_energy_dose_rate"), 0.012 / 2, 1e-12);  // W/g
   EXPECT_NEAR(value(o, "specific_energy_dose"), 0.06, 1e-12);            // J/g in 10 s
   EXPECT_THROW(value(o, "milling_time"), std::out_of_range);
@@ -100,30 +100,30 @@ TEST(Summary, doses_need_powder) {
 
 TEST(Summary, a_dose_is_over_the_time_that_the_case_says_the_mill_works) {
   Outcome o = fake_outcome();  // 0.006 W/g in 10 s
-  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
-  o.what.heat = cases::Heat{.milling = 600, .pause = 300, .cycles = 4};
+  o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
+  o.mill_case.heat = cases::Heat{.milling = 600, .pause = 300, .cycles = 4};
   EXPECT_NEAR(value(o, "milling_time"), 2400, 1e-9);
   EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 2400, 1e-9);
-  o.what.kinetics.emplace().time = 1800;
+  o.mill_case.kinetics.emplace().time = 1800;
   EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 1800, 1e-9);
-  o.what.grinding.emplace().time = 3600;
-  EXPECT_EQ(cases::milling_time(o.what), 3600);
+  o.mill_case.grinding.emplace().time = 3600;
+  EXPECT_EQ(cases::milling_time(o.mill_case), 3600);
   EXPECT_EQ(value(o, "simulated_time"), 10);
 }
 
 TEST(Summary, the_tc_rule_tells_its_share) {
   Outcome o = fake_outcome({100, 100});
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
-  o.what.contact.lasting = cases::SustainedContactModel::tc;
+  o.mill_case.contact.lasting = cases::SustainedContactModel::tc;
   for (Replicate& r : o.replicates) r.energy_balance.tc_collisions = 25;
   EXPECT_DOUBLE_EQ(value(o, "tc_collision_share"), 0.25);
-  o.what.run.engine = cases::EngineName::soft;  // has no such rule
+  o.mill_case.run.engine = cases::EngineName::soft;  // has no such rule
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
 }
 
 TEST(Summary, every_quantity_is_named_once_and_explained) {
   Outcome o = fake_outcome();
-  o.what.powder = cases::Powder{"tic", 0.002, {}, {}};
+  o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
   std::set<std::string> names;
   for (const Quantity& q : summarise(o).quantities) {
     EXPECT_TRUE(names.insert(q.name).second) << q.name;

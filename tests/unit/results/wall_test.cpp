@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every hit is in one cell of the wall, every piece of wall too, and what wears off the cells is
-// what wears off the jar.
+// Every hit and every piece of wall is in exactly one cell of the wall, and the wear of all cells
+// is the wear of the jar.
 #include "mahlwerk/results/quantities/wall.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ std::vector<AnyShape> shapes() {
           tests::mesh_of(tests::lumpy(0.02))};
 }
 
-/// Those that wear: a periodic box has no wall.
+/// Shapes that wear: a periodic box has no wall.
 std::vector<AnyShape> walls() {
   std::vector<AnyShape> list = shapes();
   std::erase_if(list,
@@ -106,8 +106,8 @@ std::vector<scene::Collision> hits(const AnyShape& shape, int count) {
 
 Outcome outcome_of(const AnyShape& shape, int count) {
   Outcome outcome;
-  outcome.what = case_of(shape);
-  outcome.replicates = {empty_replicate(outcome.what)};
+  outcome.mill_case = case_of(shape);
+  outcome.replicates = {empty_replicate(outcome.mill_case)};
   outcome.replicates[0].tally.collisions(hits(shape, count));
   outcome.replicates[0].energy_balance.time = 10;
   return outcome;
@@ -156,8 +156,9 @@ TEST(WallMap, areas_of_cells_sum_to_the_area_of_the_wall) {
          wall_area(drum) / (pi * drum.diameter * drum.height * side +
                             0.5 * pi * drum.diameter * drum.diameter * end),
          1, 1e-12, "96 corners");
-  // A band of facets between two circles of radii r1, r2 has trapezia: their width is as much
-  // shorter than the arc as the polygon's side, their height no longer than the chord of a facet.
+  // A band of facets between two circles of radii r1, r2 consists of trapezia. Their width is
+  // shorter than the arc by the same factor as the polygon's side, their height is at most the
+  // chord of a facet.
   const auto below = [&](const std::string& name, double found, double whole) {
     const double least = side * std::pow(std::cos(facet / 2), 2);
     states(name + ": area over its own", found / whole, 0.5 * (1 + least), 0.5 * (1 - least),
@@ -221,7 +222,7 @@ TEST(WallMap, every_place_is_within_the_bounds_of_its_cell) {
       double turn = std::atan2(c.where.y, c.where.x);
       if (turn < 0) turn += 2 * pi;
       const double place = side ? c.where.z : std::hypot(c.where.x, c.where.y);
-      constexpr double known = 1e-7;  // [rad] of the angle (Columns); lengths to 1e-9 of the jar
+      constexpr double known = 1e-7;  // [rad] of the angle (Columns); lengths: 1e-9 of the jar
       EXPECT_TRUE(turn > angle[0] - known && turn < angle[1] + known) << geometry::name_of(shape);
       EXPECT_TRUE(place > across[0] - 1e-9 * grid.radius && place < across[1] + 1e-9 * grid.radius)
           << geometry::name_of(shape) << " " << across[0] << " " << place << " " << across[1];
@@ -247,10 +248,10 @@ class Wear : public testing::TestWithParam<cases::Wear::Model> {
  protected:
   static Outcome worn(const AnyShape& shape) {
     Outcome outcome;
-    outcome.what = case_of(shape);
-    outcome.what.wear = cases::Wear{GetParam(), 2e-4};
-    outcome.what.powder = cases::Powder{"", 0.003, {}, {}};
-    outcome.replicates.assign(2, empty_replicate(outcome.what));
+    outcome.mill_case = case_of(shape);
+    outcome.mill_case.wear = cases::Wear{GetParam(), 2e-4};
+    outcome.mill_case.powder = cases::Powder{"", 0.003, {}, {}};
+    outcome.replicates.assign(2, empty_replicate(outcome.mill_case));
     outcome.replicates[0].tally.collisions(hits(shape, 400));
     outcome.replicates[1].tally.collisions(hits(shape, 800));
     outcome.replicates[0].energy_balance.time = 10;
@@ -268,7 +269,7 @@ TEST_P(Wear, of_the_cells_is_that_of_the_jar) {
     const Outcome outcome = worn(shape);
     const Table map = wall_map(outcome);
     double mass = 0;
-    for (const auto& row : map.rows) mass += row[5] * row.back() * outcome.what.jar.density;
+    for (const auto& row : map.rows) mass += row[5] * row.back() * outcome.mill_case.jar.density;
     EXPECT_EQ(map.columns[5].name, "area");
     EXPECT_EQ(map.columns.back().name, "wear_depth_rate");
     const std::string name(geometry::name_of(shape));
@@ -284,7 +285,7 @@ TEST_P(Wear, of_the_faces_is_that_of_the_jar) {
     const Table table = results::wear(outcome);
     double balls = 0, jar = 0;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
-      (i < outcome.what.balls.size() ? balls : jar) += table.rows[i][2];
+      (i < outcome.mill_case.balls.size() ? balls : jar) += table.rows[i][2];
     const std::string name(geometry::name_of(shape));
     states(name + ": faces over the jar", jar / named(outcome, "wear_rate_jar"), 1, 1e-12, "wea.1");
     states(name + ": sets over the balls", balls / named(outcome, "wear_rate_balls"), 1, 1e-12,
@@ -292,7 +293,7 @@ TEST_P(Wear, of_the_faces_is_that_of_the_jar) {
   }
 }
 
-/// Straight from the records: what every body loses in every collision.
+/// Expected values directly from the records: the loss of every body in every collision.
 TEST_P(Wear, and_contamination_are_those_written_by_hand) {
   const AnyShape shape = geometry::Cylinder{0.042, 0.0325};
   const Outcome outcome = worn(shape);

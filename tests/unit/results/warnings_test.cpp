@@ -58,7 +58,7 @@ TEST(NotSettled, is_not_told_of_a_short_series) {
 }
 
 TEST(NotSettled, is_not_told_where_the_stored_energy_goes_up_and_down) {
-  // Power that differs by chance from half to half of the run, and an energy that swings.
+  // The power differs by chance between the halves of the run, and the stored energy oscillates.
   int told = 0;
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     Random random(5, seed);

@@ -13,8 +13,7 @@
 namespace mahlwerk::soft::grid_test {
 namespace {
 
-/// Places in a room of `size`, some far outside of the others, in the order of a grid made for
-/// them.
+/// Random positions in a box of `size`.
 std::vector<Vec3> cloud(int count, const Vec3& size, std::uint32_t seed) {
   Random random(seed, 0);
   std::vector<Vec3> places;
@@ -56,8 +55,8 @@ TEST(Grid, finds_all_that_brute_force_does) {
   std::uint32_t seed = 1;
   for (const int count : {1, 2, 50, 2000})
     for (const Vec3& size : {Vec3{1, 1, 1}, Vec3{0.01, 5, 1}, Vec3{0, 0, 3}})
-      for (const double radius : {0.01, 0.15})        // as many balls as cells, or few
-        for (const double reach : {0.02, 0.3, 10.0})  // of small and of large balls that ask
+      for (const double radius : {0.01, 0.15})        // as many cells as balls, or few
+        for (const double reach : {0.02, 0.3, 10.0})  // of queries by small and large balls
           expect_all_found(count, size, radius, 0.1 * radius, reach, none, ++seed);
 }
 

@@ -24,8 +24,8 @@ Vec3 normal(double angle) {
   return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// A spring that leans by `lean` out of the plane in which its normal turns by `angle` in so many
-/// steps, where the exact rotation leaves it.
+/// A tangential spring inclined by `lean` to the plane in which its normal turns by `angle` in this
+/// many steps, and the exactly rotated spring.
 struct Turned {
   Vec3 spring, exact;
 };

@@ -45,11 +45,11 @@ TEST(ThreadTeam, does_every_item_once_and_next_what_it_says) {
 
 TEST(ThreadTeam, takes_from_a_thread_that_is_slow) {
   ThreadTeam team(2);
-  const std::vector<std::int32_t> share{0, 10, 10};  // the second has none
+  const std::vector<std::int32_t> share{0, 10, 10};  // the second thread has none
   std::atomic<int> done = 0;
   team.run_items(share, [&](int thread, std::int32_t item, std::int32_t) {
     const auto began = std::chrono::steady_clock::now();
-    while (thread == 0 && item == 0 && done < 8 &&  // all but this and the next
+    while (thread == 0 && item == 0 && done < 8 &&  // all but this item and the next
            std::chrono::steady_clock::now() - began < std::chrono::seconds(20))
       std::this_thread::yield();
     if (thread == 0 && item == 0) {

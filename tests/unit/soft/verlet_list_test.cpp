@@ -9,7 +9,7 @@
 namespace mahlwerk::soft::verlet_list_test {
 namespace {
 
-/// `each` pairs in every bin, numbered on.
+/// A Verlet list with `each` pairs in every bin, numbered consecutively.
 VerletList waiting(int each) {
   VerletList w;
   for (std::int32_t k = 0; k < each * VerletList::bins; ++k) w.pairs.push_back({k, k + 1});

@@ -17,8 +17,8 @@ struct Hang final : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Any motion, that counts how often it is asked where the jar is: every look of the search asks,
-/// so a run that hangs is found out.
+/// Any motion, with a limit on the number of evaluations of its frame motion. Every safe-time query
+/// of the search evaluates it, so a run that hangs is detected.
 struct Counted : kinematics::ChosenMotion {
   using ChosenMotion::ChosenMotion;
   std::shared_ptr<std::int64_t> left = std::make_shared<std::int64_t>(1'000'000);
@@ -29,7 +29,7 @@ struct Counted : kinematics::ChosenMotion {
   }
 };
 
-/// An engine in `chamber` whose motion is counted: for one ball, or for any number.
+/// An engine in `chamber` with the counted motion: for one ball, or for any number of balls.
 inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamber,
                                                      const Counted& motion,
                                                      const std::vector<scene::Ball>& balls,
@@ -38,7 +38,7 @@ inline std::unique_ptr<scene::Engine> counted_engine(const scene::Chamber& chamb
   return std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<scene::Engine> {
         if constexpr (!geometry::has_exact_touches<S>) {
-          return nullptr;  // the event engine does not take it
+          return nullptr;  // not supported by the event engine
         } else {
           const event::TypedChamber<S, Counted> jar(shape, motion, chamber);
           if constexpr (S::faces > 0)

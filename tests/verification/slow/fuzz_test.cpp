@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Cases drawn at random, far beyond what mills are: few runs get stuck, nothing becomes NaN, no
-// ball leaves its jar or enters another, and the balance of every collision closes.
+// Random cases, far beyond real mills: few runs get stuck, no number becomes NaN, no ball leaves
+// its jar or overlaps another, and the energy balance of every collision closes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -55,7 +55,7 @@ geometry::AnyShape shape(Random& random) {
   }
 }
 
-/// Speeds of the jar up to `speed` [m/s] about.
+/// A random motion with jar speeds up to about `speed` [m/s].
 kinematics::AnyMotion motion(Random& random, double speed) {
   const double f = decades(random, 0.1, 100), w = 2 * std::numbers::pi * f, a = speed / w;
   kinematics::Vibration v;
@@ -118,7 +118,7 @@ double gap_to_balls(const scene::Chamber& chamber, const scene::Ball& b,
   return least;
 }
 
-/// Case number `n`, always the same.
+/// Random case number `n`. The same number always gives the same case.
 Case drawn(std::uint32_t n) {
   Random random(2026, n);
   const double speed = decades(random, 1e-6, 1e6);
@@ -150,7 +150,8 @@ Case drawn(std::uint32_t n) {
       c.balls.push_back(b);
   }
   if (c.balls.empty()) c.balls.push_back({0.1 * room, 7850, {}, speed * random.direction(), {}, 0});
-  // Below 0.5 balls that slide along a curved wall still sink into it: not there yet.
+  // Restitutions below 0.5 are not tested yet: balls that slide along a curved wall still sink into
+  // it.
   constexpr std::array<double, 6> restitutions{0.5, 0.6, 0.7, 0.9, 0.999, 1};
   constexpr std::array<double, 5> frictions{0, 0.1, 1, 100, INFINITY};
   c.rules.bounce = {restitutions[static_cast<std::size_t>(of(random, 6))], random.uniform(-1, 1),
@@ -159,7 +160,7 @@ Case drawn(std::uint32_t n) {
   c.rules.lasting = c.one_ball && random.uniform() < 0.5 ? event::SustainedContactMode::roll
                                                          : event::SustainedContactMode::tc;
   c.rules.rolling_friction = 0.01;
-  // A few times across the jar, or three turns of it.
+  // Time for a few passages across the jar, or for three turns of the jar.
   const kinematics::Bounds limits = kinematics::bounds(*c.chamber.motion);
   const double fastest =
       std::max({speed, limits.speed + limits.spin * reach, 0.3 * std::sqrt(g * reach)});
@@ -183,7 +184,7 @@ struct Few final : scene::Observer {
   }
 };
 
-/// What is wrong with it, or nothing.
+/// Runs a case. Returns a description of the fault, or an empty string.
 std::string trouble(const Case& c) {
   const Counted motion{c.chamber.motion};
   Few seen;
@@ -200,11 +201,11 @@ std::string trouble(const Case& c) {
       for (std::size_t k = 0; k < balls.size(); ++k) {
         const scene::Ball& b = balls[k];
         if (!finite(b.position) || !finite(b.velocity) || !finite(b.spin)) return "NaN in a ball";
-        // A ball that keeps no normal speed may sink in by a thousand margins (evt.5).
+        // A ball without rebound speed may sink into the wall by a thousand margins (evt.5).
         const double offset = std::visit(
             [](const auto& m) { return norm(m.frame_motion(0).centre); }, *c.chamber.motion);
         const double clock = 4 * 0x1p-52 * (c.start + t) * 1e2 * norm(b.velocity);
-        const double unseen = event::rounding_speed * c.time;  // no approach to the search
+        const double unseen = event::rounding_speed * c.time;  // slower approaches are ignored
         const double rounding = 5e-9 * b.radius + 3e-11 * (reach + offset) + clock + unseen;
         const double out = -gap_to_walls(c.chamber, b, c.start + engine->energy_balance().time);
         if (out > rounding) return "outside by " + in_words(out / b.radius) + " R";
@@ -213,8 +214,8 @@ std::string trouble(const Case& c) {
       }
       const scene::EnergyBalance a = engine->energy_balance();
       if (!std::isfinite(a.kinetic + a.potential + a.wall_work + a.lost())) return "NaN in energy";
-      // Found: 6e-9, in jars so slow that the falling frame is a million times faster than they
-      // are.
+      // Largest value found: 6e-9, in jars so slow that the falling frame is a million times faster
+      // than the jar.
       if (!(a.worst_collision < 1e-7))
         return "balance of a collision open by " + in_words(a.worst_collision);
     }
@@ -229,7 +230,8 @@ std::string trouble(const Case& c) {
   return {};
 }
 
-/// MAHLWERK_FUZZ_FROM and MAHLWERK_FUZZ_CASES choose others; one case alone is its own reproducer.
+/// MAHLWERK_FUZZ_FROM and MAHLWERK_FUZZ_CASES select other cases. A single case is its own
+/// reproducer.
 TEST(Fuzz, no_case_leaks_overlaps_or_loses_energy_and_few_are_endless) {
   const auto setting = [](const char* name, std::uint32_t otherwise) {
     const char* text = std::getenv(name);
@@ -255,7 +257,7 @@ TEST(Fuzz, no_case_leaks_overlaps_or_loses_energy_and_few_are_endless) {
                 c.rules.bounce.friction, what.c_str());
   }
   stays_below("cases with trouble of " + std::to_string(cases), wrong, 0, "no case may");
-  // A ball caught between another and the wall bounces ever faster under the TC rule.
+  // Under the TC rule, a ball trapped between another ball and the wall bounces ever faster.
   stays_below("share of cases with more looks or collisions than 300 000 a quarter",
               static_cast<double>(endless) / cases, 5e-3, "found: 3.7e-3");
 }

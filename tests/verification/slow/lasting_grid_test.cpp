@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Every jar on every mill, from nearly plastic to nearly elastic: no run ends in collapsed bounces,
-// and the energy of each is accounted for.
+// Every jar on every mill, from nearly plastic to nearly elastic collisions: no run ends in
+// inelastic collapse, and the energy balance of each run closes.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Ten million steps of small grains in a tumbling jar of lumps and bars: none gets out.
+// Ten million steps of small grains in tumbling mesh jars with lumps and with bars: no grain leaves
+// the jar.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/geometry/shapes.hpp"

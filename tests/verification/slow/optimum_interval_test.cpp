@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Intervals of where an optimum lies hold it as often as they claim, or more often.
+// Confidence intervals of the position of an optimum contain it as often as they claim, or more
+// often.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,8 +18,9 @@ namespace {
 constexpr int times = 200;
 const double least = 0.95 * times - 3.3 * std::sqrt(times * 0.95 * 0.05);  // binomial
 
-/// In how many of 200 noises the interval of each key holds the truth; the last counts those in
-/// which the mean at the best tried is held.
+/// Number of the 200 noise realisations in which the interval of each key contains the true
+/// optimum. The last element counts those in which the interval of the mean at the best tried
+/// setting contains the true mean.
 std::vector<int> held(const Goal& goal, tests::NoisySimulation noisy, const DesignPoint& truth) {
   std::vector<int> count(goal.keys + 1, 0);
   for (int seed = 0; seed < times; ++seed) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The bed of a thousand balls at which a peer's clock froze.
+// The bed of a thousand balls at which the clock of another event-driven program froze.
 #include "settling.hpp"
 
 namespace mahlwerk::settling_test {

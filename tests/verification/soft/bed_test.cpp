@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Balls in beds, where each has many contacts.
+// Beds of balls in which each ball has many contacts.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/base/random.hpp"
@@ -17,7 +17,7 @@ namespace {
 using contact::HertzMindlin;
 using contact::Rolling;
 
-/// A box of 0.02 m with balls of 1.6 mm, a dozen layers of them, that fall and come to rest.
+/// Balls of 1.6 mm in a box of 0.02 m, a dozen layers, that fall and come to rest.
 std::unique_ptr<scene::Engine> bed(Rolling rule) {
   Random random(1, 0);
   std::vector<scene::Ball> balls;
@@ -42,8 +42,8 @@ TEST(Bed, rolling_resistance_of_many_contacts_puts_no_energy_in) {
     const scene::EnergyBalance a = engine->energy_balance();
     return std::abs(a.residual()) / a.lost();
   };
-  // What the step costs without it; seven times as much where each contact of cdt may stop a ball's
-  // rolling within two steps.
+  // Residual due to the time step, without rolling resistance. It is seven times as large if each
+  // contact of cdt may stop a ball's rolling within two steps.
   const double without = balance(Rolling::none);
   stays_below("none: balance over what was lost", without, 2e-3,
               "a fortieth of a contact, squared");

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The last five of the eight tests of Chung and Ooi (2011): collisions with slip and spin. Gross
-// slip has closed forms for a ball that keeps its radius; the engine's contact lies one overlap
-// deeper, so that its lever, and the spin it gains, is shorter by `shorter` at most.
+// slip has closed forms for a ball of constant radius. The contact point of the engine lies one
+// overlap deeper. Its lever, and with it the gained spin, is smaller by the fraction `shorter` at
+// most.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,14 +22,14 @@ namespace {
 
 using contact::HertzMindlin;
 using contact::HertzTsuji;
-constexpr double share = 1.0 / 400;  // of the contact time to a step
+constexpr double share = 1.0 / 400;  // time step over contact time
 const std::string source = "gross slip, rigid; Chung and Ooi 2011";
 
 double shorter(const Impact& found) {
   return found.energy_balance.deepest_overlap;
 }
-/// By the mean overlap, weighed by the force: 0.81756 of the deepest in an elastic Hertz collision,
-/// B(7/5, 1/2) / B(1, 1/2).
+/// Lever over radius, with the mean overlap weighted by the force: 0.81756 of the deepest overlap
+/// in an elastic Hertz collision, B(7/5, 1/2) / B(1, 1/2).
 double mean_lever(const Impact& found) {
   return 1 - 0.81756 * found.energy_balance.deepest_overlap;
 }
@@ -62,10 +63,11 @@ Vec3 at_angle(double speed, double degrees) {
 struct Plane {
   double u = 0, v = 0, w = 0;
 };
-/// The same collision integrated apart, in its plane and in far smaller steps. As in the sheet of
-/// numbers below: the lever is the whole radius, and at the limit the spring is set to what force
-/// and dashpot leave over, also where the dashpot helps it and it is wound backwards. As in the
-/// engine: neither.
+/// Independent integration of the same collision, in its plane and in far smaller steps. With
+/// `as_in_sheet`, as in the reference sheet below: the lever is the whole radius, and at the
+/// friction limit the spring is set to the remainder of the limit force after the dashpot force,
+/// even where the dashpot acts with the spring and the spring is wound backwards. Otherwise as in
+/// the engine: neither.
 Plane apart(double density, const contact::Pair& pair, double r, Plane p, bool as_in_sheet) {
   const double m = scene::Ball{r, density, {}, {}, {}}.mass(), turn = 0.4 * m * r * r;
   const double b = contact::damping_ratio(pair.restitution), k = -2 * std::sqrt(5.0 / 6.0) * b;
@@ -97,7 +99,7 @@ Oblique apart(double density, const contact::Pair& pair, double r, const Vec3& s
   return {{}, p.v / start.x, p.w, std::atan2(p.v - r * p.w, p.u)};
 }
 
-/// Below 30 degrees the history of the tangential spring decides.
+/// Below 30 degrees the history of the tangential spring determines the result.
 TEST(ChungOoi, test_4_oblique_at_constant_speed_as_integrated_apart) {
   const double mu = 0.092, degree = std::numbers::pi / 180;
   const contact::ElasticConstants oxide{380e9, 0.23};
@@ -142,8 +144,9 @@ TEST(ChungOoi, test_4_oblique_beyond_onset_slips_as_in_closed_form) {
   };
   run("oxide, tsuji", {380e9, 0.23}, 4000, HertzTsuji{}, 0);
   run("alloy, tsuji", {70e9, 0.33}, 2700, HertzTsuji{}, 0);
-  // The tail that pulls rubs as hard as if it pushed. Where x'' = -x^1.5 - c x^0.25 x' ends its
-  // impulse is 2/5 c^2, c = sqrt(5) beta, counted twice against the normal impulse.
+  // At its end a damped contact pulls. Its friction is as large as for a push of the same size. For
+  // x'' = -x^1.5 - c x^0.25 x' the impulse of this tail is 2/5 c^2, c = sqrt(5) beta. It counts
+  // twice against the normal impulse.
   run("oxide, mindlin", {380e9, 0.23}, 4000, HertzMindlin{}, 4 * beta * beta);
 }
 
@@ -151,7 +154,7 @@ TEST(ChungOoi, test_5_oblique_at_constant_normal_speed) {
   const double mu = 0.3, radius = 0.01, vn = 5;
   const auto run = [&](const std::string& what, const contact::ElasticConstants& of,
                        double density) {
-    for (const double vt : {12.0, 15.0, 18.0, 21.0}) {  // slips from vt = 7 mu vn = 10.5 on
+    for (const double vt : {12.0, 15.0, 18.0, 21.0}) {  // gross slip from vt = 7 mu vn = 10.5 on
       const Oblique o = slide(of, density, radius, {vt, 0, -vn}, 1, mu, HertzMindlin{});
       const scene::Ball& after = o.impact.after[0];
       const double psi1 = vt / vn / mu, lever = mean_lever(o.impact);
@@ -166,8 +169,8 @@ TEST(ChungOoi, test_5_oblique_at_constant_normal_speed) {
   run("polyethylene", {1e9, 0.40}, 1400);
 }
 
-/// Where the contact sticks for a part of the collision, against the integration apart; both at the
-/// usual step and at an eighth of it. The first is what runs are done with: 1 %.
+/// Collisions in which the contact sticks for a part of the time, compared with the independent
+/// integration, at the usual step and at an eighth of it. Runs use the usual step: 1 %.
 void states_stuck(const std::string& what, const contact::ElasticConstants& of, double density,
                   double r, double e, double mu, const Plane& start) {
   const contact::Pair pair = pair_of(of, rigid, e, mu);
@@ -208,7 +211,7 @@ TEST(ChungOoi, test_6_where_the_contact_sticks_as_integrated_apart) {
 
 const contact::ElasticConstants alloy{70e9, 0.33}, nylon{2.5e9, 0.40}, copper{120e9, 0.35};
 constexpr double e = 0.5, mu = 0.4, radius = 0.1, vn = 0.2;
-constexpr double slipped = mu * (1 + e) * vn;  // [m/s] a ball gains
+constexpr double slipped = mu * (1 + e) * vn;  // [m/s] gain of a ball in gross slip
 
 void states_spun(const std::string& what, const Impact& found, double w, double gained) {
   const scene::Ball& after = found.after[0];
@@ -224,7 +227,7 @@ void states_spun(const std::string& what, const Impact& found, double w, double 
 TEST(ChungOoi, test_6_a_spinning_sphere_falls_onto_a_plane) {
   const auto run = [](const std::string& what, const contact::ElasticConstants& of,
                       double density) {
-    for (const double w : {6.0, 12.0, 21.0}) {  // slips from 7/2 slipped / R = 4.2 rad/s on
+    for (const double w : {6.0, 12.0, 21.0}) {  // gross slip from 7/2 slipped / R = 4.2 rad/s on
       const Impact found = impact({{radius, density, {}, {0, 0, -vn}, {0, w, 0}}},
                                   pair_of(of, rigid, e, mu), of_law(HertzTsuji{}), share);
       states_spun(what + ", " + std::to_string(static_cast<int>(w)) + " rad/s", found, w,
@@ -246,7 +249,7 @@ TEST(ChungOoi, test_7_two_equal_spinning_spheres) {
       states_spun(at, found, w, found.after[0].velocity.z);
       stays_below("speeds are opposite [m/s], " + at,
                   norm(found.after[0].velocity + found.after[1].velocity), 1e-14, "symmetry");
-      // Turning against each other they roll like gears, and nothing rubs.
+      // Balls with opposite spins roll like gears, without friction.
       balls[1].spin = -balls[0].spin;
       const Impact gears = impact(balls, pair_of(of, of, e, mu), of_law(HertzTsuji{}), share);
       stays_below("spin changed by gears [rad/s], " + at, norm(gears.after[0].spin - balls[0].spin),

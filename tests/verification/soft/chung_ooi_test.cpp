@@ -14,7 +14,7 @@ namespace mahlwerk::tests::chung_ooi_test {
 namespace {
 
 using contact::HertzMindlin;
-constexpr double share = 1.0 / 200;  // of the contact time to a step
+constexpr double share = 1.0 / 200;  // time step over contact time
 
 /// Largest overlap [m], force [N] and duration [s] of an elastic collision, by hand from Hertz.
 struct Hertz {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Motions of one or two balls that can be worked out on paper: bouncing, sliding, rolling down a
-// slope, and what a collision must keep.
+// Closed forms for the motion of one or two balls: bouncing, sliding, rolling down a slope, and the
+// conserved quantities of a collision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using contact::Rolling;
 
 constexpr contact::ElasticConstants soft_steel{1e9, 0.3};
 
-/// A ball on the floor of a box, sunk in as deep as `load` [N] presses it.
+/// A ball on the floor of a box, at the overlap that its load [N] gives.
 struct Resting {
   scene::Ball ball{0.005, 7850, {}, {}, {}};
   contact::Pair pair;
@@ -36,7 +36,7 @@ struct Resting {
     const contact::EffectivePair t = touching(pair, ball);
     depth = std::pow(ball.mass() * load_acceleration / contact::hertz_stiffness(t), 2.0 / 3);
     ball.position = {0, 0, -0.5 * side + ball.radius - depth};
-    // The ball swings on its contact, at rest, with omega^2 = 1.5 g / depth.
+    // A ball at rest oscillates on its contact with omega^2 = 1.5 g / depth.
     step = 0.02 / std::sqrt(1.5 * load_acceleration / depth);
   }
   std::unique_ptr<scene::Engine> engine(const Vec3& pull, Rolling rolls = Rolling::none) const {
@@ -61,8 +61,8 @@ TEST(ClosedForms, heights_of_a_bouncing_ball_fall_by_e_squared) {
   for (int n = 0; n < 8; ++n) {
     const scene::Collision& c = recorder.all[static_cast<std::size_t>(n)];
     const double wanted = height * std::pow(e, 2 * n);
-    // e is off by 2e-4 at this step and e, at each bounce; slow bounces last longer and feel their
-    // weight: g t_c / v of e.
+    // At this step and e, each bounce has an error of 2e-4 in e. Slow bounces last longer, and the
+    // weight changes their e by g t_c / v.
     const double off = 2 * n * (2e-4 / e + gravity * contact / c.approach);
     states("height before bounce " + std::to_string(n + 1) + " [m]",
            c.approach * c.approach / (2 * gravity), wanted, (off + 1e-4) * wanted, "h e^(2n)");
@@ -114,7 +114,8 @@ double down_the_slope(double a, double mu, double rolling, Rolling rule,
 TEST(ClosedForms, a_ball_rolls_or_slides_down_a_slope) {
   for (const double a : {0.1, 0.3, 0.6}) {
     const std::string at = ", slope " + std::to_string(a).substr(0, 3);
-    // The lever is shorter by 3e-5 of the radius; a rolling ball's tangential spring still swings.
+    // The lever is shorter by 3e-5 of the radius, and the tangential spring of a rolling ball still
+    // oscillates.
     const double rolls = 5.0 / 7 * gravity * std::sin(a);
     states("rolling [m/s2]" + at, down_the_slope(a, 0.5, 0, Rolling::none), rolls, 1e-3 * rolls,
            "(5/7) g sin a, tan a < (7/2) mu");
@@ -142,8 +143,8 @@ TEST(ClosedForms, a_ball_stays_on_a_slope_that_rolling_friction_holds) {
     const scene::Ball later = engine->balls()[0];
     const double moved = norm(later.position - settled.position);
     if (rule == Rolling::cdt)
-      // The torque is I w/(16 dt) at most, m g R sin a holds: R w = 40 g sin a dt; + a step of the
-      // look.
+      // The torque is I w/(16 dt) at most and holds m g R sin a, so R w = 40 g sin a dt. One step
+      // of the sampling time is added.
       stays_below("creep in 1 s, cdt [m]", moved, 1.001 * 40 * gravity * std::sin(a) * r.step,
                   "40 g sin a dt, mu_r > tan a (dem.22)");
     else
@@ -181,8 +182,8 @@ TEST(ClosedForms, an_oblique_collision_keeps_momentum_and_angular_momentum) {
   }
 }
 
-/// The kinetic energy a collision gains over what there was: along the normal e = 1, across it
-/// nothing slips and nothing damps.
+/// Relative gain of kinetic energy in a collision: e = 1 along the normal, no slip and no damping
+/// across it.
 double gained(const contact::ContactModel& law, double spin) {
   std::vector<scene::Ball> balls = unequal();
   balls[0].spin = {0, spin, -spin};
@@ -196,8 +197,9 @@ double gained(const contact::ContactModel& law, double spin) {
   return kinetic(i.after) / kinetic(i.before) - 1;
 }
 
-/// Springs of one stiffness keep energy. Mindlin's gives way as the normal load does and does not
-/// know what it held: what it loses is stated here.
+/// Tangential springs of constant stiffness conserve energy. The stiffness of Mindlin's spring
+/// falls with the normal load, regardless of the energy stored in it. The test prints the resulting
+/// loss.
 TEST(ClosedForms, an_elastic_oblique_collision_without_slip_makes_no_energy) {
   double linear = 0, plain = 0, rescaled = 0, min_plain = 0, min_rescaled = 0;
   for (const double spin : {-400.0, -100.0, 0.0, 150.0, 500.0}) {
@@ -217,7 +219,7 @@ TEST(ClosedForms, an_elastic_oblique_collision_without_slip_makes_no_energy) {
               -min_rescaled);
 }
 
-/// The same collision in the middle of a box that repeats itself and across its edges.
+/// The same collision in the middle of a periodic box and across its edges.
 TEST(ClosedForms, balls_collide_across_the_edges_of_a_periodic_box_as_in_its_middle) {
   const contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, 0.7, 0.3);
   const double side = 0.06;
@@ -241,7 +243,7 @@ TEST(ClosedForms, balls_collide_across_the_edges_of_a_periodic_box_as_in_its_mid
     for (std::size_t b = 0; b < 2; ++b)
       worst = std::max({worst, norm(edge[b].velocity - middle[b].velocity),
                         1e-2 * norm(edge[b].spin - middle[b].spin)});
-    // Rounding of places: 1e-17 m over overlaps of 1e-5 m, and speeds of 1 m/s.
+    // Rounding of positions: 1e-17 m over overlaps of 1e-5 m, and speeds of 1 m/s.
     stays_below("speeds after, across an edge [m/s]", worst, 1e-10, "it repeats itself");
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Many balls by the soft engine: the same physics as few, to the bit the same however a run is cut,
-// stopped, shared among threads or compiled.
+// The soft engine for many balls (ManyBodySolver): the same physics as for few balls, and the same
+// bits however a run is cut, stopped, divided among threads or compiled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ contact::Pair some_pair() {
   return pair;
 }
 
-/// Balls of `sizes` radii [m] on a lattice of `pitch` [m], about the centre.
+/// Balls with the radii `sizes` [m] in turn, on a lattice of `pitch` [m] about the centre.
 std::vector<scene::Ball> lattice(int count, double pitch, const std::vector<double>& sizes,
                                  double speed = 0.5) {
   Random random(5, 0);
@@ -93,8 +93,8 @@ std::vector<World> worlds() {
 }
 
 TEST(ManyBodySolver, moves_as_few_balls_do) {
-  // Same laws, same steps, other order of sums: rounding grows by each collision. Positions are
-  // compared where a start put off by 1e-13 m has come no farther than the tolerance.
+  // Same laws and same steps, but sums in another order: rounding errors grow with each collision.
+  // The tolerance of positions follows from a third run whose start is displaced by 1e-13 m.
   for (const World& w : worlds()) {
     SCOPED_TRACE(w.name);
     World aside = w;
@@ -173,7 +173,7 @@ TEST(ManyBodySolver, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared
   }
 }
 
-/// Several chunks: both compute the contacts between them (halo contacts).
+/// Several chunks. Both chunks of a halo contact compute it.
 World drum_of(int count) {
   const scene::Chamber drum{geometry::Cylinder{0.06, 0.06},
                             kinematics::Tumbling{10},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// How a run of the soft engine is cut, or stopped and taken up again, does not change it by a bit;
-// one that goes wrong stops; a pile stays.
+// Bitwise reproducibility of the soft engine: a run gives the same bits if it is cut, or stopped
+// and resumed. Faulty runs stop with an error. A pile stays at rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +75,8 @@ void expect_same(const Recorder& a, const Recorder& b) {
   for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
 }
 
-/// Runs of one kind each: few balls that hop, few that do not, many through memory.
+/// Runs of different kinds: few balls with free-flight skips (hops), few without, and many whose
+/// forces go through memory.
 std::vector<std::pair<std::string, Make>> runs() {
   const Vec3 down{0, 0, -gravity};
   const scene::Chamber capsule{geometry::Capsule{0.04, 0.02}, shaken(20, 0.015), {}, down};
@@ -151,7 +152,7 @@ TEST(SoftArchives, cut_short_or_too_long_are_refused) {
   EXPECT_THROW(in.finish(), RunError);
 }
 
-/// From the first step in which something can go wrong to the error.
+/// Number of steps from the first one in which a fault can occur to the error.
 std::int64_t steps_until_error(scene::Engine& engine, double step, std::int64_t wrong_from) {
   Recorder none;
   try {
@@ -164,8 +165,9 @@ std::int64_t steps_until_error(scene::Engine& engine, double step, std::int64_t 
 }
 
 TEST(SoftFaults, a_step_far_too_long_stops_the_run_within_100_steps) {
-  // Twice a collision or more: a ball goes through it at the wrong place, or out of the box. (A
-  // step of one collision is survived for some bounces since its ends are integrated.)
+  // Steps of twice the contact time or more: the ball passes through the contact at wrong
+  // positions, or leaves the box. (With a step of one contact time a ball survives some bounces,
+  // because the ends of a contact are integrated.)
   for (const double share : {2.0, 3.0, 5.0}) {
     const contact::Pair pair = soft_pair();
     scene::Ball ball = ball_a({}, {0.1, 0.2, -2});
@@ -190,7 +192,8 @@ TEST(SoftFaults, a_force_that_is_no_number_stops_the_run_within_100_steps) {
     }
 }
 
-/// Seen to stop: a ball at rest in the laboratory after its wall took nearly all it had.
+/// Regression test of a run that once stopped with an error: the wall takes nearly all energy of a
+/// ball, which is then at rest in the laboratory.
 TEST(SoftFaults, a_ball_nearly_stopped_by_a_wall_is_none) {
   const scene::Chamber mill{
       geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.015), {}, {0, 0, -gravity}};
@@ -201,12 +204,12 @@ TEST(SoftFaults, a_ball_nearly_stopped_by_a_wall_is_none) {
   EXPECT_NO_THROW(engine->advance(0.2, none));
 }
 
-/// The foot of a wall that is near but cannot be touched yet is not looked for; it once stayed
-/// where another had been, in the middle of the jar.
+/// The wall contact point of a wall that is near but cannot be touched yet is not computed. It once
+/// kept the value of an earlier one, in the middle of the jar.
 TEST(SoftFaults, a_ball_between_near_walls_touches_none) {
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, 0.7, 0.3);
   const double radius = 0.01;
-  for (const double gap : {1e-5, 1e-4, 2.9e-4})  // of a skin of 3e-4
+  for (const double gap : {1e-5, 1e-4, 2.9e-4})  // the skin is 3e-4
     for (const bool hop : {false, true}) {
       const double side = 2 * (radius + gap), step = 1e-6;
       const scene::Chamber box = still_box(side);
@@ -226,7 +229,8 @@ TEST(SoftFaults, a_ball_between_near_walls_touches_none) {
     }
 }
 
-/// At the start of a shaken jar balls at rest have no energy; what the wall gives them is no jump.
+/// At the start of a shaken jar, balls at rest have no energy. The energy that the wall gives them
+/// is not an energy jump.
 TEST(SoftFaults, a_charge_at_rest_in_a_shaken_jar_is_none) {
   const scene::Chamber mill{
       geometry::Box{0.03, 0.03, 0.04}, shaken(20, 0.01), {}, {0, 0, -gravity}};

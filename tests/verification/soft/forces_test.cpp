@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Forces that the soft engine tells are those that move its balls, of few balls and of a crowd.
+// The forces that the soft engine reports are those that move its balls, in the solvers for few and
+// for many balls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Settings::few
+constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Settings::few_body_limit
 
 std::string arranged(std::size_t balls, std::size_t few) {
   return std::to_string(balls) + (balls > few ? " as a crowd: " : " as few: ");
@@ -39,9 +40,9 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
   return soft::engine(mill, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 
-/// After 0.3 s, some hundred swings on its contact, each of which leaves less than half, a ball
-/// that was let fall from a tenth of its radius is at rest to rounding, and so is the force: that
-/// of half a step's change of the velocity it fell with.
+/// A ball falls from a tenth of its radius. After 0.3 s, some hundred oscillations on its contact,
+/// each of which leaves less than half, it is at rest to rounding. The error of the force is then
+/// that of rounding the fall velocity, over half a step.
 void feels_its_weight(std::size_t count, std::size_t few) {
   const double side = 0.1, radius = 0.003, step = 5e-6;
   std::vector<scene::Ball> balls;
@@ -67,10 +68,10 @@ void feels_its_weight(std::size_t count, std::size_t few) {
 TEST(Forces, a_ball_at_rest_on_the_floor_feels_its_weight) {
   feels_its_weight(1, as_few);
   feels_its_weight(1, as_crowd);
-  feels_its_weight(40, as_few);  // more than 32 are a crowd
+  feels_its_weight(40, as_few);  // more than 32: ManyBodySolver
 }
 
-/// (dem.26) is m (v' - v) = (F + F') dt/2 + m (b + b') dt/2, to the rounding of its sums.
+/// (dem.26) is m (v' - v) = (F + F') dt/2 + m (b + b') dt/2, to the rounding of the sums.
 TEST(Forces, change_the_momentum_of_every_ball_by_their_mean_over_a_step) {
   const scene::Chamber mill{geometry::Capsule{0.03, 0.02}, shaken(20, 0.015), {}, {0, 0, -gravity}};
   const auto motion = shaken(20, 0.015);
@@ -84,7 +85,7 @@ TEST(Forces, change_the_momentum_of_every_ball_by_their_mean_over_a_step) {
                        {0.005 * (i % 4 - 1.5), 0.005 * (i / 4 % 4 - 1.5), 0.005 * (i / 16 - 1.0)},
                        random.direction(),
                        30 * random.direction()});
-    const auto engine = engine_of(mill, balls, step, few, false);  // hops are no steps
+    const auto engine = engine_of(mill, balls, step, few, false);  // no free-flight skips
     const auto body = [&](std::int64_t n) {
       return mill.gravity - motion.frame_motion(static_cast<double>(n) * step).acceleration;
     };
@@ -109,7 +110,7 @@ TEST(Forces, change_the_momentum_of_every_ball_by_their_mean_over_a_step) {
       }
     }
     EXPECT_GT(most, 10 * mass * gravity) << "nothing touched";
-    // A dozen additions of vectors, each of which rounds to the speed.
+    // A dozen vector additions, each with the rounding error of the speed.
     stays_below(arranged(balls.size(), few) + "momentum unaccounted for [N s]", worst,
                 12 * std::sqrt(3) * rounding * mass * fastest, "dem.26");
   }
@@ -134,7 +135,7 @@ TEST(Forces, of_a_colliding_pair_are_opposite) {
     if (few == as_few) {
       EXPECT_EQ(engine->forces()[0], Vec3{}) << "in free flight";
     }
-    // Of a crowd, they are differences of velocities of 1 m/s.
+    // ManyBodySolver computes forces from differences of velocities of 1 m/s.
     stays_below(arranged(2, few) + "sum of both forces [N]", worst,
                 few == as_crowd ? 8 * balls[1].mass() * rounding / (0.5 * step) : 0,
                 "Newton's third law");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Hops over free flight, and the event engine to which the soft one tends.
+// Free-flight skips (hops), and the convergence of the soft engine to the event engine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,8 +46,9 @@ Difference difference(const Followed& a, const Followed& b, std::size_t count) {
   return d;
 }
 
-/// A hop is the flight itself; steps follow a mill that swings with w and A to A (w dt)^2. Each
-/// bounce makes such an error grow: how much is seen from a start put off by as much.
+/// A free-flight skip (hop) is exact. Steps follow a mill that oscillates with w and A to
+/// A (w dt)^2. Each bounce amplifies this error. The amplification is measured with a start
+/// displaced by the same amount.
 void same_collisions(const std::string& what, const scene::Chamber& mill,
                      const std::vector<scene::Ball>& balls, double e, std::size_t count) {
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
@@ -95,7 +96,7 @@ TEST(Hops, three_balls_in_a_vibration_mill_collide_the_same) {
   same_collisions("three balls", box_mill(), balls, 0.9, 10);
 }
 
-/// Smooth, e the same at all speeds: only that contacts take time sets the engines apart.
+/// Smooth balls, e the same at all speeds: the engines differ only by the duration of contacts.
 TEST(TowardsEvent, collisions_tend_to_the_event_engine_s_as_contacts_shorten) {
   const scene::Chamber mill = box_mill();
   const scene::Ball ball = ball_a({0.001, 0.002, 0.003}, {0.3, 0.2, 0});

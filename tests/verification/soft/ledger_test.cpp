@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The energy account closes, and errors fall with the step at the order of the method.
+// The energy balance closes, and errors fall with the time step at the order of the method.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ scene::Chamber planetary() {  // paper B's mill at 400 rpm
           {0, 0, -gravity}};
 }
 
-/// What appeared from nowhere over the work done, by the walls and against losses.
+/// Residual of the energy balance over the work of the walls plus the dissipated energy.
 double residual(const scene::Chamber& mill, double radius, const contact::ContactModel& law,
                 double step, double time) {
   const auto engine = soft_engine(mill, five(radius), law, mill_pair(), step, true);
@@ -75,7 +75,7 @@ TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
   }
 }
 
-/// Of the residual, of many steps; chance is averaged out by many starts.
+/// Residual at several time steps. Many starts average out its random part.
 TEST(Ledger, residual_falls_with_the_step) {
   double first = 0, last = 0;
   for (const double share : {1.0 / 50, 1.0 / 100, 1.0 / 200, 1.0 / 400, 1.0 / 800}) {
@@ -95,8 +95,8 @@ TEST(Ledger, residual_falls_with_the_step) {
               "order 2 at least");
 }
 
-/// Over a collision that is the same forwards and backwards the errors of Verlet's even orders
-/// cancel, and what is left is how Hertz's force begins, as t^1.5, anywhere within a step.
+/// In a collision that is symmetric in time the errors of Verlet's even orders cancel. The
+/// remaining error comes from the start of Hertz's force, as t^1.5, anywhere within a step.
 TEST(Order, of_an_elastic_collision_is_above_two) {
   double before = 0;
   for (const double share : {1.0 / 50, 1.0 / 100, 1.0 / 200, 1.0 / 400}) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The soft engine in jars of triangles: what holds in a jar with a formula holds there, edges that
-// stand out are met once, and nothing leaves a closed surface.
+// The soft engine in jars of triangles: results agree with those in an analytic shape, a contact at
+// a protruding edge counts once, and nothing leaves a closed surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,8 +103,8 @@ TEST(MeshJar, a_fine_cylinder_of_triangles_takes_the_power_and_the_hits_of_a_cyl
   agree("hits above 0.1 m/s [1/s]", found.rate, exact.rate);
 }
 
-/// Without friction and loss a ball that slides over an edge keeps its energy, though the contact
-/// goes from one face to the other on its way.
+/// Without friction and dissipation, a ball that slides over an edge keeps its energy, although the
+/// contact passes from one face to the other.
 TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
   // A step in the floor of a box: upper floor at z = 0 for x < 0, lower at z = -0.02.
   const Triangles step = [] {
@@ -140,7 +140,7 @@ TEST(MeshJar, a_ball_that_goes_over_an_edge_keeps_its_energy) {
     }
     EXPECT_GT(steps_over, 100);
     EXPECT_GT(speed, 0.2) << "it has fallen off";
-    // The floor's overlap at rest stores m g d/2.5; what a jump of the force would leave is more.
+    // The overlap with the floor at rest stores m g d/2.5. A jump of the force would leave more.
     stays_below("energy gone on the way over the edge, over m g R",
                 most / (ball.mass() * gravity * 0.005), 1e-4,
                 "a smooth hand-over; 200 times less than one contact counted twice");
@@ -212,7 +212,7 @@ TEST(MeshJar, a_ball_at_rest_in_a_corner_is_held_by_three_faces) {
          "Hertz under the weight across the wall");
 }
 
-/// A surface that is left to itself gives the same bits, however the run is cut.
+/// The same bits in a mesh jar, however the run is cut.
 TEST(MeshJar, cuts_change_no_bit) {
   const Mesh mesh = mesh_of(drum_with_lifters(0.06, 0.02, 5, 0.008, 0.003));
   for (const int count : {8, 50}) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What is said of whole mills: power by three routes, and how the charge moves.
+// Results for whole mills: power by three routes, and the motion of the charge.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace mahlwerk::tests::mill_power_test {
 namespace {
 
-/// Balls so soft that half a minute of them is computed in a second.
+/// A mill with balls so soft that half a minute is computed in a second.
 cases::Case mill(const kinematics::AnyMotion& motion, const geometry::Cylinder& jar,
                  std::int64_t count, double diameter) {
   cases::Case c;
@@ -41,7 +41,7 @@ cases::Case mill(const kinematics::AnyMotion& motion, const geometry::Cylinder& 
 
 constexpr double drum_radius = 0.05, ball = 0.01;  // [m]
 
-/// A slice of a drum; `share` of the speed at which a ball at the wall is pinned.
+/// A slice of a drum that turns at `share` of the speed at which a ball is pinned to the wall.
 cases::Case drum(double share, std::int64_t count) {
   const double critical = std::sqrt(gravity / (drum_radius - 0.5 * ball));
   return mill(kinematics::Tumbling{share * critical}, {2 * drum_radius, 0.0125}, count, ball);
@@ -73,7 +73,7 @@ TEST(MillPower, drawn_is_dissipated) {
   }
 }
 
-/// Moment about the drum's axis of what the charge weighs, and its angular momentum.
+/// Moment of the charge's weight about the drum's axis, and angular momentum of the charge.
 struct Turning {
   double weight = 0, momentum = 0;  // [N m], [N m s]
 };
@@ -87,11 +87,11 @@ Turning turning_of(const std::vector<scene::Ball>& balls) {
   return sum;
 }
 
-/// The shaft holds the charge up: its moment is that of the weight, but for what goes into angular
-/// momentum.
+/// The shaft supports the charge: its torque equals the moment of the weight, except for the change
+/// of the angular momentum.
 TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
-  const cases::Case what = drum(0.7, 24);
-  const auto engine = campaign::engine(what, 0);
+  const cases::Case mill_case = drum(0.7, 24);
+  const auto engine = campaign::engine(mill_case, 0);
   Recorder recorder;
   engine->advance(1, recorder);
   const double work = engine->energy_balance().wall_work;
@@ -104,11 +104,11 @@ TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
     moment += (i < looks ? 1 : 0.5) * turning_of(engine->balls()).weight;
   }
   const double of_shaft = turning_of(engine->balls()).momentum - begin.momentum - apart * moment;
-  const double speed = std::get<kinematics::Tumbling>(*what.mill.motion).speed;
+  const double speed = std::get<kinematics::Tumbling>(*mill_case.mill.motion).speed;
   states("work of the shaft over that of the walls",
          speed * of_shaft / (engine->energy_balance().wall_work - work), 1, 1e-3,
          "angular momentum; the engine's balance closes to 1e-3");
-  const results::Outcome outcome = campaign::run(what);
+  const results::Outcome outcome = campaign::run(mill_case);
   const double torque = named(outcome, "shaft_torque");
   states("shaft_torque over the mean moment of the weight", torque * looks / -moment, 1, 0.01,
          "angular momentum gained in 5 s is less than 1 %");
@@ -123,7 +123,7 @@ TEST(MillPower, of_a_drum_is_speed_times_the_moment_of_the_weight) {
          0.05, "looks at the charge, some hundred independent ones");
 }
 
-/// Lids are smooth, so that a slice moves as a long drum does.
+/// The lids are smooth, so that a slice moves like a long drum.
 cases::Case between_smooth_lids(cases::Case c, double friction, double rolling) {
   c.contact.rule.restitution = 0.3;
   c.contact.rule.friction = friction;
@@ -135,9 +135,9 @@ cases::Case between_smooth_lids(cases::Case c, double friction, double rolling) 
 }
 
 TEST(Regime, a_slow_drum_cascades) {
-  cases::Case what = between_smooth_lids(drum(0.3, 30), 0.5, 0.01);
-  what.run.time = 3;
-  const results::Outcome slow = campaign::run(what);
+  cases::Case mill_case = between_smooth_lids(drum(0.3, 30), 0.5, 0.01);
+  mill_case.run.time = 3;
+  const results::Outcome slow = campaign::run(mill_case);
   std::printf("    %s\n", results::regime_reason(slow).c_str());
   EXPECT_EQ(results::regime(slow), "cascading");
   EXPECT_LT(named(slow, "toe_angle"), 0) << "the charge lies about the lowest point";
@@ -146,21 +146,21 @@ TEST(Regime, a_slow_drum_cascades) {
   stays_below("mass in the emptiest sector", named(slow, "emptiest_sector"), 0.1, "a free surface");
 }
 
-/// What turning presses a ball on the wall with is F = 1.21 times its weight. Neither sliding nor
-/// rolling, it needs a friction of sin t/(F + cos t) at the angle t from the lowest point, at most
+/// Rotation presses a ball on the wall with F = 1.21 times its weight. To neither slide nor roll,
+/// the ball needs a friction of sin t/(F + cos t) at the angle t from the lowest point, at most
 /// 1/sqrt(F^2 - 1) = 1.47.
 TEST(Regime, a_fast_drum_whose_friction_holds_the_balls_centrifuges) {
-  cases::Case what = between_smooth_lids(drum(1.1, 15), 2, 2);
-  what.run.settle = 3;
-  what.run.time = 1;
-  const results::Outcome fast = campaign::run(what);
+  cases::Case mill_case = between_smooth_lids(drum(1.1, 15), 2, 2);
+  mill_case.run.settle = 3;
+  mill_case.run.time = 1;
+  const results::Outcome fast = campaign::run(mill_case);
   std::printf("    %s\n", results::regime_reason(fast).c_str());
   EXPECT_EQ(results::regime(fast), "centrifuging");
   states("Froude number", named(fast, "froude_number"), 1.21, 1e-12, "1.1 of the critical speed");
   stays_below("slip of the balls at the wall", named(fast, "wall_slip_ratio"), 0.02,
               "they turn with it");
-  what.contact.rule.friction = what.contact.rolling_friction = 0.9;
-  EXPECT_NE(results::regime(campaign::run(what)), "centrifuging") << "less than 1.47";
+  mill_case.contact.rule.friction = mill_case.contact.rolling_friction = 0.9;
+  EXPECT_NE(results::regime(campaign::run(mill_case)), "centrifuging") << "less than 1.47";
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The soft engine in jars with parts: lifter bars carry a ball as far as the forces say, a stirrer
-// hits as a moving wall does, and what it puts in is what is lost.
+// The soft engine in jars with parts: a lifter carries a ball to the angle given by the forces, an
+// arm of a stirrer hits like a moving wall, and the work of the stirrer is stored or dissipated.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ geometry::Attritor stirrer(double speed) {
   return jar;
 }
 
-/// Balls of 6 mm on a lattice, free of everything.
+/// Balls of 6 mm on a lattice that touch nothing.
 template <class S>
 std::vector<scene::Ball> random_balls_in(const S& jar, std::size_t count) {
   constexpr double radius = 0.003;
@@ -65,13 +65,13 @@ TEST(LifterJar, a_ball_without_friction_leaves_the_shell_where_the_forces_say) {
   jar.lifters = 1, jar.lifter_height = 0.02, jar.lifter_width = 0.01;
   jar.lifter_face_angle = 0.5 * pi;
   jar.complete();
-  // The drum lies along x and turns about it: the bar, at the jar's own x axis, starts low.
+  // The drum lies along x and turns about it. The lifter, at the jar's own x axis, starts low.
   const double radius = 0.005, turn = 5, aside = 0.5 * jar.lifter_width + radius;
   const double shell = 0.5 * jar.diameter - radius, out = std::sqrt(shell * shell - aside * aside);
   const Rotation mount = scene::mounted_along({1, 0, 0});
   const kinematics::Tumbling mill{turn};
   const scene::Chamber chamber{jar, mill, mount, {0, 0, -gravity}};
-  // The bar stands at angle a to the horizontal; the ball rides ahead of it.
+  // The lifter is at the angle a to the horizontal. The ball rides ahead of it.
   const Vec3 along0 = mount * Vec3{1, 0, 0}, aside0 = mount * Vec3{0, 1, 0};
   const double sense = dot(cross(mill.spin(0), along0), aside0) > 0 ? 1 : -1;
   const Vec3 place = out * along0 + sense * aside * aside0;
@@ -84,12 +84,12 @@ TEST(LifterJar, a_ball_without_friction_leaves_the_shell_where_the_forces_say) {
       seen.all, [](const scene::Collision& c) { return c.other == ~0 && c.time < 1e-3; });
   ASSERT_NE(on_shell, seen.all.end());
   const Vec3 bar = mill.rotation(on_shell->duration) * along0;
-  // The shell's force k x^1.5 falls by m g w a second. For the last while t the contact swings too
-  // slowly to follow: 1.5 k^(2/3) (m g w t)^(1/3) t^2 = m.
+  // The force k x^1.5 of the shell falls by m g w per second. During the last time t the contact
+  // oscillates too slowly to follow: 1.5 k^(2/3) (m g w t)^(1/3) t^2 = m.
   const double k = 4.0 / 3 * pair.modulus * std::sqrt(radius), m = ball.mass();
   const double t =
       std::pow(m / (1.5 * std::pow(k, 2.0 / 3) * std::cbrt(m * gravity * turn)), 3.0 / 7);
-  // Along the bar's side g sin(a) outweighs the share of the centripetal force there.
+  // Along the side of the lifter, g sin(a) exceeds the component of the centripetal force.
   states("angle of the bar over the horizontal [rad]", std::asin(bar.z),
          std::asin(turn * turn * out / gravity), 2 * turn * t, "balance along the bar");
 }
@@ -98,7 +98,7 @@ TEST(StirredJar, an_arm_drives_a_ball_at_rest_off_as_a_moving_wall_does) {
   constexpr double turn = 5, radius = 0.003, e = 0.5, far = 0.03;
   const geometry::Attritor jar = stirrer(turn);
   for (const std::size_t few : {32, 0}) {
-    // Level with the lowest arm, a little before it, and without weight.
+    // The ball is level with the lowest arm, a little ahead of it, without gravity.
     const double z = jar.arm_clearance - 0.5 * jar.height, ahead = radius + 0.5 * jar.arm_diameter;
     scene::Chamber chamber{jar, kinematics::Still{}, {}, {}};
     const auto engine = run_in(chamber, {{radius, 7850, {far, ahead + 1e-5, z}, {}, {}}},
@@ -107,7 +107,8 @@ TEST(StirredJar, an_arm_drives_a_ball_at_rest_off_as_a_moving_wall_does) {
     engine->advance(1e-3, seen);
     ASSERT_EQ(seen.all.size(), 1U);
     EXPECT_EQ(seen.all[0].other, ~4);  // the first arm
-    // The arm turns by w t while it touches, and before by 1e-5 m over w far: of the first order.
+    // Corrections of first order: the arm turns by w t during the contact, and before it while it
+    // closes the gap of 1e-5 m at the speed w far.
     const double slack = turn * far * (turn * seen.all[0].duration + 1e-5 / far);
     states("speed of approach [m/s]", seen.all[0].approach, turn * far, slack, "w r of the arm");
     states("speed of the ball [m/s]", norm(engine->balls()[0].velocity), (1 + e) * turn * far,
@@ -127,7 +128,7 @@ TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
   EXPECT_GT(a.wall_work, 0.1);
   stays_below("balance over the stirrer's work", std::abs(a.residual()) / a.wall_work, 1e-3,
               "a hundredth of the step's share of a contact, squared (dem.26)");
-  // Without the stirrer's turning nothing is put in.
+  // A stirrer at rest does no work.
   const auto still = run_in({stirrer(0), kinematics::Still{}, {}, {0, 0, -gravity}}, balls,
                             pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
   still->advance(0.05, seen);

@@ -16,23 +16,24 @@
 
 namespace mahlwerk::tests {
 
-/// A wall under a ball, as a frame sees it.
+/// A wall near a ball, in the coordinates of a frame.
 struct PlainWall {
   double distance = 0;          ///< [m] of the ball's centre
-  Vec3 inward, velocity, spin;  ///< velocity of its material at the foot
+  Vec3 inward, velocity, spin;  ///< velocity of its material at the wall contact point
 };
 
-/// A frame in which balls are followed: walls that may move, a field that accelerates balls, and
-/// how fast the frame itself turns.
+/// A frame of reference: walls, which may move, a field that accelerates balls, and the angular
+/// velocity of the frame itself.
 struct PlainWorld {
   std::function<std::vector<PlainWall>(const Vec3& place, double t)> walls;
   std::function<Vec3(const Vec3& place, const Vec3& velocity, double t)> field;
   Vec3 turning;  ///< [rad/s], constant
 };
 
-/// The soft engine as plain as can be, the reference kept for ever: one number at a time, all pairs
-/// at every step, Hertz and Mindlin written out, velocity Verlet with the velocities that damp
-/// predicted. No packets, no neighbours, no hops. Balls must not touch at the start.
+/// Reference implementation of the soft engine, as simple as possible and kept permanently: scalar
+/// arithmetic, all pairs at every step, Hertz and Mindlin written out, velocity Verlet with
+/// predicted velocities for the dampers. No contact packets, no neighbour list, no free-flight
+/// skip. Balls must not touch at the start.
 class PlainSoft {
  public:
   struct Touch {
@@ -60,11 +61,11 @@ class PlainSoft {
     Vec3 acceleration, spin_up;
   };
   struct ContactGeometry {
-    Vec3 n, u, spin;  ///< from the first to the second; of their surfaces; of one against the other
+    Vec3 n, u, spin;  ///< normal from first to second; relative surface velocity; relative spin
     double overlap = 0, lever = 0, other_lever = 0, radius = 0, mass = 0, inertia = 0;
   };
 
-  /// In a frame that turns, a spin that stays turns backwards.
+  /// In a rotating frame, a spin that is constant in the laboratory rotates backwards.
   Vec3 turned(const Vec3& spin) const { return -cross(world_.turning, spin); }
 
   void step() {
@@ -130,7 +131,7 @@ class PlainSoft {
     pushed_[i].spin_up += torque / balls_[i].inertia();
   }
 
-  /// What Hertz and Mindlin, damped, make of an overlap; forces < 0 pull.
+  /// Damped forces of Hertz and Mindlin at an overlap; forces < 0 pull.
   struct Hertz {
     double force = 0, stiffness = 0, damping = 0;
   };
@@ -142,7 +143,8 @@ class PlainSoft {
     return {4.0 / 3 * pair_.modulus * a * overlap + damp * std::sqrt(along * m.mass) * rate, across,
             damp * std::sqrt(across * m.mass)};
   }
-  /// What the first push of a contact counts for, `since` of a step after touch (dem.35).
+  /// Weight of the first force of a contact, at the fraction `since` of a step after touch
+  /// (dem.35).
   static double counted(double since) {
     const double share =
         0.31709151755564424 +
@@ -150,7 +152,7 @@ class PlainSoft {
     return share / std::sqrt(std::sqrt(since));
   }
 
-  /// Force and rolling torque on the first.
+  /// Force and rolling torque on the first body.
   std::pair<Vec3, Vec3> push(const ContactGeometry& m, int i, int j) {
     const bool touching = m.overlap > 0;
     if (!touching && !springs_.contains({i, j})) return {};
@@ -220,7 +222,7 @@ class PlainSoft {
   long steps_ = 0;
 };
 
-/// The laboratory: the jar moves, balls fall. Places are the laboratory's own.
+/// The laboratory frame: the jar moves and balls fall. Positions are laboratory coordinates.
 inline PlainWorld laboratory(const scene::Chamber& chamber) {
   const auto walls = [chamber](const Vec3& place, double t) {
     const auto [frame, turn, spin] = std::visit(

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The engine against the plain reference, in the same frame and in others.
+// The soft engine compared with the simple reference (PlainSoft), in the same frame and in others.
 #include "plain_soft.hpp"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ contact::Pair soft_pair(double e = 0.7, double mu = 0.3) {
   return pair;
 }
 
-/// The largest difference of any place, over a radius.
+/// Largest difference of a position, over the radius.
 double apart(const std::vector<scene::Ball>& a, const std::vector<scene::Ball>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -47,8 +47,9 @@ std::vector<scene::Ball> thrown(int count, double speed) {
   return balls;
 }
 
-/// Both take the same steps, so they differ by rounding alone, which collisions make to grow. How
-/// much is seen by starting the reference anew with one ball 1e-14 radii aside.
+/// Both programs take the same steps, so they differ only by rounding errors, which grow in
+/// collisions. A second run of the reference, with one ball displaced by 1e-14 radii, measures this
+/// growth.
 void same_as_plain(const std::string& what, int count, double time, std::size_t touches) {
   const scene::Chamber box = still_box(0.03, {0, 0, -gravity});
   const double dt = 2e-6;
@@ -69,7 +70,7 @@ void same_as_plain(const std::string& what, int count, double time, std::size_t 
   std::printf("    %zu contacts; a nudge of 1e-14 radii has grown to %.2g\n",
               plain.touches().size(), growth);
   ASSERT_LT(growth, 1e-6) << "else nothing is compared";
-  // Rounding puts a ball off by 1e-16 of the jar, five times a radius, at each of 1e4 steps.
+  // Rounding displaces a ball by 1e-16 of the jar, five times a radius, at each of 1e4 steps.
   stays_below(what + ", places over radius", apart(engine->balls(), plain.balls()),
               std::max(1e-12, 20 * growth), "plain reference, the same steps");
 }
@@ -81,9 +82,9 @@ TEST(PlainSoft, twelve_balls_whose_forces_go_through_memory) {
   same_as_plain("12 balls", 12, 0.02, 20);
 }
 
-/// Of the engine in the jar frame and the reference in another: the difference falls with the step,
-/// three halvings to an eighth at least. (Where in a step a ball touches is chance, which hides the
-/// order of a single halving.)
+/// Compares the engine in the jar frame with the reference in another frame. The difference falls
+/// with the time step, in three halvings to an eighth at least. (The phase of a touch within a step
+/// is random, which hides the order of a single halving.)
 void tends_to(const std::string& what, const std::function<double(double dt)>& difference) {
   constexpr double longest = 4e-6, shortest = 5e-7;
   double first = 0, last = 0;
@@ -122,8 +123,8 @@ TEST(Frames, a_vibration_mill_is_the_same_in_the_laboratory) {
   });
 }
 
-/// On the jar's own turning axes walls stand still, and balls feel the orbit, the centrifugal and
-/// the Coriolis acceleration.
+/// In the jar's own rotating axes the walls are at rest. The balls are subject to the acceleration
+/// of the orbit, the centrifugal and the Coriolis acceleration.
 TEST(Frames, a_planetary_mill_is_the_same_as_seen_from_its_turning_jar) {
   const double orbit = 0.07, disc = 40, ratio = -2, jar = disc * (1 + ratio);
   const scene::Chamber mill{geometry::Cylinder{0.042, 0.03},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Paper B's mill with five balls, over several starts: the charge has more than one mode of motion,
-// so one run tells nothing.
+// so a single run is not conclusive.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,11 +22,11 @@ constexpr double disc = 400 / 60.0 * 2 * std::numbers::pi;  // [rad/s]
 
 struct Seen {
   double power = 0, lost = 0;  // [W]
-  double kinetic = 0;          // [J] of translation, laboratory, mean
+  double kinetic = 0;          // [J] mean translational energy, laboratory
 };
 
-/// Five balls at fixed places, each up to 0.1 mm beside it, at rest in the vial that turns; counted
-/// from 0.1 s for `time` [s].
+/// Five balls at fixed positions, each displaced by up to 0.1 mm, at rest in the rotating vial. The
+/// results cover `time` [s] from 0.1 s on.
 Seen run(std::uint32_t start, double time) {
   kinematics::Planetary mill;
   mill.orbit_radius = 0.07;
@@ -63,7 +63,8 @@ Seen run(std::uint32_t start, double time) {
 }
 
 TEST(PlanetaryMill, walls_give_the_power_that_contacts_dissipate) {
-  // What the balls may hold at one end and not at the other, 0.2 J, is 1 % of five seconds' work.
+  // The energy of the balls may differ by 0.2 J between start and end, which is 1 % of the work of
+  // five seconds.
   const Seen seen = run(0, 5);
   stays_below("power of the walls against dissipation, relative",
               std::abs(seen.power - seen.lost) / seen.lost, 0.01, "energy balance after settling");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A collision ends with the restitution that was asked for, whatever the law and the speed.
+// A collision has the requested restitution, for every contact law and at every speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using contact::WaltonBraun;
 const scene::Ball steel_ball{0.0075, 7700, {}, {}, {}};
 constexpr contact::ElasticConstants steel{200e9, 0.265};
 
-/// The worst over restitutions, speeds and places of the touch within a step.
+/// Largest error over restitutions, speeds and phases of the touch within a step.
 double worst_restitution(const contact::AnyLaw& law, double share) {
   double worst = 0;
   for (const double e : {0.1, 0.2, 0.35, 0.5, 0.7, 0.8, 0.9, 0.95})
@@ -40,7 +40,7 @@ double worst_restitution(const contact::AnyLaw& law, double share) {
 
 TEST(Restitution, found_is_the_one_asked_for) {
   for (const contact::AnyLaw& law : contact::all_laws()) {
-    // Their force jumps at touch, or grows within a hundredth of the overlap.
+    // The force of these laws jumps at touch, or grows within a hundredth of the overlap.
     const bool jumps =
         std::holds_alternative<LinearSpring>(law) || std::holds_alternative<AdamsImpact>(law);
     stays_below("e of " + std::string(contact::name_of(law)) + ", off by" +
@@ -50,8 +50,8 @@ TEST(Restitution, found_is_the_one_asked_for) {
   }
 }
 
-/// Two of paper B's balls, e = 0.35 asked: how far the paper's damper misses it depends on its
-/// depth.
+/// Two of paper B's balls, requested e = 0.35. The error of the paper's damper depends on its
+/// damping depth.
 TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
   const double depths[] = {1e-6, 1e-5, 1e-4}, speeds[] = {0.5, 1, 5};
   const double expected[3][3] = {
@@ -63,15 +63,15 @@ TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
       published.damping_depth = depths[d];
       std::vector<scene::Ball> balls{steel_ball, steel_ball};
       balls[0].velocity = {speeds[v], 0, 0};
-      // Even at 5 m/s some thirty steps for the shallowest damper.
+      // Even at 5 m/s, some thirty steps lie within the smallest damping depth.
       const Impact found = impact(balls, pair_of(steel, steel, 0.35), of_law(published), 2e-4);
       states("e at " + std::to_string(speeds[v]) + " m/s, d = 1e-" + std::to_string(6 - d) + " m",
-             found.restitution, expected[v][d], 6e-4,  // 5e-4 by its three digits
+             found.restitution, expected[v][d], 6e-4,  // 5e-4 from its three digits
              "own integration of paper B eqs. 17-23");
     }
 }
 
-/// What a collision loses along the normal is (1 - e^2) of the energy it had there.
+/// The normal loss of a collision is (1 - e^2) of its normal energy.
 TEST(Restitution, is_what_the_record_says_was_lost) {
   for (const contact::AnyLaw& law :
        std::vector<contact::AnyLaw>{HertzMindlin{}, HertzTsuji{}, AdamsImpact{}, WaltonBraun{}}) {
@@ -87,8 +87,9 @@ TEST(Restitution, is_what_the_record_says_was_lost) {
   }
 }
 
-/// Elastic spheres that stick: what parting takes beyond touch is lost, 7.09 (G^5 R*^4 /
-/// E*^2)^(1/3) with G = 2 gamma; slower than that they stay (Thornton and Ning 1998, three digits).
+/// Elastic spheres with adhesion: the work of separation beyond touch is lost,
+/// 7.09 (G^5 R*^4 / E*^2)^(1/3) with G = 2 gamma. At lower speeds the spheres stick (Thornton and
+/// Ning 1998, three digits).
 TEST(Jkr, spheres_rebound_as_their_adhesion_lets_them) {
   contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, 1);
   pair.surface_energy = 0.2;
@@ -106,7 +107,8 @@ TEST(Jkr, spheres_rebound_as_their_adhesion_lets_them) {
       continue;
     }
     const double e = std::sqrt(1 - 1 / (faster * faster));
-    // 7.09 is known to 1e-3, of which e takes half over e (v/v_s)^2; 1e-3 for the steps.
+    // 7.09 is known to 1e-3. The error of e is half of this over e (v/v_s)^2, plus 1e-3 for the
+    // time steps.
     states("e, " + at, found.restitution, e, 1e-3 + 0.5e-3 / (e * faster * faster),
            "sqrt(1 - (v_s/v)^2), Thornton and Ning 1998");
   }

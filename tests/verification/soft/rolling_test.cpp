@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Rolling resistance: torques on a spinning ball, and where a ball comes to rest in a turning drum.
+// Rolling resistance: torques on a spinning ball, and the rest position of a ball in a turning
+// drum.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +23,8 @@ using contact::Rolling;
 constexpr contact::ElasticConstants plastic{1e8, 0.3};
 const scene::Ball big{0.01, 7850, {}, {}, {}};
 
-/// How deep its weight presses a ball into a wall [m], and a step that follows its swing on it [s].
+/// Overlap of a ball with a wall under its weight [m], and a time step that resolves its
+/// oscillation on the wall [s].
 double sunk(const contact::EffectivePair& t) {
   return std::pow(t.mass * gravity / contact::hertz_stiffness(t), 2.0 / 3);
 }
@@ -30,7 +32,7 @@ double step_of(double depth) {
   return 0.02 / std::sqrt(1.5 * gravity / depth);
 }
 
-/// How fast a ball that turns about y on the spot, on a smooth floor, is slowed down [rad/s2].
+/// Angular deceleration [rad/s2] of a ball that spins about y on the spot, on a smooth floor.
 double slowed(Rolling rule, double mu_r, double spin) {
   contact::Pair pair = pair_of(plastic, rigid, 0.5);
   pair.rolling_friction = mu_r;
@@ -59,7 +61,7 @@ TEST(Rolling, torque_of_type_b_doubles_with_speed) {
   double last = 0;
   for (const double w : {50.0, 100.0}) {
     const double found = slowed(Rolling::viscous, mu_r, w), wanted = 2.5 * mu_r * gravity * w;
-    // The speed itself falls by (5/2) mu_r g t, 0.5 % in 12 ms, while it is measured.
+    // During the measurement the spin itself falls by (5/2) mu_r g t, 0.5 % in 12 ms.
     states("viscous slows a ball at " + std::to_string(static_cast<int>(w)) + " rad/s [rad/s2]",
            found, wanted, 6e-3 * wanted, "(5/2) mu_r g w");
     if (last > 0) states("twice the speed, torque over torque", found / last, 2, 1e-9, "linear");
@@ -81,7 +83,7 @@ struct Drum {
             scene::mounted_along({1, 0, 0}),
             {0, 0, -gravity}};
   }
-  /// Mean angle from the bottom, in the sense of turning, and the ball after `time`.
+  /// Mean angle from the bottom, in the sense of rotation, and the ball at the end.
   std::pair<double, scene::Ball> stays(double angle, const contact::ContactModel& law) const {
     scene::Ball ball = big;
     const double r = radius - ball.radius + depth;
@@ -114,7 +116,7 @@ TEST(Rolling, a_ball_stays_where_weight_balances_rolling_friction_in_a_turning_d
   for (const bool curved : {false, true}) {
     contact::ContactModel law = of_law(HertzMindlin{}, Rolling::cdt);
     law.curved_walls = curved;
-    // The two curvatures of a cylinder make R* their geometric mean.
+    // On a cylinder, R* is the geometric mean over its two curvatures.
     const double effective = curved ? std::sqrt(drum.radius / (drum.radius - big.radius)) : 1;
     const double wanted = mu_r * effective;
     const auto [angle, ball] = drum.stays(std::atan(wanted), law);
@@ -123,7 +125,7 @@ TEST(Rolling, a_ball_stays_where_weight_balances_rolling_friction_in_a_turning_d
   }
 }
 
-/// Carried round above the critical speed, falling off the wall below it.
+/// The wall carries the ball round above the critical speed. Below it the ball falls off.
 TEST(Rolling, a_drum_carries_a_ball_round_above_its_critical_speed) {
   const double critical = std::sqrt(gravity / (Drum(0).radius - big.radius));
   for (const double share : {0.8, 0.95, 1.1, 1.5}) {
@@ -144,7 +146,7 @@ TEST(Rolling, a_drum_carries_a_ball_round_above_its_critical_speed) {
     EXPECT_EQ(recorder.all.empty(), share > 1) << share;
     if (share > 1) {
       const Vec3 x = engine->balls()[0].position;
-      // The torque that holds it lets it creep, by g / R dt / 0.4 at most.
+      // The torque that holds the ball allows a creep of g / R dt / 0.4 at most.
       states("angle after three turns [rad]", std::atan2(x.y, -x.z), 0, 0.02, "carried round");
     }
   }

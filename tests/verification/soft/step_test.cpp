@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// What the default time step leaves a collision off by: every law, e from 0.1 to 1, from sticking
-// to gross slip, against the same collision in steps forty times shorter.
+// Error of a collision at the default time step: every law, e from 0.1 to 1, from sticking to gross
+// slip, compared with the same collision in steps forty times shorter.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,27 +24,28 @@ using contact::HertzTsuji;
 
 /// v_t/(mu v_n) from sticking to gross slip, which begins at 7 for e = 1.
 constexpr std::array slopes{0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.5, 3.5, 4.0, 5.0, 7.0, 12.0};
-constexpr std::array phases{0.06, 0.31, 0.56, 0.81};  // of a step, where in it the touch falls
+constexpr std::array phases{0.06, 0.31, 0.56, 0.81};  // of the touch within a step
 
 scene::Ball steel(double along, double towards) {
   return {0.005, 7850, {}, {along, 0, -towards}, {}};
 }
 
-/// As the engine chooses it: a fiftieth of a collision, a fifth of what stops a ball.
+/// Time step over contact time, as the engine chooses it: a fiftieth of a collision, a fifth of the
+/// time in which a damper stops a ball.
 double usual_share(const contact::AnyLaw& law, const contact::Pair& pair, const scene::Ball& ball) {
   const soft::TimeSteps steps =
       soft::time_steps({ball}, law, contact::PairTable(1, 6, pair), -ball.velocity.z);
   return std::min(1.0 / 50, steps.damper / 5 / steps.contact);
 }
 
-/// The largest over slopes and phases, with `shorter` times more steps than usual; `nu` is
+/// Largest error over slopes and phases, with `shorter` times as many steps as usual. `nu` is
 /// Poisson's ratio.
 soft::StepError largest_error(const contact::AnyLaw& law, double e, double mu, double shorter = 1,
                               double nu = 0.3) {
   soft::StepError worst;
   for (const double slope : slopes) {
     contact::Pair pair = pair_of({210e9, nu}, {210e9, nu}, e, mu);
-    pair.surface_energy = 0.05;  // of laws with adhesion
+    pair.surface_energy = 0.05;  // for laws with adhesion
     pair.cohesion = 1e6;
     const scene::Ball ball = steel(slope * mu, 1);
     const double share = usual_share(law, pair, ball), vt = ball.velocity.x;
@@ -108,15 +109,15 @@ TEST(TimeStep, errors_fall_with_it_and_undamped_with_its_square) {
     const soft::StepError last = largest_error(HertzTsuji{}, e, 0.3, 8);
     std::printf("    e %.1f: %s\n     an eighth: %s\n", e, row_of(first).c_str(),
                 row_of(last).c_str());
-    // Between two steps friction lets go, of order 1 where damped. Undamped 1/64; where in a step
-    // is chance, which may hide a factor of 2.
+    // Friction lets go between two steps, an error of order 1 with damping. Without damping the
+    // ratio is 1/64. The phase within a step is random, which may hide a factor of 2.
     stays_below(fmt::format("e {}: an eighth of the step, error across", e),
                 last.tangential / first.tangential, e < 1 ? 1.0 / 8 : 1.0 / 32,
                 e < 1 ? "order 1" : "order 2");
   }
 }
 
-/// Zeta(-1/4, 1 + x) by the sum of Euler and Maclaurin.
+/// Zeta(-1/4, 1 + x) by the Euler-Maclaurin sum.
 double hurwitz(double x) {
   constexpr int terms = 30;
   double sum = 0;

@@ -49,12 +49,12 @@ double predicted_value(const powder::SizeEvolution& milling, const Measurement& 
 
 }  // namespace
 
-std::vector<FreeParameter> free_parameters(const cases::Case& what,
+std::vector<FreeParameter> free_parameters(const cases::Case& mill_case,
                                            const std::vector<std::string>& fixed) {
   std::vector<FreeParameter> parameters;
-  for (const cases::FitParameter& one : cases::fit_parameters(what)) {
-    const auto range = what.fit.find(one.key);
-    if (range == what.fit.end() || std::ranges::find(fixed, one.key) != fixed.end()) continue;
+  for (const cases::FitParameter& one : cases::fit_parameters(mill_case)) {
+    const auto range = mill_case.fit.find(one.key);
+    if (range == mill_case.fit.end() || std::ranges::find(fixed, one.key) != fixed.end()) continue;
     const double least = parse_in(range->second[0], one.unit);
     const double most = parse_in(range->second[1], one.unit);
     parameters.push_back({.name = one.key,
@@ -66,12 +66,12 @@ std::vector<FreeParameter> free_parameters(const cases::Case& what,
   return parameters;
 }
 
-std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
+std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& data,
                               const std::vector<FreeParameter>& parameters,
                               const std::string& file) {
   std::vector<Fault> found;
   if (parameters.empty())
-    found.push_back({what.file, "the case has no free parameter",
+    found.push_back({mill_case.file, "the case has no free parameter",
                      "add [fit] with keys and their ranges, such as \"breakage.f_mat\" = "
                      "[\"0.01 kg/J/m\", \"100 kg/J/m\"]",
                      "nothing-to-fit"});
@@ -81,9 +81,9 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
                                  name_of(m->what, m->percent), section),
                      fmt::format("add [{}] to the case", section), "nothing-to-fit"});
   };
-  if (const Measurement* m = first(data, true); m != nullptr && !what.grinding)
+  if (const Measurement* m = first(data, true); m != nullptr && !mill_case.grinding)
     lacks(m, "grinding");
-  if (const Measurement* m = first(data, false); m != nullptr && !what.kinetics)
+  if (const Measurement* m = first(data, false); m != nullptr && !mill_case.kinetics)
     lacks(m, "kinetics");
   for (const FreeParameter& parameter : parameters)
     if (std::ranges::any_of(data.conditions, [&](const std::vector<cases::Override>& set) {
@@ -96,33 +96,34 @@ std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
 
 void fill_times(Measurements& data, const std::vector<cases::Case>& conditions) {
   for (Measurement& m : data.values) {
-    const cases::Case& what = conditions[m.condition];
-    if (std::isnan(m.time)) m.time = of_sizes(m.what) ? what.grinding->time : what.kinetics->time;
+    const cases::Case& mill_case = conditions[m.condition];
+    if (std::isnan(m.time))
+      m.time = of_sizes(m.what) ? mill_case.grinding->time : mill_case.kinetics->time;
   }
 }
 
-cases::Case case_for_fit(cases::Case what, std::size_t condition, const Measurements& data,
+cases::Case case_for_fit(cases::Case mill_case, std::size_t condition, const Measurements& data,
                          const std::vector<FreeParameter>& parameters) {
-  what.observe.collisions = false;
-  what.observe.frames.reset();
+  mill_case.observe.collisions = false;
+  mill_case.observe.frames.reset();
   for (const FreeParameter& parameter : parameters)
-    cases::set_fit_parameter(what, parameter.name, value_at(parameter, 0.5));
-  if (!what.grinding) return what;
-  what.grinding->method = cases::Grinding::Method::balance;
+    cases::set_fit_parameter(mill_case, parameter.name, value_at(parameter, 0.5));
+  if (!mill_case.grinding) return mill_case;
+  mill_case.grinding->method = cases::Grinding::Method::balance;
   double longest = 0;
   for (const Measurement& m : data.values)
     if (m.condition == condition && of_sizes(m.what)) longest = std::max(longest, m.time);
-  if (longest > 0) what.grinding->time = longest;
-  return what;
+  if (longest > 0) mill_case.grinding->time = longest;
+  return mill_case;
 }
 
 namespace {
 
 /// Whether powder beds are independent of the free parameters: those of [capture] change the
 /// captured powder, welding the size classes, a strength that the bed takes from [breakage] both.
-bool keeps_beds(const cases::Case& what, const std::vector<FreeParameter>& parameters) {
-  if (what.grinding->bed == powder::Bed::mixed) return false;
-  const bool lent = powder::has_median_strength(*what.grinding->breakage);
+bool keeps_beds(const cases::Case& mill_case, const std::vector<FreeParameter>& parameters) {
+  if (mill_case.grinding->bed == powder::Bed::mixed) return false;
+  const bool lent = powder::has_median_strength(*mill_case.grinding->breakage);
   return std::ranges::none_of(parameters, [&](const FreeParameter& parameter) {
     const bool of_capture =
         parameter.name.starts_with("capture.") && parameter.name != "capture.energy_share";
@@ -142,15 +143,15 @@ Predictor::Predictor(const std::vector<results::Outcome>& mills,
   for (std::size_t i = 0; i < mills.size(); ++i) {
     Mill mill{&mills[i], results::averaged_replicates(mills[i]), {}, {}, false, {}};
     if (only) mill.replicates = {mill.replicates.at(*only)};
-    if (mills[i].what.capture)
-      mill.stresses = results::stress_spectrum(mills[i].what, mill.replicates);
+    if (mills[i].mill_case.capture)
+      mill.stresses = results::stress_spectrum(mills[i].mill_case, mill.replicates);
     for (std::size_t k = 0; k < measurements_.size(); ++k)
       if (measurements_[k].condition == i) {
         mill.measurements.push_back(k);
         mill.grinds = mill.grinds || of_sizes(measurements_[k].what);
       }
-    if (mill.grinds && keeps_beds(mills[i].what, parameters_))
-      mill.beds = results::beds(mills[i].what, mill.stresses);
+    if (mill.grinds && keeps_beds(mills[i].mill_case, parameters_))
+      mill.beds = results::beds(mills[i].mill_case, mill.stresses);
     mills_.push_back(std::move(mill));
   }
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -159,19 +160,19 @@ Predictor::Predictor(const std::vector<results::Outcome>& mills,
 
 void Predictor::predict(const Mill& mill, const std::vector<double>& values,
                         std::vector<double>& predicted) const {
-  cases::Case what = mill.outcome->what;
+  cases::Case mill_case = mill.outcome->mill_case;
   for (std::size_t i = 0; i < parameters_.size(); ++i)
-    cases::set_fit_parameter(what, parameters_[i].name, values[i]);
+    cases::set_fit_parameter(mill_case, parameters_[i].name, values[i]);
   const powder::SizeEvolution milling =
       mill.grinds
-          ? results::milling_by_balance(what, mill.stresses, mill.beds ? &*mill.beds : nullptr)
+          ? results::milling_by_balance(mill_case, mill.stresses, mill.beds ? &*mill.beds : nullptr)
           : powder::SizeEvolution{};
   const double dose =
-      what.kinetics ? results::dose_rate(what, mill.replicates, mill.stresses) : nothing;
+      mill_case.kinetics ? results::dose_rate(mill_case, mill.replicates, mill.stresses) : nothing;
   for (const std::size_t k : mill.measurements)
     predicted[k] = of_sizes(measurements_[k].what)
-                       ? predicted_value(milling, measurements_[k], *what.powder->density)
-                       : what.kinetics->conversion.at(dose * measurements_[k].time);
+                       ? predicted_value(milling, measurements_[k], *mill_case.powder->density)
+                       : mill_case.kinetics->conversion.at(dose * measurements_[k].time);
 }
 
 std::vector<double> Predictor::operator()(const std::vector<double>& values) const {

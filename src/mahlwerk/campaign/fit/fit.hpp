@@ -19,12 +19,12 @@
 namespace mahlwerk::campaign {
 
 /// The free parameters in [fit] of a case, without those in `fixed`, in their units.
-std::vector<FreeParameter> free_parameters(const cases::Case& what,
+std::vector<FreeParameter> free_parameters(const cases::Case& mill_case,
                                            const std::vector<std::string>& fixed = {});
 
 /// Faults of a fit: the case cannot predict a measurement, or no parameter is free. `file` is that
 /// of the measurements.
-std::vector<Fault> fit_faults(const cases::Case& what, const Measurements& data,
+std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& data,
                               const std::vector<FreeParameter>& parameters,
                               const std::string& file);
 
@@ -34,7 +34,7 @@ void fill_times(Measurements& data, const std::vector<cases::Case>& conditions);
 /// The case that a fit runs for a condition: collisions and frames are not recorded, grinding is by
 /// population balance up to the longest time measured, each parameter is at the middle of its
 /// range.
-cases::Case case_for_fit(cases::Case what, std::size_t condition, const Measurements& data,
+cases::Case case_for_fit(cases::Case mill_case, std::size_t condition, const Measurements& data,
                          const std::vector<FreeParameter>& parameters);
 
 /// Predicts measurements with the powder models from the collisions of mills that are simulated

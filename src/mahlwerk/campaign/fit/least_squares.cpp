@@ -202,7 +202,7 @@ void remark(const FreeParameter& range, double position, FittedParameter& p) {
     p.remarks.push_back(fmt::format(
         "the best value lies at the {} end of its range{}", low ? "lower" : "upper",
         (low ? range.min_is_natural : range.max_is_natural) ? ", beyond which it makes no sense"
-                                                               : "; a wider range may fit better"));
+                                                            : "; a wider range may fit better"));
 }
 
 FittedParameter fitted(const BestFit& best_fit, const Minimiser& search,

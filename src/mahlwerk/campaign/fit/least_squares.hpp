@@ -13,8 +13,8 @@ namespace mahlwerk::campaign {
 /// A parameter to fit, and its bounds.
 struct FreeParameter {
   std::string name;
-  double least = 0, most = 1;                  ///< finite, least < most
-  std::optional<double> start = std::nullopt;  ///< between the bounds; empty: their middle
+  double least = 0, most = 1;                           ///< finite, least < most
+  std::optional<double> start = std::nullopt;           ///< between the bounds; empty: their middle
   bool min_is_natural = false, max_is_natural = false;  ///< no value beyond it is possible
 
   /// Whether the search uses the logarithm: the bounds are positive and a factor above 10 apart.

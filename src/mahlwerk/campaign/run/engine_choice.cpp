@@ -18,9 +18,9 @@
 namespace mahlwerk::campaign {
 namespace {
 
-std::int64_t balls(const cases::Case& what) {
+std::int64_t balls(const cases::Case& mill_case) {
   std::int64_t count = 0;
-  for (const cases::BallSet& set : what.balls) count += set.count;
+  for (const cases::BallSet& set : mill_case.balls) count += set.count;
   return count;
 }
 
@@ -39,7 +39,7 @@ Contacts contacts_of(const results::Outcome& outcome) {
   double time = 0, contact = 0, lost = 0, withheld = 0;
   std::int64_t collisions = 0;
   for (const results::Replicate& r : outcome.replicates) {
-    time += r.time() * static_cast<double>(balls(outcome.what));
+    time += r.time() * static_cast<double>(balls(outcome.mill_case));
     contact += r.energy_balance.contact_time - r.at_settled.contact_time;
     lost += r.energy_balance.lost() - r.at_settled.lost();
     withheld += r.energy_balance.withheld - r.at_settled.withheld;
@@ -55,34 +55,36 @@ std::string percent(const ContactTimeEffect::Change& change) {
 
 /// "With a contact.contact_time of 25 us instead of 100 us the power of a pilot run changes by
 /// ...".
-std::string in_words(const ContactTimeEffect& effect, const cases::Case& what) {
+std::string in_words(const ContactTimeEffect& effect, const cases::Case& mill_case) {
   return fmt::format(
       "With a contact.contact_time of {:.3g} us instead of {:.3g} us the power of a pilot run "
       "changes by {}, the number of its hits above the threshold by {}.",
-      1e6 * what.contact.contact_time * ContactTimeEffect::shorter, 1e6 * what.contact.contact_time,
-      percent(effect.power), percent(effect.hits));
+      1e6 * mill_case.contact.contact_time * ContactTimeEffect::shorter,
+      1e6 * mill_case.contact.contact_time, percent(effect.power), percent(effect.hits));
 }
 
 /// The name of the contact law if it is adhesive.
-std::optional<std::string_view> sticking(const cases::Case& what) {
-  const contact::PairTable pairs = cases::pair_table(what);
+std::optional<std::string_view> sticking(const cases::Case& mill_case) {
+  const contact::PairTable pairs = cases::pair_table(mill_case);
   const auto any = [&](const contact::AdhesionParameter& adhesion) {
     return std::ranges::any_of(pairs.all(),
                                [&](const auto& pair) { return pair.*adhesion.value > 0; });
   };
-  const contact::AnyLaw& law = *what.contact.model.law;
+  const contact::AnyLaw& law = *mill_case.contact.model.law;
   if (!std::ranges::any_of(contact::adhesion(law), any)) return std::nullopt;
   return contact::name_of(law);
 }
 
 /// Why "auto" does not choose the soft engine, as the end of a sentence; empty if it may.
-std::string against_soft(const cases::Case& what) {
-  cases::Case soft = what;
+std::string against_soft(const cases::Case& mill_case) {
+  cases::Case soft = mill_case;
   soft.run.engine = cases::EngineName::soft;
   const std::vector<Fault> wrong = run_faults(soft);
   if (!wrong.empty()) return wrong.front().what;
-  const double time = (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
-  const double work = static_cast<double>(balls(what)) * time / soft_settings(soft).rules.time_step;
+  const double time =
+      (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates);
+  const double work =
+      static_cast<double>(balls(mill_case)) * time / soft_settings(soft).rules.time_step;
   if (work <= max_soft_work) return "";
   return fmt::format(
       "it would take about {:.0f} hours of one core; engine = \"soft\" selects it nevertheless, "
@@ -107,26 +109,26 @@ std::string against_event(const Pilot& p) {
 
 }  // namespace
 
-EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* stop) {
-  if (what.run.engine != cases::EngineName::automatic) return {what.run.engine, {}};
-  if (!geometry::exact_touches(*what.jar.shape))
+EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop) {
+  if (mill_case.run.engine != cases::EngineName::automatic) return {mill_case.run.engine, {}};
+  if (!geometry::exact_touches(*mill_case.jar.shape))
     return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. The event engine does not support a jar of "
                          "kind \"{}\".",
-                         geometry::name_of(*what.jar.shape))}};
-  if (cases::fits_exactly(what))
+                         geometry::name_of(*mill_case.jar.shape))}};
+  if (cases::fits_exactly(mill_case))
     return {cases::EngineName::soft,
             {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
              "spheres have no room to bounce."}};
-  if (const auto law = sticking(what); law && against_soft(what).empty())
+  if (const auto law = sticking(mill_case); law && against_soft(mill_case).empty())
     return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the event "
                          "engine does not model adhesion.",
                          *law)}};
-  if (balls(what) == 1)
+  if (balls(mill_case) == 1)
     return {cases::EngineName::event,
             {"Engine: event, chosen by auto. The motion of a single ball is computed exactly."}};
-  cases::Case event = what;
+  cases::Case event = mill_case;
   event.run.engine = cases::EngineName::event;
   const Pilot p = pilot(event, stop);
   const std::string seen = pilot_in_words(p);
@@ -138,7 +140,7 @@ EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* sto
     return {cases::EngineName::event,
             {fmt::format("Engine: event, chosen by auto. {} Up to {} this engine is recommended.",
                          seen, percent(contact_share_limit))}};
-  if (const std::string why = against_soft(what); !why.empty())
+  if (const std::string why = against_soft(mill_case); !why.empty())
     return {
         cases::EngineName::event,
         {fmt::format(
@@ -169,8 +171,8 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
   // A twentieth of the run's own collisions, but enough for an estimate.
   const std::int64_t work =
       std::clamp<std::int64_t>(contacts.collisions / 20, 20'000, pilot_collisions);
-  const ContactTimeEffect effect = contact_time_effect(outcome.what, stop, work);
-  const std::string words = in_words(effect, outcome.what);
+  const ContactTimeEffect effect = contact_time_effect(outcome.mill_case, stop, work);
+  const std::string words = in_words(effect, outcome.mill_case);
   if (effect.matters())
     notes.push_back(invalid(
         "contact-time",
@@ -195,19 +197,19 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
                        const std::atomic<bool>* stop) {
   Notices notes;
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
-  if (std::string grains = cases::grains_note(outcome.what); !grains.empty())
+  if (std::string grains = cases::grains_note(outcome.mill_case); !grains.empty())
     notes.push_back(note("powder-as-grains", std::move(grains)));
   if (choice.engine == cases::EngineName::soft) {
-    append(notes, soft_notices(outcome.what));
+    append(notes, soft_notices(outcome.mill_case));
     return notes;
   }
-  if (const auto law = sticking(outcome.what))
+  if (const auto law = sticking(outcome.mill_case))
     notes.push_back(invalid(
         "sticking-law-ignored",
         fmt::format("law = \"{}\" is adhesive. The event engine does not model adhesion: its balls "
                     "separate without a pull-off force. engine = \"soft\" models it.",
                     *law)));
-  if (balls(outcome.what) > 1) append(notes, contact_notices(outcome, stop));
+  if (balls(outcome.mill_case) > 1) append(notes, contact_notices(outcome, stop));
   return notes;
 }
 

@@ -32,7 +32,7 @@ struct EngineChoice {
 /// The engine that the case names. For "auto", chosen from the case and, if necessary, a short
 /// pilot run of the event engine, which is the same on any machine. Setting `stop` ends the pilot
 /// run.
-EngineChoice choose_engine(const cases::Case& what, const std::atomic<bool>* stop = nullptr);
+EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop = nullptr);
 
 /// Notices on the engine that ran and on the validity of its results. Where sustained contacts may
 /// matter, two pilot runs measure their effect; setting `stop` ends them.

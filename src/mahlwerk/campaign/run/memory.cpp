@@ -55,11 +55,12 @@ std::string in_megabytes(double bytes) {
 
 }  // namespace
 
-double memory_needed(const cases::Case& what) {
-  const auto balls = static_cast<double>(cases::balls_count(what.balls));
-  const auto sets = static_cast<double>(what.balls.size());
-  const double each =
-      what.run.engine == cases::EngineName::event ? event_ball : soft_ball;  // "auto": may be soft
+double memory_needed(const cases::Case& mill_case) {
+  const auto balls = static_cast<double>(cases::balls_count(mill_case.balls));
+  const auto sets = static_cast<double>(mill_case.balls.size());
+  const double each = mill_case.run.engine == cases::EngineName::event
+                          ? event_ball
+                          : soft_ball;  // "auto": may be soft
   return any_replicate + pair_of_kinds * sets * (sets + 3) / 2 + each * balls;
 }
 
@@ -79,7 +80,8 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
   if (points.empty() || !available) return {};
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
   double replicates = 0;
-  for (const cases::Case& what : points) replicates += static_cast<double>(what.run.replicates);
+  for (const cases::Case& mill_case : points)
+    replicates += static_cast<double>(mill_case.run.replicates);
   const double running = std::min(replicates, static_cast<double>(at_once));
   const double each = memory_needed(largest), needed = each * running;
   if (needed <= *available) return {};

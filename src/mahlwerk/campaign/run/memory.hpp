@@ -13,7 +13,7 @@
 namespace mahlwerk::campaign {
 
 /// [bytes] Estimated peak memory of one replicate: the engine's data for each ball, and statistics.
-double memory_needed(const cases::Case& what);
+double memory_needed(const cases::Case& mill_case);
 
 /// [bytes] Memory still available to this process: that of the machine or, if less, that of its
 /// control group. Empty if the system does not report it. `root` is a prefix of the paths that are

@@ -53,12 +53,12 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
 
 }  // namespace
 
-Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t most,
+Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::int64_t most,
             double time) try {
   constexpr int parts = 400;
-  const double whole = std::min(time, what.run.settle + what.run.time);
-  const auto trial = engine(what, 0, 1, stop);
-  HitCounter counter(what.observe.threshold, most, stop);
+  const double whole = std::min(time, mill_case.run.settle + mill_case.run.time);
+  const auto trial = engine(mill_case, 0, 1, stop);
+  HitCounter counter(mill_case.observe.threshold, most, stop);
   trial->stop_on(&counter.enough);
   std::vector<Sample> samples{{trial->energy_balance(), 0}};
   Pilot seen;
@@ -86,11 +86,12 @@ Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop, std::int64_t
   return {};
 }
 
-ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
+ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::atomic<bool>* stop,
                                       std::int64_t most) {
-  cases::Case shorter = what;
+  cases::Case shorter = mill_case;
   shorter.contact.contact_time *= ContactTimeEffect::shorter;
-  const Pilot first = pilot(what, stop, most), second = pilot(shorter, stop, 4 * most, first.time);
+  const Pilot first = pilot(mill_case, stop, most),
+              second = pilot(shorter, stop, 4 * most, first.time);
   return {change(first.power, second.power), change(first.hits, second.hits)};
 }
 

@@ -25,7 +25,7 @@ constexpr std::int64_t pilot_collisions = 400'000;
 
 /// A pilot run of at most `time` [s] simulated and `most` collisions, the same on any machine.
 /// Setting `stop` ends it.
-Pilot pilot(const cases::Case& what, const std::atomic<bool>* stop,
+Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop,
             std::int64_t most = pilot_collisions, double time = 1);
 
 /// Effect of a shorter contact time t_c on a pilot run (man.8). Valid results do not depend on t_c.
@@ -48,7 +48,7 @@ struct ContactTimeEffect {
 
 /// Compares two pilot runs over the same time, with t_c and with a quarter of it. The first has at
 /// most `most` collisions, the second four times as many.
-ContactTimeEffect contact_time_effect(const cases::Case& what, const std::atomic<bool>* stop,
+ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::atomic<bool>* stop,
                                       std::int64_t most = pilot_collisions);
 
 }  // namespace mahlwerk::campaign

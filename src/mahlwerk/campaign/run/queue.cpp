@@ -80,7 +80,7 @@ struct ActivePoint {
     decided.run.engine = choice.engine;
     const auto count = static_cast<std::size_t>(made.run.replicates);
     outcome.replicates = {count, results::empty_replicate(made)};
-    outcome.what = std::move(made);
+    outcome.mill_case = std::move(made);
     outcome.engine = choice.engine;
     left = count;
   }
@@ -172,11 +172,11 @@ class CampaignRunner {
 
   /// Null if the point failed; the failure has been reported.
   std::shared_ptr<ActivePoint> open(std::size_t index) try {
-    cases::Case what = queue_.open(index);
-    std::vector<Fault> wrong = run_faults(what);
-    if (wrong.empty()) wrong = memory_faults({what}, threads(), options_.memory);
+    cases::Case mill_case = queue_.open(index);
+    std::vector<Fault> wrong = run_faults(mill_case);
+    if (wrong.empty()) wrong = memory_faults({mill_case}, threads(), options_.memory);
     if (!wrong.empty()) throw InputError(std::move(wrong));
-    return std::make_shared<ActivePoint>(index, std::move(what), options_.stop);
+    return std::make_shared<ActivePoint>(index, std::move(mill_case), options_.stop);
   } catch (...) {
     failed(index, std::current_exception());
     return nullptr;

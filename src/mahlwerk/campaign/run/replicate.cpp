@@ -65,7 +65,7 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
     if (replica_.streams_)
-      r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.what_));
+      r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
   }
 
@@ -75,17 +75,17 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
 
 namespace {
 
-std::unique_ptr<scene::Engine> make_engine(const cases::Case& what,
+std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
                                            const std::vector<scene::Ball>& balls, int threads) {
-  const scene::Chamber mill = cases::chamber(what);
-  if (what.run.engine == cases::EngineName::soft) {
-    soft::Settings rules = soft_settings(what).rules;
+  const scene::Chamber mill = cases::chamber(mill_case);
+  if (mill_case.run.engine == cases::EngineName::soft) {
+    soft::Settings rules = soft_settings(mill_case).rules;
     rules.threads = threads;
-    return soft::engine(mill, balls, rules, cases::pair_table(what));
+    return soft::engine(mill, balls, rules, cases::pair_table(mill_case));
   }
-  const contact::BounceTable bounces = cases::bounce_table(what);
-  event::Rules treatment = rules(what.contact);
-  treatment.threshold = what.observe.threshold;
+  const contact::BounceTable bounces = cases::bounce_table(mill_case);
+  event::Rules treatment = rules(mill_case.contact);
+  treatment.threshold = mill_case.observe.threshold;
   if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);
   for (int face = 0; face < bounces.faces(); ++face)
     treatment.faces.push_back(bounces.wall(0, face));
@@ -94,9 +94,9 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& what,
 
 }  // namespace
 
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads,
+std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,
                                       const std::atomic<bool>* stop) {
-  auto made = make_engine(what, cases::starting_balls(what, index, stop), threads);
+  auto made = make_engine(mill_case, cases::starting_balls(mill_case, index, stop), threads);
   made->stop_on(stop);
   return made;
 }
@@ -104,49 +104,52 @@ std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int th
 namespace {
 
 /// [s] With `until`, the first windows take one period of the mill, or 0.05 s if it has none.
-double first_window_length(const cases::Case& what) {
-  if (!what.run.until) return what.run.time / ReplicateRun::max_windows;
-  const double period = kinematics::period(*what.mill.motion);
-  return std::min(std::isfinite(period) ? period : 0.05, what.run.time / ReplicateRun::max_windows);
+double first_window_length(const cases::Case& mill_case) {
+  if (!mill_case.run.until) return mill_case.run.time / ReplicateRun::max_windows;
+  const double period = kinematics::period(*mill_case.mill.motion);
+  return std::min(std::isfinite(period) ? period : 0.05,
+                  mill_case.run.time / ReplicateRun::max_windows);
 }
 
 }  // namespace
 
-ReplicateRun::ReplicateRun(const cases::Case& what, int index,
+ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
                            std::unique_ptr<scene::Observer> recorder,
                            std::unique_ptr<results::FrameFiles> frames, int threads,
                            const std::atomic<bool>* stop)
-    : what_(&what),
+    : mill_case_(&mill_case),
       index_(index),
       recorder_(std::move(recorder)),
       frames_(std::move(frames)),
-      frame_times_(what),
-      result_(results::empty_replicate(what)),
-      window_length_(first_window_length(what)),
-      streams_(what.grinding && what.grinding->method != cases::Grinding::Method::balance),
-      engine_(engine(what, index, threads, stop)),
-      window_(what.run.settle > 0 ? 0 : 1) {
-  for (const cases::BallSet& set : what.balls) balls_ += set.count;
-  const scene::Chamber mill = cases::chamber(what);
+      frame_times_(mill_case),
+      result_(results::empty_replicate(mill_case)),
+      window_length_(first_window_length(mill_case)),
+      streams_(mill_case.grinding &&
+               mill_case.grinding->method != cases::Grinding::Method::balance),
+      engine_(engine(mill_case, index, threads, stop)),
+      window_(mill_case.run.settle > 0 ? 0 : 1) {
+  for (const cases::BallSet& set : mill_case.balls) balls_ += set.count;
+  const scene::Chamber mill = cases::chamber(mill_case);
   result_.charge = observe::Charge(mill, result_.tally.wall_map.grid().radius);
   if (index == 0)
-    result_.replay =
-        observe::Replay(mill, static_cast<std::size_t>(balls_), what.run.settle, what.run.time);
+    result_.replay = observe::Replay(mill, static_cast<std::size_t>(balls_), mill_case.run.settle,
+                                     mill_case.run.time);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
-  if (what.run.engine == cases::EngineName::soft)
-    slice_ = std::min(slice_, 1e3 * soft_settings(what).rules.time_step);
+  if (mill_case.run.engine == cases::EngineName::soft)
+    slice_ = std::min(slice_, 1e3 * soft_settings(mill_case).rules.time_step);
 }
 
 double ReplicateRun::window_end(int window) const {
-  const bool last = !what_->run.until && window == max_windows;
-  return what_->run.settle + (last ? what_->run.time : window_length_ * window);
+  const bool last = !mill_case_->run.until && window == max_windows;
+  return mill_case_->run.settle + (last ? mill_case_->run.time : window_length_ * window);
 }
 
 /// All windows are done, the requested precision is reached, or the time for it is over.
 bool ReplicateRun::finished() const {
-  if (!what_->run.until) return window_ > max_windows;
-  return converged_ || window_end(window_) > (what_->run.settle + what_->run.time) * (1 + 1e-12);
+  if (!mill_case_->run.until) return window_ > max_windows;
+  return converged_ ||
+         window_end(window_) > (mill_case_->run.settle + mill_case_->run.time) * (1 + 1e-12);
 }
 
 bool ReplicateRun::done() const {
@@ -182,7 +185,7 @@ double ReplicateRun::next_charge_sample() const {
 void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
                                        const scene::EnergyBalance& now) {
   constexpr std::int64_t steps = 512, collisions = 200, most = 20;
-  const std::int64_t work = what_->run.engine == cases::EngineName::soft
+  const std::int64_t work = mill_case_->run.engine == cases::EngineName::soft
                                 ? (now.time_steps - before.time_steps) / steps
                                 : (now.collisions - before.collisions) / (collisions * balls_);
   charge_samples_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));
@@ -214,7 +217,7 @@ void ReplicateRun::run_slice() {
   take_samples();
   const double worked = std::chrono::duration<double>(Clock::now() - began).count();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
-  slice_ = std::min(std::max(slice_, 1e-15), what_->run.settle + what_->run.time);
+  slice_ = std::min(std::max(slice_, 1e-15), mill_case_->run.settle + mill_case_->run.time);
   if (result_.energy_balance.time >= end || !result_.stop_reason.empty()) end_window();
 }
 
@@ -222,14 +225,15 @@ void ReplicateRun::end_window() {
   if (window_ == 0)
     result_.at_settled = result_.energy_balance;
   else
-    result_.windows.push_back(window_between(result_.energy_balance.time - what_->run.settle, last_,
-                                             result_.energy_balance, all_, above_, result_.tally));
+    result_.windows.push_back(window_between(result_.energy_balance.time - mill_case_->run.settle,
+                                             last_, result_.energy_balance, all_, above_,
+                                             result_.tally));
   plan_charge_samples(last_, result_.energy_balance);
   last_ = result_.energy_balance;
   all_ = result_.tally.all;
   above_ = result_.tally.above;
   ++window_;
-  if (!what_->run.until || !result_.stop_reason.empty()) return;
+  if (!mill_case_->run.until || !result_.stop_reason.empty()) return;
   if (std::ssize(result_.windows) == max_windows) {
     result_.windows = results::merge_window_pairs(result_.windows);
     window_length_ *= 2;
@@ -237,17 +241,17 @@ void ReplicateRun::end_window() {
   }
   constexpr int fewest = 50, between = 10;
   if (std::ssize(result_.windows) < fewest || window_ % between != 1) return;
-  const observe::Estimate known =
-      observe::time_series_estimate(results::series(result_.windows, what_->run.until->quantity));
-  converged_ = known.ci95 <= what_->run.until->within * std::abs(known.mean);
+  const observe::Estimate known = observe::time_series_estimate(
+      results::series(result_.windows, mill_case_->run.until->quantity));
+  converged_ = known.ci95 <= mill_case_->run.until->within * std::abs(known.mean);
 }
 
 results::Replicate ReplicateRun::result() const {
   results::Replicate given = result_;
   given.complete = finished() && given.stop_reason.empty();
-  given.precision_reached = !what_->run.until || converged_;
+  given.precision_reached = !mill_case_->run.until || converged_;
   if (!given.complete) add_partial_window(given);
-  results::grind(*what_, given, index_);
+  results::grind(*mill_case_, given, index_);
   return given;
 }
 
@@ -256,8 +260,8 @@ void ReplicateRun::add_partial_window(results::Replicate& given) const {
   if (window_ == 0)
     given.at_settled = given.energy_balance;
   else if (given.energy_balance.time > last_.time)
-    given.windows.push_back(window_between(given.energy_balance.time - what_->run.settle, last_,
-                                           given.energy_balance, all_, above_, given.tally));
+    given.windows.push_back(window_between(given.energy_balance.time - mill_case_->run.settle,
+                                           last_, given.energy_balance, all_, above_, given.tally));
 }
 
 void ReplicateRun::serialize(Archive& archive) {

@@ -18,7 +18,7 @@ class ReplicateRun {
   /// `recorder` receives every counted record, `frames` the frames that the case requests. Once
   /// `*stop` is set, run_slice() returns early; throws Interrupted if `*stop` is set while balls
   /// are placed.
-  ReplicateRun(const cases::Case& what, int index,
+  ReplicateRun(const cases::Case& mill_case, int index,
                std::unique_ptr<scene::Observer> recorder = nullptr,
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
                const std::atomic<bool>* stop = nullptr);
@@ -51,7 +51,7 @@ class ReplicateRun {
   void plan_charge_samples(const scene::EnergyBalance& before, const scene::EnergyBalance& now);
   double next_charge_sample() const;  // [s]
 
-  const cases::Case* what_;
+  const cases::Case* mill_case_;
   int index_;
   std::unique_ptr<scene::Observer> recorder_;
   std::unique_ptr<results::FrameFiles> frames_;
@@ -74,7 +74,7 @@ class ReplicateRun {
 /// The engine of one replicate at its start: run.engine, where "auto" counts as "event". `threads`
 /// threads share its work; the result does not depend on their number. `stop` takes effect from the
 /// placement of the balls on (scene::Engine::stop_on), where it throws Interrupted.
-std::unique_ptr<scene::Engine> engine(const cases::Case& what, int index, int threads = 1,
+std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads = 1,
                                       const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::campaign

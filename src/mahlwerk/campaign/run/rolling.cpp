@@ -34,9 +34,9 @@ struct Rates {
   double hits = 0;   ///< [1/s] above the threshold
 };
 
-bool assumed(const cases::Case& what, const char* key) {
-  const auto origin = std::ranges::find(what.origins, key, &cases::Origin::key);
-  return origin != what.origins.end() && origin->assumed;
+bool assumed(const cases::Case& mill_case, const char* key) {
+  const auto origin = std::ranges::find(mill_case.origins, key, &cases::Origin::key);
+  return origin != mill_case.origins.end() && origin->assumed;
 }
 
 double contact_share(const std::vector<const results::Replicate*>& chosen) {
@@ -64,22 +64,22 @@ Rates recorded_rates(const results::Replicate& r, double time) {
 
 /// Rates of the first replicate with the TC rule, over 1 s or 20 000 collisions. The same on any
 /// machine.
-Rates tc_rates(cases::Case what) {
+Rates tc_rates(cases::Case mill_case) {
   constexpr double long_enough = 1;  // [s]
   constexpr std::int64_t enough = 20'000;
   constexpr int parts = 50;
-  what.contact.lasting = cases::SustainedContactModel::tc;
-  what.run.engine = cases::EngineName::event;
-  const auto trial = engine(what, 0);
-  ThresholdCounter ignored(what.observe.threshold), hits(what.observe.threshold);
+  mill_case.contact.lasting = cases::SustainedContactModel::tc;
+  mill_case.run.engine = cases::EngineName::event;
+  const auto trial = engine(mill_case, 0);
+  ThresholdCounter ignored(mill_case.observe.threshold), hits(mill_case.observe.threshold);
   Rates found;
   try {
-    trial->advance(what.run.settle, ignored);
+    trial->advance(mill_case.run.settle, ignored);
     const scene::EnergyBalance before = trial->energy_balance();
-    const double whole = std::min(what.run.time, long_enough);
+    const double whole = std::min(mill_case.run.time, long_enough);
     for (int i = 1; i <= parts && trial->energy_balance().collisions - before.collisions < enough;
          ++i) {
-      trial->advance(what.run.settle + whole * i / parts, hits);
+      trial->advance(mill_case.run.settle + whole * i / parts, hits);
       found.time = trial->energy_balance().time - before.time;
       found.power = (trial->energy_balance().lost() - before.lost()) / found.time;
       found.hits = hits.above / found.time;
@@ -92,16 +92,17 @@ Rates tc_rates(cases::Case what) {
 }  // namespace
 
 Notices rolling_notices(const results::Outcome& outcome) {
-  const cases::Case& what = outcome.what;
+  const cases::Case& mill_case = outcome.mill_case;
   const bool guessed =
-      assumed(what, "contact.lasting") || assumed(what, "contact.lasting_friction");
-  if (outcome.engine != cases::EngineName::event || results::count_of_balls(what) != 1 ||
-      !guessed || what.contact.lasting != cases::SustainedContactModel::roll || outcome.interrupted)
+      assumed(mill_case, "contact.lasting") || assumed(mill_case, "contact.lasting_friction");
+  if (outcome.engine != cases::EngineName::event || results::count_of_balls(mill_case) != 1 ||
+      !guessed || mill_case.contact.lasting != cases::SustainedContactModel::roll ||
+      outcome.interrupted)
     return {};
   const auto chosen = results::averaged_replicates(outcome);
   const double rolled = contact_share(chosen);
   if (!(rolled > most_of_the_time)) return {};
-  const Rates tc = tc_rates(what), roll = recorded_rates(outcome.replicates.front(), tc.time);
+  const Rates tc = tc_rates(mill_case), roll = recorded_rates(outcome.replicates.front(), tc.time);
   const std::string other =
       tc.time > 0 && roll.time > 0
           ? fmt::format(

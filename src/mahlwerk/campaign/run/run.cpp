@@ -28,19 +28,21 @@ struct Load {
 
 Load load_of(const std::vector<cases::Case>& points) {
   Load load;
-  for (const cases::Case& what : points) {
-    for (Fault& fault : run_faults(what)) load.wrong.push_back(std::move(fault));
+  for (const cases::Case& mill_case : points) {
+    for (Fault& fault : run_faults(mill_case)) load.wrong.push_back(std::move(fault));
     load.first_job.push_back(load.jobs);
-    load.jobs += static_cast<std::size_t>(what.run.replicates);
-    load.total += (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+    load.jobs += static_cast<std::size_t>(mill_case.run.replicates);
+    load.total +=
+        (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates);
   }
   return load;
 }
 
 /// Outcome of a point that was never begun.
-results::Outcome unstarted_outcome(const cases::Case& what) {
-  const auto count = static_cast<std::size_t>(what.run.replicates);
-  results::Outcome outcome{.what = what, .replicates = {count, results::empty_replicate(what)}};
+results::Outcome unstarted_outcome(const cases::Case& mill_case) {
+  const auto count = static_cast<std::size_t>(mill_case.run.replicates);
+  results::Outcome outcome{.mill_case = mill_case,
+                           .replicates = {count, results::empty_replicate(mill_case)}};
   outcome.interrupted = true;
   outcome.summary = results::summarise(outcome);
   outcome.notices = results::warnings(outcome);
@@ -86,15 +88,15 @@ int thread_count(int asked) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-results::Outcome run(const cases::Case& what, const RunOptions& options) {
-  return run(std::vector{what}, options).front();
+results::Outcome run(const cases::Case& mill_case, const RunOptions& options) {
+  return run(std::vector{mill_case}, options).front();
 }
 
-std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
+std::vector<cases::Case> points(const cases::Case& mill_case, const cases::Catalogue& catalogue,
                                 const std::vector<cases::Override>& overrides, std::size_t most) {
-  if (what.sweep.empty()) return {what};
-  const Plan plan(what.sweep, what.seed);
-  const cases::CaseFile file(what.file);
+  if (mill_case.sweep.empty()) return {mill_case};
+  const Plan plan(mill_case.sweep, mill_case.seed);
+  const cases::CaseFile file(mill_case.file);
   std::vector<cases::Case> made;
   std::vector<Fault> wrong;
   for (std::size_t i = 0; i < std::min(plan.size(), most); ++i) try {

@@ -49,14 +49,14 @@ struct RunOptions {
 /// short.
 std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
                                   const RunOptions& options = {});
-results::Outcome run(const cases::Case& what, const RunOptions& options = {});
+results::Outcome run(const cases::Case& mill_case, const RunOptions& options = {});
 
 /// `asked`, or the number of cores if that is 0.
 int thread_count(int asked);
 
-/// The cases of a plan: `what` itself without [sweep], else one case per point of its plan, in
+/// The cases of a plan: `mill_case` itself without [sweep], else one case per point of its plan, in
 /// order, but at most `most`. Throws InputError with the faults of all points.
-std::vector<cases::Case> points(const cases::Case& what, const cases::Catalogue& catalogue,
+std::vector<cases::Case> points(const cases::Case& mill_case, const cases::Catalogue& catalogue,
                                 const std::vector<cases::Override>& overrides,
                                 std::size_t most = Plan::max_points);
 

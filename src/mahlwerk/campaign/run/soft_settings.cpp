@@ -21,12 +21,12 @@ namespace {
 constexpr double sinking = 1;
 
 /// One ball of each size and set, for quantities that depend on sizes alone.
-std::vector<scene::Ball> one_of_each(const cases::Case& what) {
+std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
   std::vector<scene::Ball> balls;
-  for (std::size_t i = 0; i < what.balls.size(); ++i)
-    for (const cases::SizeClass& size : what.balls[i].sizes())
+  for (std::size_t i = 0; i < mill_case.balls.size(); ++i)
+    for (const cases::SizeClass& size : mill_case.balls[i].sizes())
       balls.push_back({.radius = 0.5 * size.diameter,
-                       .density = what.balls[i].density,
+                       .density = mill_case.balls[i].density,
                        .position = {},
                        .velocity = {},
                        .spin = {},
@@ -34,30 +34,30 @@ std::vector<scene::Ball> one_of_each(const cases::Case& what) {
   return balls;
 }
 
-double meeting_speed(const cases::Case& what) {
-  const double reach = geometry::reach(*what.jar.shape);
-  const auto most = kinematics::bounds(*what.mill.motion);
-  const double parts = geometry::rotor_tip_speed(*what.jar.shape);
-  const double wall = most.speed + most.spin * reach + parts + what.run.start_speed;
+double meeting_speed(const cases::Case& mill_case) {
+  const double reach = geometry::reach(*mill_case.jar.shape);
+  const auto most = kinematics::bounds(*mill_case.mill.motion);
+  const double parts = geometry::rotor_tip_speed(*mill_case.jar.shape);
+  const double wall = most.speed + most.spin * reach + parts + mill_case.run.start_speed;
   constexpr double least = 0.01;  // m/s: a charge at rest needs a finite step, too
-  return std::max(least, std::sqrt(wall * wall + 4 * what.gravity * reach));
+  return std::max(least, std::sqrt(wall * wall + 4 * mill_case.gravity * reach));
 }
 
 /// What determines the length of the time step.
-std::string reason(const cases::Case& what, const soft::TimeSteps& steps) {
-  if (what.run.time_step) return "as given";
-  const double fraction = what.run.time_step_fraction;
+std::string reason(const cases::Case& mill_case, const soft::TimeSteps& steps) {
+  if (mill_case.run.time_step) return "as given";
+  const double fraction = mill_case.run.time_step_fraction;
   const double usual = steps.recommended(fraction);
   if (usual == fraction * steps.rayleigh)
     return fmt::format("the requested {:.4g} % of the Rayleigh time", 100 * fraction);
   if (usual == steps.damper / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
-  return fmt::format("a fiftieth of {}", contact::shortest_time_name(*what.contact.model.law));
+  return fmt::format("a fiftieth of {}", contact::shortest_time_name(*mill_case.contact.model.law));
 }
 
 /// The largest error of a collision due to the time step, over all pairs of the case.
-soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
-  const contact::PairTable pairs = cases::pair_table(what);
+soft::StepError step_error_of(const cases::Case& mill_case, const SoftSettings& s) {
+  const contact::PairTable pairs = cases::pair_table(mill_case);
   soft::StepError worst;
   const auto include = [&](const contact::Pair& pair) {
     const soft::StepError e =
@@ -73,8 +73,8 @@ soft::StepError step_error_of(const cases::Case& what, const SoftSettings& s) {
 }
 
 /// Error of the shortest collision due to the time step, in words.
-std::string error_note(const cases::Case& what, const SoftSettings& s) {
-  const soft::StepError e = step_error_of(what, s);
+std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
+  const soft::StepError e = step_error_of(mill_case, s);
   return fmt::format(
       "With this step, the shortest collision is off by at most about {} % of its rebound "
       "speed, {} % of its tangential speed and {} % of its spin.",
@@ -89,45 +89,45 @@ double rounded_down(double x) {
 
 }  // namespace
 
-SoftSettings soft_settings(const cases::Case& what) {
+SoftSettings soft_settings(const cases::Case& mill_case) {
   SoftSettings s;
-  s.rules.model = what.contact.model;
-  s.rules.free_flight_skip = what.run.free_flight_skip;
-  s.speed = meeting_speed(what);
-  s.steps =
-      soft::time_steps(one_of_each(what), *s.rules.model.law, cases::pair_table(what), s.speed);
-  s.rules.time_step = what.run.time_step
-                          ? *what.run.time_step
-                          : rounded_down(s.steps.recommended(what.run.time_step_fraction));
+  s.rules.model = mill_case.contact.model;
+  s.rules.free_flight_skip = mill_case.run.free_flight_skip;
+  s.speed = meeting_speed(mill_case);
+  s.steps = soft::time_steps(one_of_each(mill_case), *s.rules.model.law,
+                             cases::pair_table(mill_case), s.speed);
+  s.rules.time_step = mill_case.run.time_step
+                          ? *mill_case.run.time_step
+                          : rounded_down(s.steps.recommended(mill_case.run.time_step_fraction));
   return s;
 }
 
-double soft_work(const cases::Case& what) {
+double soft_work(const cases::Case& mill_case) {
   std::int64_t balls = 0;
-  for (const cases::BallSet& set : what.balls) balls += set.count;
-  return static_cast<double>(balls) * (what.run.settle + what.run.time) /
-         soft_settings(what).rules.time_step;
+  for (const cases::BallSet& set : mill_case.balls) balls += set.count;
+  return static_cast<double>(balls) * (mill_case.run.settle + mill_case.run.time) /
+         soft_settings(mill_case).rules.time_step;
 }
 
-Notices soft_notices(const cases::Case& what) {
-  const SoftSettings s = soft_settings(what);
+Notices soft_notices(const cases::Case& mill_case) {
+  const SoftSettings s = soft_settings(mill_case);
   const double step = s.rules.time_step;
   Notices notes{
       note("time-step",
            fmt::format("Time step {}, {}: {} % of the Rayleigh time and {} % of the shortest "
                        "collision ({}) "
                        "of balls that collide at {}, with an overlap of {} % of their radius.",
-                       show_rounded(step, "s"), reason(what, s.steps),
+                       show_rounded(step, "s"), reason(mill_case, s.steps),
                        two_digits(100 * step / s.steps.rayleigh),
                        two_digits(100 * step / s.steps.contact), show_rounded(s.steps.contact, "s"),
                        show_rounded(s.speed, "m/s", 2), two_digits(100 * s.steps.overlap))),
-      note("step-error", error_note(what, s))};
+      note("step-error", error_note(mill_case, s))};
   return notes;
 }
 
-Notices overlap_warnings(const cases::Case& what) {
+Notices overlap_warnings(const cases::Case& mill_case) {
   constexpr double deep = results::soft_overlap;
-  const SoftSettings s = soft_settings(what);
+  const SoftSettings s = soft_settings(mill_case);
   Notices notes;
   if (s.steps.overlap > deep)
     notes.push_back(warning(
@@ -141,22 +141,22 @@ Notices overlap_warnings(const cases::Case& what) {
   return notes;
 }
 
-std::vector<Fault> run_faults(const cases::Case& what) {
-  std::vector<Fault> found = cases::engine_faults(what);
-  if (what.run.engine != cases::EngineName::soft || !found.empty()) return found;
-  const SoftSettings s = soft_settings(what);
+std::vector<Fault> run_faults(const cases::Case& mill_case) {
+  std::vector<Fault> found = cases::engine_faults(mill_case);
+  if (mill_case.run.engine != cases::EngineName::soft || !found.empty()) return found;
+  const SoftSettings s = soft_settings(mill_case);
   if (s.steps.overlap > sinking)
-    found.push_back({cases::location_of(what, "contact.softening"),
+    found.push_back({cases::location_of(mill_case, "contact.softening"),
                      fmt::format("contacts are so soft that balls, which may collide at {}, "
                                  "would overlap by {} of their radius",
                                  show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap)),
                      "give a larger softening, modulus or stiffness, or a smaller cohesion",
                      "contacts-too-soft"});
   constexpr double max_steps = 1e13;  // a month or more; near the resolution of the simulated time
-  const double time = what.run.settle + what.run.time;
+  const double time = mill_case.run.settle + mill_case.run.time;
   if (time > max_steps * s.rules.time_step)
     found.push_back(
-        {cases::location_of(what, what.run.time_step ? "run.time_step" : "run.time"),
+        {cases::location_of(mill_case, mill_case.run.time_step ? "run.time_step" : "run.time"),
          fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
                      show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, max_steps),
          fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
@@ -164,13 +164,14 @@ std::vector<Fault> run_faults(const cases::Case& what) {
          "time-step-too-small"});
   if (s.rules.time_step > s.steps.limit)
     found.push_back(
-        {cases::location_of(what, "run.time_step"),
+        {cases::location_of(mill_case, "run.time_step"),
          fmt::format(
              "a time step of {} is unstable: at most {} for balls that may collide at {:.2g} "
              "m/s",
              show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"), s.speed),
-         fmt::format("write time_step = \"{}\" or less, or leave it out",
-                     show(rounded_down(s.steps.recommended(what.run.time_step_fraction)), "s")),
+         fmt::format(
+             "write time_step = \"{}\" or less, or leave it out",
+             show(rounded_down(s.steps.recommended(mill_case.run.time_step_fraction)), "s")),
          "time-step-too-large"});
   return found;
 }

@@ -19,18 +19,18 @@ struct SoftSettings {
   soft::TimeSteps steps;
   double speed = 0;  ///< [m/s] highest expected: peak wall speed and a fall through the jar
 };
-SoftSettings soft_settings(const cases::Case& what);
+SoftSettings soft_settings(const cases::Case& mill_case);
 
 /// [1] Balls times steps of one replicate by the soft engine.
-double soft_work(const cases::Case& what);
+double soft_work(const cases::Case& mill_case);
 
 /// Notices on the time step, what determines it, and its error.
-Notices soft_notices(const cases::Case& what);
+Notices soft_notices(const cases::Case& mill_case);
 /// Before a run: warns if balls that collide at the highest expected speed overlap too much. After
 /// a run, results::warnings reports the actual overlap.
-Notices overlap_warnings(const cases::Case& what);
+Notices overlap_warnings(const cases::Case& mill_case);
 
 /// Faults that prevent the requested engine from running a case; empty if there are none.
-std::vector<Fault> run_faults(const cases::Case& what);
+std::vector<Fault> run_faults(const cases::Case& mill_case);
 
 }  // namespace mahlwerk::campaign

@@ -94,11 +94,11 @@ observe::Estimate energies(const MillSpectra& mill) {
 
 }  // namespace
 
-DoseSpectrum dose_spectrum(const cases::Case& what, const results::Replicate& replicate,
+DoseSpectrum dose_spectrum(const cases::Case& mill_case, const results::Replicate& replicate,
                            bool by_powder) {
   const results::MeanSpectra spectra({&replicate});
   DoseSpectrum made{.dose = results::dissipated_power(replicate), .shares = {}, .mean_energy = 0};
-  if (by_powder) made.dose /= what.powder->mass;
+  if (by_powder) made.dose /= mill_case.powder->mass;
   double power = 0, rate = 0;
   for (int bin = 0; bin < LogHistogram::bins; ++bin) {
     made.shares.push_back(spectra.power(&observe::Spectra::energy_lost, bin));
@@ -113,7 +113,7 @@ DoseSpectrum dose_spectrum(const cases::Case& what, const results::Replicate& re
 MillSpectra mill_spectra(const results::Outcome& outcome, bool by_powder) {
   MillSpectra made;
   for (const results::Replicate* r : results::averaged_replicates(outcome))
-    if (DoseSpectrum one = dose_spectrum(outcome.what, *r, by_powder); has_collisions(one))
+    if (DoseSpectrum one = dose_spectrum(outcome.mill_case, *r, by_powder); has_collisions(one))
       made.replicates.push_back(std::move(one));
   std::vector<const DoseSpectrum*> all;
   for (const DoseSpectrum& m : made.replicates) all.push_back(&m);

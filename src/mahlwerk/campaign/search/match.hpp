@@ -28,7 +28,7 @@ struct MillSpectra {
 /// collisions are left out; if none is left, the mean is NaN.
 MillSpectra mill_spectra(const results::Outcome& outcome, bool by_powder);
 /// The same for one replicate.
-DoseSpectrum dose_spectrum(const cases::Case& what, const results::Replicate& replicate,
+DoseSpectrum dose_spectrum(const cases::Case& mill_case, const results::Replicate& replicate,
                            bool by_powder);
 
 /// [1] Wasserstein distance of the two distributions of power over ln energy (opt.14).

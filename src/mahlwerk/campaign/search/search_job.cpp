@@ -15,10 +15,10 @@
 namespace mahlwerk::campaign {
 namespace {
 
-std::string place_of_quantity(const cases::Case& what, const cases::Optimise& wanted,
+std::string place_of_quantity(const cases::Case& mill_case, const cases::Optimise& wanted,
                               const std::string& name) {
   const char* goal = wanted.maximise ? "optimise.maximise" : "optimise.minimise";
-  return cases::location_of(what, name == wanted.quantity ? goal : "optimise.limits." + name);
+  return cases::location_of(mill_case, name == wanted.quantity ? goal : "optimise.limits." + name);
 }
 
 /// Known names that extend `name`: for "wear_rate" those of balls and of the jar.
@@ -51,8 +51,9 @@ std::string instead_of(const std::string& name, std::vector<std::string> known,
 }
 
 /// Outcomes of a search: the objective, then the limited quantities.
-std::vector<SearchOutcome> search_outcomes(const cases::Case& what, const cases::Optimise& wanted) {
-  const std::vector<results::Measure> known = results::measures(what);
+std::vector<SearchOutcome> search_outcomes(const cases::Case& mill_case,
+                                           const cases::Optimise& wanted) {
+  const std::vector<results::Measure> known = results::measures(mill_case);
   std::vector<std::string> names{wanted.quantity}, all;
   for (const cases::Limit& limit : wanted.limits) names.push_back(limit.quantity);
   for (const results::Measure& q : known) all.push_back(q.name);
@@ -64,38 +65,40 @@ std::vector<SearchOutcome> search_outcomes(const cases::Case& what, const cases:
       made.push_back({q->name, q->unit, q->about});
       continue;
     }
-    wrong.push_back({place_of_quantity(what, wanted, name),
+    wrong.push_back({place_of_quantity(mill_case, wanted, name),
                      fmt::format("a run of this case has no quantity \"{}\"", name),
-                     instead_of(name, all, results::missing_quantities(what)), "no-such-quantity"});
+                     instead_of(name, all, results::missing_quantities(mill_case)),
+                     "no-such-quantity"});
   }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   return made;
 }
 
-double bound_of(const cases::Case& what, const cases::Limit& limit, const SearchOutcome& of) try {
+double bound_of(const cases::Case& mill_case, const cases::Limit& limit,
+                const SearchOutcome& of) try {
   return parse_in(limit.bound, of.unit == "1" ? "" : of.unit);
 } catch (const UnitError& error) {
   const std::string unit =
       of.unit == "1" ? "give a number without a unit" : fmt::format("give it in {}", of.unit);
-  throw InputError(Fault{cases::location_of(what, "optimise.limits." + limit.quantity),
+  throw InputError(Fault{cases::location_of(mill_case, "optimise.limits." + limit.quantity),
                          fmt::format("the limit of {}: {}", limit.quantity, error.what()), unit,
                          "bad-limit"});
 }
 
 }  // namespace
 
-void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
+void check_keys(const cases::Case& mill_case, const std::vector<cases::SweptKey>& over,
                 std::string_view section) {
   constexpr std::size_t most = 8;
   std::vector<Fault> wrong;
   if (over.size() > most)
     wrong.push_back(
-        {fmt::format("{}: {}", what.file, section),
+        {fmt::format("{}: {}", mill_case.file, section),
          fmt::format("{} keys are too many for a search of the best setting", over.size()),
          fmt::format("give at most {}; design = \"morris\" shows which keys matter", most),
          "too-many-keys"});
-  if (!what.sweep.empty())
-    wrong.push_back({what.file, "the case has both a [sweep] and " + std::string(section),
+  if (!mill_case.sweep.empty())
+    wrong.push_back({mill_case.file, "the case has both a [sweep] and " + std::string(section),
                      "remove the section [sweep]", "one-case"});
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }

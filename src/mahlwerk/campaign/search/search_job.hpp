@@ -26,7 +26,7 @@ struct SearchJob {
 };
 
 /// Throws InputError if there are more than 8 keys, or the case has a [sweep].
-void check_keys(const cases::Case& what, const std::vector<cases::SweptKey>& over,
+void check_keys(const cases::Case& mill_case, const std::vector<cases::SweptKey>& over,
                 std::string_view section);
 
 /// The goal of a search over the keys of these runs, which are kept by reference.

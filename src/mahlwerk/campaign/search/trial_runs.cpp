@@ -103,7 +103,8 @@ void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
     for (const Fault& fault : error.faults()) {
       if (!fault.where.ends_with(label) || std::ranges::find(sure, fault.code) == sure.end())
         continue;
-      Fault swept_fault{place_of(range), with_range(fault.what, range, end), fault.remedy, fault.code};
+      Fault swept_fault{place_of(range), with_range(fault.what, range, end), fault.remedy,
+                        fault.code};
       const auto same = [&](const Fault& f) {
         return f.where == swept_fault.where && f.what == swept_fault.what;
       };
@@ -153,24 +154,24 @@ std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& request
                                         TrialStore& store, std::string_view version) const {
   struct PendingRun {
     std::size_t number;  // in `requests`
-    cases::Case what;
+    cases::Case mill_case;
     RunHash hash;
   };
   std::vector<TrialResult> result(requests.size());
   std::vector<PendingRun> pending;  // not in the store
   for (std::size_t i = 0; i < requests.size(); ++i) try {
-      cases::Case what = at(requests[i].point, requests[i].first, requests[i].count);
-      const RunHash hash = run_hash(what, version);
+      cases::Case mill_case = at(requests[i].point, requests[i].first, requests[i].count);
+      const RunHash hash = run_hash(mill_case, version);
       if (auto known = store.find(hash))
         result[i] = std::move(*known);
       else
-        pending.push_back({i, std::move(what), hash});
+        pending.push_back({i, std::move(mill_case), hash});
     } catch (const InputError& why) {
       result[i].failure = short_reason(why);
     }
   RunQueue queue;
   queue.size = pending.size();
-  queue.open = [&](std::size_t i) { return pending[i].what; };
+  queue.open = [&](std::size_t i) { return pending[i].mill_case; };
   queue.done = [&](std::size_t i, results::Outcome&& outcome) {
     if (outcome.interrupted) return;
     TrialResult& mine = result[pending[i].number] = trial_result(outcome, measure);

@@ -34,8 +34,8 @@ std::string column_of(const std::string& key, std::string_view unit) {
 
 }  // namespace
 
-RunHash run_hash(const cases::Case& what, std::string_view version) {
-  cases::Case bare = what;
+RunHash run_hash(const cases::Case& mill_case, std::string_view version) {
+  cases::Case bare = mill_case;
   bare.origins.clear();
   bare.title.clear();
   bare.sweep = {};

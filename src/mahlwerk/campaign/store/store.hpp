@@ -26,7 +26,7 @@ namespace mahlwerk::campaign {
 /// Identity of a run: a hash of its resolved case, the content of the files that the case names,
 /// and the program version. Independent of the run's position in a campaign.
 using RunHash = std::uint64_t;
-RunHash run_hash(const cases::Case& what, std::string_view version);
+RunHash run_hash(const cases::Case& mill_case, std::string_view version);
 std::string hash_text(RunHash hash);  ///< 16 hexadecimal digits
 
 /// Column names of a quantity: its value and its half-width, with their unit.

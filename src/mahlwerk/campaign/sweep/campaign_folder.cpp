@@ -133,9 +133,10 @@ std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
 }
 
 CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
-  const cases::Case what = file_.read(settings_.catalogue, settings(point));
-  return {run_hash(what, settings_.version), work_estimate(what),
-          (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates)};
+  const cases::Case mill_case = file_.read(settings_.catalogue, settings(point));
+  return {
+      run_hash(mill_case, settings_.version), work_estimate(mill_case),
+      (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates)};
 }
 
 void CampaignFolder::plan(Plan plan) {

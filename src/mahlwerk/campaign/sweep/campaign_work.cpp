@@ -104,22 +104,22 @@ class CampaignFolder::ActiveRuns {
 
   cases::Case open(std::size_t i) {
     const std::size_t point = todo_[i];
-    cases::Case what = owner_.file_.read(owner_.settings_.catalogue, owner_.settings(point));
-    what.sweep = {};
+    cases::Case mill_case = owner_.file_.read(owner_.settings_.catalogue, owner_.settings(point));
+    mill_case.sweep = {};
     auto made = std::make_unique<ActiveRun>(owner_.settings_.version);
-    made->replicates = what.run.replicates;
+    made->replicates = mill_case.run.replicates;
     const std::string hash = hash_text(owner_.runs_[point].hash);
     made->name = fmt::format("{}/{:0{}}-{}", results::campaign_runs, point + 1,
                              std::to_string(owner_.size()).size(), hash.substr(0, 8));
     const fs::path place = owner_.path_ / made->name;
-    const bool streams = what.observe.frames || what.observe.collisions;
+    const bool streams = mill_case.observe.frames || mill_case.observe.collisions;
     results::make_folder(place.parent_path());
     if (owner_.keeps_folders() || streams)
       made->folder = std::make_unique<results::Folder>(place, true);
-    if (made->folder) made->streams.add(what, *made->folder, "");
+    if (made->folder) made->streams.add(mill_case, *made->folder, "");
     const fs::path kept = place.string() + ".checkpoint";
     const auto no_state = [&] {
-      made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(what.run.replicates),
+      made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(mill_case.run.replicates),
                                checkpoint_every, owner_.settings_.on_write_error);
     };
     no_state();
@@ -130,7 +130,7 @@ class CampaignFolder::ActiveRuns {
       }
     const std::lock_guard lock(mutex_);
     active_[i] = std::move(made);
-    return what;
+    return mill_case;
   }
 
   void done(std::size_t i, const results::Outcome& outcome) {
@@ -143,7 +143,7 @@ class CampaignFolder::ActiveRuns {
       }
       RunRecord finished;
       finished.hash = owner_.runs_[todo_[i]].hash;
-      finished.resolved = cases::write(outcome.what);
+      finished.resolved = cases::write(outcome.mill_case);
       finished.engine = name_of(outcome.engine);
       finished.regime = outcome.summary.regime;
       finished.folder = mine.folder ? mine.name : "";

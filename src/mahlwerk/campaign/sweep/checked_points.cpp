@@ -13,15 +13,15 @@
 
 namespace mahlwerk::campaign {
 
-CheckedPoints::CheckedPoints(const cases::Case& what, const std::filesystem::path& file,
+CheckedPoints::CheckedPoints(const cases::Case& mill_case, const std::filesystem::path& file,
                              const cases::Catalogue& known,
                              const std::vector<cases::Override>& set) {
-  if (what.sweep.empty()) {
-    add_faults(run_faults(what), "");
-    if (faults_.empty()) good_.push_back(what);
+  if (mill_case.sweep.empty()) {
+    add_faults(run_faults(mill_case), "");
+    if (faults_.empty()) good_.push_back(mill_case);
     return;
   }
-  const Plan plan(what.sweep, what.seed);
+  const Plan plan(mill_case.sweep, mill_case.seed);
   const cases::CaseFile case_file(file);
   size_ = plan.size();
   for (std::size_t i = 0; i < std::min(size_, most); ++i) {

@@ -19,7 +19,7 @@ class CheckedPoints {
  public:
   static constexpr std::size_t most = 1000;  ///< points that are read at most
 
-  CheckedPoints(const cases::Case& what, const std::filesystem::path& file,
+  CheckedPoints(const cases::Case& mill_case, const std::filesystem::path& file,
                 const cases::Catalogue& known, const std::vector<cases::Override>& set);
 
   const std::vector<cases::Case>& good() const { return good_; }  ///< points that can be run

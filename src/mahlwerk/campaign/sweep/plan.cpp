@@ -186,11 +186,11 @@ std::vector<std::string> point_values(const Plan& plan, std::size_t point,
   return values;
 }
 
-std::vector<std::string> base_values(const Plan& plan, const cases::Case& what) {
+std::vector<std::string> base_values(const Plan& plan, const cases::Case& mill_case) {
   std::vector<std::string> own;
   for (const std::string& key : plan.keys()) {
-    const auto origin = std::ranges::find(what.origins, key, &cases::Origin::key);
-    own.push_back(origin == what.origins.end() ? "" : origin->value);
+    const auto origin = std::ranges::find(mill_case.origins, key, &cases::Origin::key);
+    own.push_back(origin == mill_case.origins.end() ? "" : origin->value);
   }
   return own;
 }

@@ -53,7 +53,7 @@ class Plan {
 std::vector<std::string> point_values(const Plan& plan, std::size_t point,
                                       const std::vector<std::string>& own);
 /// Values of a plan's keys in the case; empty where it has none.
-std::vector<std::string> base_values(const Plan& plan, const cases::Case& what);
+std::vector<std::string> base_values(const Plan& plan, const cases::Case& mill_case);
 
 /// The value at `place`, 0 to 1 from end to end of a range, as text with `digits` digits; a whole
 /// number for keys that count something. Throws InputError if an end is not a number, the units do

@@ -9,18 +9,19 @@
 
 namespace mahlwerk::campaign {
 
-double work_estimate(const cases::Case& what) {
+double work_estimate(const cases::Case& mill_case) {
   // Soft engine: minimum time of a step, and time of a step for each ball. Event engine: time for
   // each ball and simulated second, some hundred collisions of a microsecond each
   // (docs/performance.md).
   constexpr double step = 2e-7, ball_step = 1e-7, ball_second = 2e-4;
-  const auto balls = static_cast<double>(cases::balls_count(what.balls));
+  const auto balls = static_cast<double>(cases::balls_count(mill_case.balls));
   double each = ball_second * balls;
-  if (what.run.engine == cases::EngineName::soft) {
-    const double dt = soft_settings(what).rules.time_step;
+  if (mill_case.run.engine == cases::EngineName::soft) {
+    const double dt = soft_settings(mill_case).rules.time_step;
     each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
   }
-  return each * (what.run.time + what.run.settle) * static_cast<double>(what.run.replicates);
+  return each * (mill_case.run.time + mill_case.run.settle) *
+         static_cast<double>(mill_case.run.replicates);
 }
 
 }  // namespace mahlwerk::campaign

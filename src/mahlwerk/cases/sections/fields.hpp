@@ -22,7 +22,7 @@ constexpr std::int64_t max_replicates = 10000;
 constexpr std::int64_t max_balls = 100'000'000;
 constexpr double max_grains = 2e6;    ///< of the powder
 constexpr std::size_t max_sets = 32;  ///< ball sets, including the powder
-constexpr double densest = 0.74;       ///< solid fraction of the densest packing of equal balls
+constexpr double densest = 0.74;      ///< solid fraction of the densest packing of equal balls
 
 constexpr auto case_fields() {
   return std::array{Field<Case>{"gravity", "m/s2", &Case::gravity, not_negative,
@@ -73,7 +73,7 @@ constexpr Field<Run> step_share{"time_step_fraction",
                                 "as paper B: 1 us for its balls"};
 
 /// Limits beyond which the interval between frames is taken for a mistake.
-constexpr double max_frames = 1e6;      ///< of one replicate
+constexpr double max_frames = 1e6;       ///< of one replicate
 constexpr double largest_frames = 10e9;  ///< [bytes] of one replicate, about
 
 const std::vector<std::string>& engines();        ///< in the order of EngineName

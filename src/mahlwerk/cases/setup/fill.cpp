@@ -19,7 +19,7 @@ namespace mahlwerk::cases {
 namespace {
 
 constexpr std::size_t large = 10000;  // balls; larger charges gain from sorting in memory
-constexpr double min_gap = 1e-3;    // between balls placed one by one, over the sum of radii
+constexpr double min_gap = 1e-3;      // between balls placed one by one, over the sum of radii
 
 /// Balls of one size of one set.
 struct Portion {

@@ -35,7 +35,7 @@ class PositionSampler {
   double radius_, needed_;
   Vec3 box_;
   Vec3 centre_, half_size_;  // of the box in which positions are drawn
-  Vec3 middle_;         // centre of the largest ball that fits; the sampling box shrinks to it
+  Vec3 middle_;              // centre of the largest ball that fits; the sampling box shrinks to it
 };
 
 }  // namespace mahlwerk::cases

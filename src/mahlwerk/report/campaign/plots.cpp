@@ -144,8 +144,8 @@ std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::si
   std::vector<std::size_t> keys;
   for (const std::size_t key : sheet.free)
     if (sheet.keys[key].numeric()) keys.push_back(key);
-  const std::size_t most = std::clamp<std::size_t>(
-      max_total_specks / (keys.size() * sheet.shown.size()), 1, max_specks);
+  const std::size_t most =
+      std::clamp<std::size_t>(max_total_specks / (keys.size() * sheet.shown.size()), 1, max_specks);
   std::vector<Picture> list;
   for (const std::size_t key : keys) {
     list.push_back(sheet.star ? ray_plot(sheet, key, column) : dot_plot(sheet, key, column, most));

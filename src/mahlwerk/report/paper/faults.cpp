@@ -17,9 +17,9 @@ namespace {
 /// Checks the references of one figure or claim to its campaign.
 class ReferenceCheck {
  public:
-  ReferenceCheck(std::string where, const std::string& campaign, const cases::Case& what,
+  ReferenceCheck(std::string where, const std::string& campaign, const cases::Case& mill_case,
                  std::vector<Fault>& faults)
-      : where_(std::move(where)), campaign_(campaign), case_(what), faults_(faults) {}
+      : where_(std::move(where)), campaign_(campaign), case_(mill_case), faults_(faults) {}
 
   void key(const std::string& name) {
     if (!name.empty()) find(name);
@@ -41,7 +41,7 @@ class ReferenceCheck {
     if (name.empty()) return;
     std::vector<std::string> names;
     results::Outcome none;
-    none.what = case_;
+    none.mill_case = case_;
     for (const results::Quantity& q : results::summarise(none).quantities) names.push_back(q.name);
     if (std::ranges::find(names, name) != names.end()) return;
     const std::string near = nearest_word(name, names);

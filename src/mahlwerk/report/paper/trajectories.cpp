@@ -28,13 +28,13 @@ class Film {
  public:
   Film(const results::Outcome& outcome, View view)
       : film_(outcome.replicates.front().replay),
-        mill_(cases::chamber(outcome.what)),
+        mill_(cases::chamber(outcome.mill_case)),
         charge_(mill_, outcome.replicates.front().tally.wall_map.grid().radius),
         view_(view) {
-    const std::vector<scene::Ball> all = cases::starting_balls(outcome.what, 0);
+    const std::vector<scene::Ball> all = cases::starting_balls(outcome.mill_case, 0);
     for (std::size_t i = 0; i < all.size(); i += film_.ball_stride()) {
       radius.push_back(all[i].radius);
-      grain.push_back(outcome.what.balls[static_cast<std::size_t>(all[i].kind)].grains);
+      grain.push_back(outcome.mill_case.balls[static_cast<std::size_t>(all[i].kind)].grains);
     }
   }
 
@@ -124,8 +124,8 @@ bool has_film(const Panel& panel) {
 
 /// Whether the jar's axis is normal to the plane of motion, so that its wall is a circle there.
 bool is_round(const results::Outcome& outcome) {
-  const Vec3 normal = kinematics::plane_normal(*outcome.what.mill.motion);
-  return norm(cross(normal, outcome.what.mill.jar_axis)) < 1e-9;
+  const Vec3 normal = kinematics::plane_normal(*outcome.mill_case.mill.motion);
+  return norm(cross(normal, outcome.mill_case.mill.jar_axis)) < 1e-9;
 }
 
 std::string trajectory(const Film& film, const PanelCanvas& sheet, std::size_t ball,

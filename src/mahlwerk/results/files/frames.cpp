@@ -20,13 +20,14 @@ InputError cannot_write_frames(const std::filesystem::path& file) {
                           "cannot-write"});
 }
 
-FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& what)
-    : chamber_(cases::chamber(what)) {
+FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& mill_case)
+    : chamber_(cases::chamber(mill_case)) {
   using cases::FramesFormat;
   const auto with = [&](const char* ending) { return stem.string() + ending; };
-  if (what.observe.frames_format != FramesFormat::vtk) xyz_.emplace(with(".xyz"), *chamber_.shape);
-  if (what.observe.frames_format != FramesFormat::xyz)
-    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::jar_mesh_is_static(what));
+  if (mill_case.observe.frames_format != FramesFormat::vtk)
+    xyz_.emplace(with(".xyz"), *chamber_.shape);
+  if (mill_case.observe.frames_format != FramesFormat::xyz)
+    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::jar_mesh_is_static(mill_case));
 }
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
@@ -41,11 +42,11 @@ std::string frames_name(int replicate) {
   return fmt::format("frames-{}", replicate + 1);
 }
 
-FrameTimes::FrameTimes(const cases::Case& what)
-    : settle_(what.run.settle),
-      end_(what.run.settle + what.run.time),
-      every_(what.observe.frames.value_or(0)) {
-  if (every_ > 0) count_ = 1 + static_cast<std::int64_t>(what.run.time / every_ * (1 + 1e-12));
+FrameTimes::FrameTimes(const cases::Case& mill_case)
+    : settle_(mill_case.run.settle),
+      end_(mill_case.run.settle + mill_case.run.time),
+      every_(mill_case.observe.frames.value_or(0)) {
+  if (every_ > 0) count_ = 1 + static_cast<std::int64_t>(mill_case.run.time / every_ * (1 + 1e-12));
 }
 
 double FrameTimes::next() const {

@@ -21,7 +21,7 @@ class FrameFiles {
  public:
   /// `stem`: path of the files without their extension, as frames-1. This constructor and `add`
   /// throw InputError if the files cannot be written.
-  FrameFiles(const std::filesystem::path& stem, const cases::Case& what);
+  FrameFiles(const std::filesystem::path& stem, const cases::Case& mill_case);
 
   /// Adds a frame: the balls in the jar frame at `time` [s] since the start of the run, and the
   /// forces on them, if known (scene::Engine::forces).
@@ -40,7 +40,7 @@ std::string frames_name(int replicate);
 /// Times [s] of frames since the start of the run; none unless the case asks for frames.
 class FrameTimes {
  public:
-  explicit FrameTimes(const cases::Case& what);
+  explicit FrameTimes(const cases::Case& mill_case);
   double next() const;  ///< [s] of the next frame; infinite after the last
   void advance() { ++done_; }
 

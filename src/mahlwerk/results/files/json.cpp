@@ -7,9 +7,9 @@ namespace {
 
 constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
 
-Json origins(const cases::Case& what, bool cases::Origin::*chosen) {
+Json origins(const cases::Case& mill_case, bool cases::Origin::*chosen) {
   Json list = Json::array();
-  for (const cases::Origin& o : what.origins) {
+  for (const cases::Origin& o : mill_case.origins) {
     if (o.*chosen)
       list.push_back(Json::object({{"key", o.key}, {"value", o.value}, {"source", o.source}}));
   }
@@ -41,20 +41,20 @@ Json about(const Outcome& outcome, std::string_view version) {
   const bool whole = complete(outcome);
   return Json::object({{"mahlwerk", version},
                        {"schema", schema},
-                       {"title", outcome.what.title},
-                       {"seed", outcome.what.seed},
+                       {"title", outcome.mill_case.title},
+                       {"seed", outcome.mill_case.seed},
                        {"engine", name_of(outcome.engine)},
                        {"regime", outcome.summary.regime},
                        {"regime_reason", outcome.summary.regime_reason},
                        {"notes", texts(outcome.notices, false)},
                        {"warnings", texts(outcome.notices, true)},
                        {"notices", notice_list(outcome.notices)},
-                       {"threshold", outcome.what.observe.threshold},
+                       {"threshold", outcome.mill_case.observe.threshold},
                        {"complete", whole},
                        {"interrupted", outcome.interrupted && !whole},
                        {"replicates", std::move(runs)},
-                       {"assumed", origins(outcome.what, &cases::Origin::assumed)},
-                       {"unverified", origins(outcome.what, &cases::Origin::unverified)},
+                       {"assumed", origins(outcome.mill_case, &cases::Origin::assumed)},
+                       {"unverified", origins(outcome.mill_case, &cases::Origin::unverified)},
                        {"wall_seconds", outcome.wall_seconds},
                        {"cpu_seconds", outcome.cpu_seconds}});
 }

@@ -69,8 +69,8 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("size_distribution", "sizes of the powder at some times",
                size_distribution(outcome));
   unless_empty("conversion", "dose and conversion over the milling time", conversion(outcome));
-  unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.what));
-  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.what.mill.motion))
+  unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.mill_case));
+  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.mill_case.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
   for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
     if (const Replicate& r = outcome.replicates[i]; !r.balls_at_stop.empty())
@@ -82,18 +82,18 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
 
 }  // namespace
 
-std::string write_case(const Folder& folder, cases::Case what, std::string_view name) {
+std::string write_case(const Folder& folder, cases::Case mill_case, std::string_view name) {
   const std::string below(name.substr(0, name.find_last_of('/') + 1));
-  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*what.mill.motion)) {
+  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*mill_case.mill.motion)) {
     folder.write(below + std::string(motion_file), csv(samples(*measured)));
-    what.mill.motion_file = motion_file;
+    mill_case.mill.motion_file = motion_file;
   }
-  if (const auto* mesh = geometry::as<geometry::Mesh>(*what.jar.shape)) {
+  if (const auto* mesh = geometry::as<geometry::Mesh>(*mill_case.jar.shape)) {
     folder.write(below + std::string(jar_file),
                  cases::stl_text(mesh->surface()));  // in m, as moved
-    what.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
+    mill_case.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
   }
-  std::string text = cases::write(what);
+  std::string text = cases::write(mill_case);
   folder.write(name, text);
   return text;
 }
@@ -106,7 +106,7 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
   const std::vector<NamedTable> all = tables(outcome);
   for (const NamedTable& t : all) put(t.name + ".csv", csv(t.table));
   const std::string case_text =
-      write_case(folder, outcome.what, std::string(below) + "case.resolved.toml");
+      write_case(folder, outcome.mill_case, std::string(below) + "case.resolved.toml");
   write_result_file(folder.file(std::string(below) + "result.h5"), all, {},
                     outcome.summary.quantities, case_text, version);
   put("summary.json", summary_json(outcome, version));

@@ -17,6 +17,6 @@ void write(const Folder& folder, const Outcome& outcome, std::string_view versio
 
 /// Writes the case as `name` ("case.resolved.toml", with or without a folder), and its jar's mesh
 /// and measured motion beside it. Returns the text of the case.
-std::string write_case(const Folder& folder, cases::Case what, std::string_view name);
+std::string write_case(const Folder& folder, cases::Case mill_case, std::string_view name);
 
 }  // namespace mahlwerk::results

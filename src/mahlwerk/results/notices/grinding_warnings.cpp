@@ -17,13 +17,13 @@ namespace {
 
 using Chosen = std::vector<const Replicate*>;
 
-void large_grains(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
-  const double size = *what.powder->size;
+void large_grains(const cases::Case& mill_case, const powder::StressSpectrum& hits, Notices& list) {
+  const double size = *mill_case.powder->size;
   double nip = INFINITY;  // smallest effective radius with collisions
   for (const powder::Stress& s : hits.stresses)
     nip = std::min(nip, hits.nips[static_cast<std::size_t>(s.nip)].radius);
   constexpr double large = 0.25;
-  if (std::holds_alternative<powder::Barrios>(*what.capture->model) && size > large * nip)
+  if (std::holds_alternative<powder::Barrios>(*mill_case.capture->model) && size > large * nip)
     list.push_back(warning(
         "large-grains",
         fmt::format(
@@ -47,15 +47,16 @@ void more_than_dissipated(const Chosen& chosen, Notices& list) {
                     two_digits(given))));
 }
 
-void all_of_the_powder(const cases::Case& what, const powder::StressSpectrum& hits, Notices& list) {
-  const powder::Process process = cases::process(what);
-  const powder::Grain grain = process.grain(*what.powder->size);
+void all_of_the_powder(const cases::Case& mill_case, const powder::StressSpectrum& hits,
+                       Notices& list) {
+  const powder::Process process = cases::process(mill_case);
+  const powder::Grain grain = process.grain(*mill_case.powder->size);
   constexpr double nearly = 0.999, often = 0.01;
   double whole = 0, all = 0;
   for (const powder::Stress& s : hits.stresses) {
     const powder::Capture c =
         process.capture_per_hit(hits.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
-    if (c.grains * grain.mass() >= nearly * what.powder->mass) whole += s.rate * s.energy;
+    if (c.grains * grain.mass() >= nearly * mill_case.powder->mass) whole += s.rate * s.energy;
     all += s.rate * s.energy;
   }
   if (whole > often * all)
@@ -104,16 +105,16 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
 
 Notices grinding_warnings(const Outcome& outcome) {
   const Chosen chosen = grinding_replicates(outcome);
-  const cases::Case& what = outcome.what;
+  const cases::Case& mill_case = outcome.mill_case;
   Notices list;
-  if (chosen.empty() || !what.capture) return list;
-  const powder::StressSpectrum hits = stress_spectrum(what, chosen);
-  large_grains(what, hits, list);
+  if (chosen.empty() || !mill_case.capture) return list;
+  const powder::StressSpectrum hits = stress_spectrum(mill_case, chosen);
+  large_grains(mill_case, hits, list);
   more_than_dissipated(chosen, list);
-  all_of_the_powder(what, hits, list);
-  if (!what.grinding) return list;
-  ends_of_the_classes(*what.grinding, chosen, list);
-  wide_classes(*what.grinding, chosen, list);
+  all_of_the_powder(mill_case, hits, list);
+  if (!mill_case.grinding) return list;
+  ends_of_the_classes(*mill_case.grinding, chosen, list);
+  wide_classes(*mill_case.grinding, chosen, list);
   return list;
 }
 

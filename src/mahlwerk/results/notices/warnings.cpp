@@ -97,7 +97,7 @@ void not_certain(const Outcome& outcome, Notices& list) {
       fmt::format(
           "{} is not known within {:.3g} % after the longest time allowed: a longer run.longest "
           "helps.",
-          outcome.what.run.until->quantity, 100 * outcome.what.run.until->within)));
+          outcome.mill_case.run.until->quantity, 100 * outcome.mill_case.run.until->within)));
 }
 
 /// Whether energy was gained, rather than lost, in the run with the largest residual.
@@ -178,9 +178,9 @@ void overlaps(const Outcome& outcome, Notices& list) {
 Notices warnings(const Outcome& outcome) {
   Notices list;
   cut_short(outcome, list);
-  append(list, cases::jar_warnings(outcome.what));
-  append(list, cases::unusual_values(outcome.what));
-  append(list, cases::ignored_keys(outcome.what, outcome.engine));
+  append(list, cases::jar_warnings(outcome.mill_case));
+  append(list, cases::unusual_values(outcome.mill_case));
+  append(list, cases::ignored_keys(outcome.mill_case, outcome.engine));
   energy_gained(outcome, list);
   energy_balances(outcome, list);
   overlaps(outcome, list);

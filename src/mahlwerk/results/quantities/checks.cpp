@@ -22,8 +22,8 @@ double ratio(const cases::Case& c) {
 
 }  // namespace
 
-std::vector<Measure> grain_measures(const cases::Case& what) {
-  if (!what.powder || !what.powder->grain_size) return {};
+std::vector<Measure> grain_measures(const cases::Case& mill_case) {
+  if (!mill_case.powder || !mill_case.powder->grain_size) return {};
   std::vector<Measure> list{
       {"grain_count", "1", "spheres that represent the powder",
        [](const cases::Case& c, const Replicate&) {
@@ -35,7 +35,7 @@ std::vector<Measure> grain_measures(const cases::Case& what) {
       {"particles_per_grain", "1", "particles of the powder that each grain represents",
        [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); }, true},
   };
-  if (!what.powder->size) list.resize(1);
+  if (!mill_case.powder->size) list.resize(1);
   return list;
 }
 

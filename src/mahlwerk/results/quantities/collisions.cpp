@@ -55,8 +55,8 @@ std::vector<Measure> collision_rates() {
   };
 }
 
-std::vector<Measure> collision_rates_by_partner(const cases::Case& what) {
-  if (!(count_of_balls(what) > 1)) return {};
+std::vector<Measure> collision_rates_by_partner(const cases::Case& mill_case) {
+  if (!(count_of_balls(mill_case) > 1)) return {};
   return {
       {"collision_rate_between_balls", "1/s",
        "collisions of balls with balls per second, each once",

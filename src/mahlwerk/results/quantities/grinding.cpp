@@ -17,9 +17,9 @@ using cases::Case;
 using observe::LogHistogram;
 using powder::StressSpectrum;
 
-const LogHistogram& energies(const Case& what, const observe::Spectra& spectra) {
+const LogHistogram& energies(const Case& mill_case, const observe::Spectra& spectra) {
   using Energy = cases::Capture::Energy;
-  switch (what.capture->energy) {
+  switch (mill_case.capture->energy) {
     case Energy::normal:
       return spectra.energy_normal;
     case Energy::contact_point:
@@ -32,12 +32,12 @@ const LogHistogram& energies(const Case& what, const observe::Spectra& spectra) 
 
 /// Appends the collisions of one kind of pair: one stress per energy bin, at the bin's mean energy,
 /// as means over replicates. Bin 0, which holds collisions without energy, is left out.
-void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int pair,
+void add_stresses(const Case& mill_case, const std::vector<const Replicate*>& of, int pair,
                   StressSpectrum& all) {
   for (int bin = 1; bin < LogHistogram::bins; ++bin) {
     double rate = 0, power = 0;
     for (const Replicate* r : of) {
-      const LogHistogram& histogram = energies(what, r->tally.by_pair[pair].spectra);
+      const LogHistogram& histogram = energies(mill_case, r->tally.by_pair[pair].spectra);
       const double per = 1 / (r->time() * static_cast<double>(of.size()));
       rate += per * static_cast<double>(histogram.count(bin));
       power += per * histogram.sum(bin);
@@ -47,12 +47,12 @@ void add_stresses(const Case& what, const std::vector<const Replicate*>& of, int
 }
 
 /// Each nip: mean over replicates.
-std::vector<powder::Nip> mean_nips(const Case& what, const std::vector<const Replicate*>& of) {
+std::vector<powder::Nip> mean_nips(const Case& mill_case, const std::vector<const Replicate*>& of) {
   std::vector<powder::Nip> mean;
   for (const Replicate* r : of) {
     const std::vector<powder::Nip> own = r->grinding && !r->grinding->stresses.nips.empty()
                                              ? r->grinding->stresses.nips
-                                             : nips(what, r->tally);
+                                             : nips(mill_case, r->tally);
     if (mean.empty()) mean.resize(own.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
       mean[i].radius += own[i].radius / static_cast<double>(of.size());
@@ -70,23 +70,24 @@ powder::Stream stream_of(const Replicate& r, const std::vector<powder::Nip>& nip
   return stream;
 }
 
-powder::SizeEvolution milling_by_sample(const Case& what, const Replicate& r,
+powder::SizeEvolution milling_by_sample(const Case& mill_case, const Replicate& r,
                                         const StressSpectrum& stresses, int index) {
   // A random stream of its own, apart from the streams that place balls.
   constexpr std::uint32_t first = 0x706f7764U;
-  Random random(what.seed, first + static_cast<std::uint32_t>(index));
+  Random random(mill_case.seed, first + static_cast<std::uint32_t>(index));
   const auto start = static_cast<std::uint64_t>(std::ldexp(random.uniform(), 53));
-  return powder::grind_sample(cases::process(what), stresses.nips, stream_of(r, stresses.nips),
-                              size_grid(what), what.powder->feed, what.grinding->time,
-                              static_cast<int>(what.grinding->sample), start);
+  return powder::grind_sample(cases::process(mill_case), stresses.nips, stream_of(r, stresses.nips),
+                              size_grid(mill_case), mill_case.powder->feed,
+                              mill_case.grinding->time,
+                              static_cast<int>(mill_case.grinding->sample), start);
 }
 
 }  // namespace
 
-observe::StressStream::Energy stream_energy(const Case& what) {
+observe::StressStream::Energy stream_energy(const Case& mill_case) {
   using Energy = cases::Capture::Energy;
   using Kept = observe::StressStream::Energy;
-  switch (what.capture->energy) {
+  switch (mill_case.capture->energy) {
     case Energy::normal:
       return Kept::normal;
     case Energy::contact_point:
@@ -97,38 +98,38 @@ observe::StressStream::Energy stream_energy(const Case& what) {
   return Kept::lost;
 }
 
-StressSpectrum stress_spectrum(const Case& what, const std::vector<const Replicate*>& of) {
+StressSpectrum stress_spectrum(const Case& mill_case, const std::vector<const Replicate*>& of) {
   StressSpectrum all;
-  all.nips = mean_nips(what, of);
+  all.nips = mean_nips(mill_case, of);
   for (int pair = 0; pair < std::ssize(all.nips); ++pair)
-    if (all.nips[static_cast<std::size_t>(pair)].radius > 0) add_stresses(what, of, pair, all);
+    if (all.nips[static_cast<std::size_t>(pair)].radius > 0) add_stresses(mill_case, of, pair, all);
   return all;
 }
 
-powder::SizeGrid size_grid(const Case& what) {
-  const powder::Feed& feed = what.powder->feed;
+powder::SizeGrid size_grid(const Case& mill_case) {
+  const powder::Feed& feed = mill_case.powder->feed;
   const bool equal = feed.law == powder::Feed::Law::equal;
   const double largest = equal ? feed.size : feed.largest();
   constexpr double room = 16;  // for grains that weld
   return {equal ? feed.size : feed.quantile(0.5),
-          what.grinding->welding > 0 ? room * largest : largest, what.grinding->smallest,
-          static_cast<int>(what.grinding->classes_per_octave)};
+          mill_case.grinding->welding > 0 ? room * largest : largest, mill_case.grinding->smallest,
+          static_cast<int>(mill_case.grinding->classes_per_octave)};
 }
 
-powder::SizeEvolution milling_by_balance(const Case& what, const StressSpectrum& stresses,
+powder::SizeEvolution milling_by_balance(const Case& mill_case, const StressSpectrum& stresses,
                                          const powder::CaptureTable* known) {
-  return powder::grind_by_balance(cases::process(what), stresses, size_grid(what),
-                                  what.powder->feed, what.grinding->time, known);
+  return powder::grind_by_balance(cases::process(mill_case), stresses, size_grid(mill_case),
+                                  mill_case.powder->feed, mill_case.grinding->time, known);
 }
 
-powder::CaptureTable beds(const Case& what, const StressSpectrum& stresses) {
-  if (what.grinding->bed == powder::Bed::mixed) return {};
-  return powder::capture_table(cases::process(what), stresses, size_grid(what), 0);
+powder::CaptureTable beds(const Case& mill_case, const StressSpectrum& stresses) {
+  if (mill_case.grinding->bed == powder::Bed::mixed) return {};
+  return powder::capture_table(cases::process(mill_case), stresses, size_grid(mill_case), 0);
 }
 
-CaptureRates capture_rates(const Case& what, const StressSpectrum& stresses) {
-  const powder::Process process = cases::process(what);
-  const powder::Grain grain = process.grain(*what.powder->size);
+CaptureRates capture_rates(const Case& mill_case, const StressSpectrum& stresses) {
+  const powder::Process process = cases::process(mill_case);
+  const powder::Grain grain = process.grain(*mill_case.powder->size);
   CaptureRates rates;
   double energy = 0;
   for (const powder::Stress& s : stresses.stresses) {
@@ -145,37 +146,38 @@ CaptureRates capture_rates(const Case& what, const StressSpectrum& stresses) {
 
 namespace {
 
-bool dose_is_captured(const Case& what) {
-  return !what.kinetics || what.kinetics->dose == cases::Kinetics::Dose::captured;
+bool dose_is_captured(const Case& mill_case) {
+  return !mill_case.kinetics || mill_case.kinetics->dose == cases::Kinetics::Dose::captured;
 }
 
 }  // namespace
 
-double dose_rate(const Case& what, const std::vector<const Replicate*>& of,
+double dose_rate(const Case& mill_case, const std::vector<const Replicate*>& of,
                  const StressSpectrum& stresses) {
-  const bool caught = dose_is_captured(what);
-  double power = caught ? capture_rates(what, stresses).power : 0;
+  const bool caught = dose_is_captured(mill_case);
+  double power = caught ? capture_rates(mill_case, stresses).power : 0;
   if (!caught)
     for (const Replicate* r : of) power += dissipated_power(*r) / static_cast<double>(of.size());
-  return power / what.powder->mass;
+  return power / mill_case.powder->mass;
 }
 
-void grind(const Case& what, Replicate& replicate, int index) {
-  if (!what.powder || (!what.capture && !what.kinetics) || !(replicate.time() > 0)) return;
+void grind(const Case& mill_case, Replicate& replicate, int index) {
+  if (!mill_case.powder || (!mill_case.capture && !mill_case.kinetics) || !(replicate.time() > 0))
+    return;
   GrindingOutcome grinding;
   const std::vector<const Replicate*> alone{&replicate};
-  if (what.capture) {
-    grinding.stresses = stress_spectrum(what, alone);
-    grinding.capture = capture_rates(what, grinding.stresses);
+  if (mill_case.capture) {
+    grinding.stresses = stress_spectrum(mill_case, alone);
+    grinding.capture = capture_rates(mill_case, grinding.stresses);
   }
-  grinding.dose_rate = what.capture && dose_is_captured(what)
-                           ? grinding.capture.power / what.powder->mass
-                           : dose_rate(what, alone, grinding.stresses);
+  grinding.dose_rate = mill_case.capture && dose_is_captured(mill_case)
+                           ? grinding.capture.power / mill_case.powder->mass
+                           : dose_rate(mill_case, alone, grinding.stresses);
   using Method = cases::Grinding::Method;
-  if (what.grinding && what.grinding->method != Method::statistical)
-    grinding.balance = milling_by_balance(what, grinding.stresses);
-  if (what.grinding && what.grinding->method != Method::balance)
-    grinding.sample = milling_by_sample(what, replicate, grinding.stresses, index);
+  if (mill_case.grinding && mill_case.grinding->method != Method::statistical)
+    grinding.balance = milling_by_balance(mill_case, grinding.stresses);
+  if (mill_case.grinding && mill_case.grinding->method != Method::balance)
+    grinding.sample = milling_by_sample(mill_case, replicate, grinding.stresses, index);
   replicate.grinding = std::move(grinding);
 }
 
@@ -201,8 +203,8 @@ CaptureRates capture_of(const Replicate& r) {
 
 }  // namespace
 
-std::vector<Measure> capture_measures(const Case& what) {
-  if (!what.capture) return {};
+std::vector<Measure> capture_measures(const Case& mill_case) {
+  if (!mill_case.capture) return {};
   return {
       {"captured_mass_rate", "kg/s", "mass of powder that collisions capture per second",
        [](const Case&, const Replicate& r) { return capture_of(r).mass; }},
@@ -225,8 +227,8 @@ std::vector<Measure> capture_measures(const Case& what) {
   };
 }
 
-std::vector<Measure> grinding_measures(const Case& what) {
-  if (!what.grinding) return {};
+std::vector<Measure> grinding_measures(const Case& mill_case) {
+  if (!mill_case.grinding) return {};
   std::vector<Measure> list{
       {"d10", "m", "size that 10 % of the powder's mass is finer than, after milling",
        [](const Case&, const Replicate& r) { return size_at_end(r, 0.1); }},
@@ -252,8 +254,8 @@ std::vector<Measure> grinding_measures(const Case& what) {
   return list;
 }
 
-std::vector<Measure> kinetics_measures(const Case& what) {
-  if (!what.kinetics) return {};
+std::vector<Measure> kinetics_measures(const Case& mill_case) {
+  if (!mill_case.kinetics) return {};
   std::vector<Measure> list{
       {"milling_dose", "J/g", "energy by mass of powder over the milling time",
        [](const Case& c, const Replicate& r) {
@@ -264,8 +266,8 @@ std::vector<Measure> kinetics_measures(const Case& what) {
          return r.grinding ? c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time)
                            : undefined;
        }}};
-  if (!what.kinetics->property.empty())
-    list.push_back({"property", "1", what.kinetics->property + ", after milling",
+  if (!mill_case.kinetics->property.empty())
+    list.push_back({"property", "1", mill_case.kinetics->property + ", after milling",
                     [](const Case& c, const Replicate& r) {
                       if (!r.grinding) return undefined;
                       const double done =

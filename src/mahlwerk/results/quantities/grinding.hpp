@@ -15,38 +15,38 @@ namespace mahlwerk::results {
 
 /// Stress spectrum of the replicates in `of`, by kind of pair, for the energy that [capture]
 /// chooses. New grinding parameters need no new run of the mill.
-powder::StressSpectrum stress_spectrum(const cases::Case& what,
+powder::StressSpectrum stress_spectrum(const cases::Case& mill_case,
                                        const std::vector<const Replicate*>& of);
 
 /// The energy that [capture] chooses, as StressStream::Energy.
-observe::StressStream::Energy stream_energy(const cases::Case& what);
+observe::StressStream::Energy stream_energy(const cases::Case& mill_case);
 
 /// Size classes of a case with [grinding].
-powder::SizeGrid size_grid(const cases::Case& what);
+powder::SizeGrid size_grid(const cases::Case& mill_case);
 
 /// Size evolution of the powder of a case with [grinding] by the population balance. `known`: its
 /// capture table, if it is available.
-powder::SizeEvolution milling_by_balance(const cases::Case& what,
+powder::SizeEvolution milling_by_balance(const cases::Case& mill_case,
                                          const powder::StressSpectrum& stresses,
                                          const powder::CaptureTable* known = nullptr);
 /// Capture table of the case. It is valid as long as [capture], [powder] and the classes do not
 /// change. Empty for a mixed bed, whose captures change with the powder.
-powder::CaptureTable beds(const cases::Case& what, const powder::StressSpectrum& stresses);
+powder::CaptureTable beds(const cases::Case& mill_case, const powder::StressSpectrum& stresses);
 
 /// [W/kg] Dose rate of the powder: dissipated power, or power of captured grains, by its mass.
-double dose_rate(const cases::Case& what, const std::vector<const Replicate*>& of,
+double dose_rate(const cases::Case& mill_case, const std::vector<const Replicate*>& of,
                  const powder::StressSpectrum& stresses);
 
 /// Capture rates of grains of the feed's median size.
-CaptureRates capture_rates(const cases::Case& what, const powder::StressSpectrum& stresses);
+CaptureRates capture_rates(const cases::Case& mill_case, const powder::StressSpectrum& stresses);
 
 /// Fills `replicate.grinding` of a case with [capture] or [kinetics]. `index`: number of the
 /// replicate, from 0, which selects its random numbers.
-void grind(const cases::Case& what, Replicate& replicate, int index);
+void grind(const cases::Case& mill_case, Replicate& replicate, int index);
 
-std::vector<Measure> capture_measures(const cases::Case& what);
-std::vector<Measure> grinding_measures(const cases::Case& what);
-std::vector<Measure> kinetics_measures(const cases::Case& what);
+std::vector<Measure> capture_measures(const cases::Case& mill_case);
+std::vector<Measure> grinding_measures(const cases::Case& mill_case);
+std::vector<Measure> kinetics_measures(const cases::Case& mill_case);
 
 Table capture(const Outcome& outcome);  ///< capture.csv: a row per pair and bin of energy
 Table captured_grains(

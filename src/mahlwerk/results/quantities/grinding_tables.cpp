@@ -50,15 +50,15 @@ Table capture(const Outcome& outcome) {
            {"specific_energy", "J/kg", "energy that each captured grain gets, by its mass"}})
     table.columns.push_back(c);
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.what.capture || chosen.empty()) return table;
-  const powder::Process process = cases::process(outcome.what);
-  const powder::Grain grain = process.grain(*outcome.what.powder->size);
-  const powder::StressSpectrum all = stress_spectrum(outcome.what, chosen);
+  if (!outcome.mill_case.capture || chosen.empty()) return table;
+  const powder::Process process = cases::process(outcome.mill_case);
+  const powder::Grain grain = process.grain(*outcome.mill_case.powder->size);
+  const powder::StressSpectrum all = stress_spectrum(outcome.mill_case, chosen);
   for (const powder::Stress& s : all.stresses) {
     const powder::Capture c =
         process.capture_per_hit(all.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
     std::vector<double> row =
-        pair_cells(table, pair_names(outcome.what, chosen.front()->tally.by_pair, s.nip));
+        pair_cells(table, pair_names(outcome.mill_case, chosen.front()->tally.by_pair, s.nip));
     const double each = process.energy_share * s.energy / c.grains;
     row.insert(row.end(), {s.energy, s.rate, c.probability * c.grains, c.mean_mass(grain), c.radius,
                            each, each / grain.mass()});
@@ -75,13 +75,13 @@ Table captured_grains(const Outcome& outcome) {
        {"power", "W", "sum of the energies of these collisions per second"}},
       {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.what.capture || chosen.empty()) return table;
-  const powder::Process process = cases::process(outcome.what);
-  const powder::StressSpectrum all = stress_spectrum(outcome.what, chosen);
+  if (!outcome.mill_case.capture || chosen.empty()) return table;
+  const powder::Process process = cases::process(outcome.mill_case);
+  const powder::StressSpectrum all = stress_spectrum(outcome.mill_case, chosen);
   std::map<int, std::array<double, 2>> bins;  // quarters of an octave; 0: one grain
   for (const powder::Stress& s : all.stresses) {
     const powder::Capture c = process.capture_per_hit(all.nips[static_cast<std::size_t>(s.nip)],
-                                                      s.energy, *outcome.what.powder->size);
+                                                      s.energy, *outcome.mill_case.powder->size);
     const int bin = c.grains > 1 ? 1 + static_cast<int>(4 * std::log2(c.grains)) : 0;
     auto& [rate, power] = bins[bin];
     rate += s.rate * c.probability;
@@ -98,7 +98,7 @@ Table grinding(const Outcome& outcome) {
                {"specific_energy", "J/g", "energy that captured grains got until then"}},
               {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.what.grinding || chosen.empty()) return table;
+  if (!outcome.mill_case.grinding || chosen.empty()) return table;
   constexpr std::array<std::pair<double, const char*>, 3> shares{
       {{0.1, "d10"}, {0.5, "d50"}, {0.9, "d90"}}};
   const Replicate& first = *chosen.front();
@@ -115,7 +115,7 @@ Table grinding(const Outcome& outcome) {
       mean_over(chosen, [](const Replicate& r) { return r.grinding->capture.power; });
   const std::vector<double>& times = milling(first, methods(first).front()).time;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    std::vector<double> row{times[i], power * times[i] / (1000 * outcome.what.powder->mass)};
+    std::vector<double> row{times[i], power * times[i] / (1000 * outcome.mill_case.powder->mass)};
     for (const MillingOf method : methods(first)) {
       for (const auto& [share, name] : shares)
         row.push_back(mean_over(chosen, [&, part = share](const Replicate& r) {
@@ -124,7 +124,7 @@ Table grinding(const Outcome& outcome) {
         }));
       row.push_back(mean_over(chosen, [&](const Replicate& r) {
         const SizeEvolution& m = milling(r, method);
-        return powder::specific_surface(m.grid, m.shares[i], *outcome.what.powder->density);
+        return powder::specific_surface(m.grid, m.shares[i], *outcome.mill_case.powder->density);
       }));
     }
     table.rows.push_back(std::move(row));
@@ -138,7 +138,7 @@ Table size_distribution(const Outcome& outcome) {
                {"size_high", "m", "upper edge of the class"}},
               {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.what.grinding || chosen.empty()) return table;
+  if (!outcome.mill_case.grinding || chosen.empty()) return table;
   const Replicate& first = *chosen.front();
   for (const MillingOf method : methods(first)) {
     const std::string before = prefix(first, method);
@@ -150,7 +150,7 @@ Table size_distribution(const Outcome& outcome) {
   constexpr std::array times{0.0, 1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
   const powder::SizeGrid& grid = milling(first, methods(first).front()).grid;
   for (const double part : times) {
-    const double time = part * outcome.what.grinding->time;
+    const double time = part * outcome.mill_case.grinding->time;
     std::vector<std::vector<double>> shares;  // of each method
     for (const MillingOf method : methods(first)) {
       std::vector<double>& sum = shares.emplace_back(static_cast<std::size_t>(grid.classes()));
@@ -180,8 +180,8 @@ Table conversion(const Outcome& outcome) {
                {"conversion", "1", "conversion by that dose"}},
               {}};
   const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.what.kinetics || chosen.empty()) return table;
-  const cases::Kinetics& kinetics = *outcome.what.kinetics;
+  if (!outcome.mill_case.kinetics || chosen.empty()) return table;
+  const cases::Kinetics& kinetics = *outcome.mill_case.kinetics;
   if (!kinetics.property.empty()) table.columns.push_back({"property", "1", kinetics.property});
   constexpr int points = 200;
   for (int i = 0; i <= points; ++i) {

@@ -20,7 +20,7 @@ struct Measure {
 };
 
 /// All quantities that each replicate of a case has, in the order of summary.json.
-std::vector<Measure> measures(const cases::Case& what);
+std::vector<Measure> measures(const cases::Case& mill_case);
 
 inline double share(double part, double whole) {
   return whole > 0 ? part / whole : undefined;

@@ -9,15 +9,16 @@
 
 namespace mahlwerk::results {
 
-std::vector<Measure> measures(const cases::Case& what) {
+std::vector<Measure> measures(const cases::Case& mill_case) {
   std::vector<Measure> all;
   for (const std::vector<Measure>& group :
-       {collision_rates(), collision_rates_by_partner(what), collision_means(), power_measures(),
-        loss_measures(what), contact_time_measures(what), mill_measures(what),
-        energy_balance_measures(), dose_measures(what), regime_measures(what),
-        motion_measures(what), tangential_measures(), wear_measures(what), heat_measures(what),
-        capture_measures(what), grinding_measures(what), kinetics_measures(what),
-        grain_measures(what), check_measures()})
+       {collision_rates(), collision_rates_by_partner(mill_case), collision_means(),
+        power_measures(), loss_measures(mill_case), contact_time_measures(mill_case),
+        mill_measures(mill_case), energy_balance_measures(), dose_measures(mill_case),
+        regime_measures(mill_case), motion_measures(mill_case), tangential_measures(),
+        wear_measures(mill_case), heat_measures(mill_case), capture_measures(mill_case),
+        grinding_measures(mill_case), kinetics_measures(mill_case), grain_measures(mill_case),
+        check_measures()})
     all.insert(all.end(), group.begin(), group.end());
   return all;
 }

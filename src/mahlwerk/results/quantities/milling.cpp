@@ -48,7 +48,7 @@ double dose_rate(const Case& c, const Replicate& r) {
 
 }  // namespace
 
-std::vector<Measure> mill_measures(const Case& what) {
+std::vector<Measure> mill_measures(const Case& mill_case) {
   std::vector<Measure> list{
       {"impacts_per_ball", "1/s",
        "impacts of each ball per second, with other balls and with the jar",
@@ -61,14 +61,14 @@ std::vector<Measure> mill_measures(const Case& what) {
        "loses energy",
        [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
   };
-  if (std::isfinite(shaft_speed(what)))
+  if (std::isfinite(shaft_speed(mill_case)))
     list.push_back({"shaft_torque", "N m",
                     "drawn power over the speed of the shaft, per jar; without friction of the "
                     "drive",
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) / shaft_speed(c);  // (obs.7)
                     }});
-  if (what.mill.jars_carried > 1)
+  if (mill_case.mill.jars_carried > 1)
     list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars that the mill carries",
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) * static_cast<double>(c.mill.jars_carried);
@@ -76,15 +76,15 @@ std::vector<Measure> mill_measures(const Case& what) {
   return list;
 }
 
-std::vector<Measure> dose_measures(const Case& what) {
-  if (!what.powder || !(what.powder->mass > 0)) return {};
+std::vector<Measure> dose_measures(const Case& mill_case) {
+  if (!mill_case.powder || !(mill_case.powder->mass > 0)) return {};
   std::vector<Measure> list{
       {"specific_energy_dose_rate", "W/g",
        "dissipated power per mass of powder: an upper bound of what the powder gets", dose_rate},
       {"specific_energy_dose", "J/g",
-       cases::milling_time(what) ? "dose rate times the milling time"
-                                 : "dose rate times the counted time, as the case gives no "
-                                   "milling time",
+       cases::milling_time(mill_case) ? "dose rate times the milling time"
+                                      : "dose rate times the counted time, as the case gives no "
+                                        "milling time",
        [](const Case& c, const Replicate& r) {
          return dose_rate(c, r) * cases::milling_time(c).value_or(r.time());
        }},
@@ -97,12 +97,12 @@ std::vector<Measure> dose_measures(const Case& what) {
        "mean impact energy m (u_n^2 + u_t^2)/2 of a stress event, a collision above the threshold",
        [](const Case&, const Replicate& r) { return stress_energy(r); }},
   };
-  if (cases::milling_time(what))
+  if (cases::milling_time(mill_case))
     list.insert(list.begin() + 2,
                 {"milling_time", "s",
                  "operating time of the mill without pauses, from [grinding], [kinetics] or [heat]",
                  [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
-  if (what.powder->size && what.powder->density)
+  if (mill_case.powder->size && mill_case.powder->density)
     list.push_back({"stress_number_rate", "1/s",
                     "stress events per second and particle of the powder, one particle an event",
                     [](const Case& c, const Replicate& r) {

@@ -12,20 +12,20 @@ namespace {
 
 using cases::Case;
 
-std::set<std::string> names(const Case& what) {
+std::set<std::string> names(const Case& mill_case) {
   std::set<std::string> all;
-  for (const Measure& m : measures(what)) all.insert(m.name);
+  for (const Measure& m : measures(mill_case)) all.insert(m.name);
   return all;
 }
 
 struct Addition {
   std::string section;
-  void (*add)(Case& what);
+  void (*add)(Case& mill_case);
 };
 
-void add_powder(Case& what) {
-  if (!what.powder) what.powder.emplace();
-  what.powder->mass = 1;
+void add_powder(Case& mill_case) {
+  if (!mill_case.powder) mill_case.powder.emplace();
+  mill_case.powder->mass = 1;
 }
 
 const std::vector<Addition>& additions() {
@@ -47,11 +47,11 @@ const std::vector<Addition>& additions() {
 
 }  // namespace
 
-std::vector<MissingQuantity> missing_quantities(const Case& what) {
+std::vector<MissingQuantity> missing_quantities(const Case& mill_case) {
   std::vector<MissingQuantity> found;
-  std::set<std::string> known = names(what);
+  std::set<std::string> known = names(mill_case);
   for (const Addition& addition : additions()) {
-    Case more = what;
+    Case more = mill_case;
     addition.add(more);
     for (const std::string& name : names(more))
       if (known.insert(name).second) found.push_back({name, addition.section});

@@ -70,9 +70,9 @@ double grazing(const observe::Angles& angles, std::int64_t count) {
 
 }  // namespace
 
-std::vector<Measure> motion_measures(const Case& what) {
+std::vector<Measure> motion_measures(const Case& mill_case) {
   std::vector<Measure> list;
-  if (!regime_measures(what).empty())
+  if (!regime_measures(mill_case).empty())
     list.push_back({"occupied_share", "1",
                     "share of the jar's cross-section within reach of balls' centres whose mean "
                     "density is more than a tenth of that of a uniformly spread charge, in the "

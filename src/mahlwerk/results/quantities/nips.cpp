@@ -120,25 +120,26 @@ double effective_radius(const geometry::AnyShape& shape, int face, double radius
                      wall_areas(shape, hits.grid()));
 }
 
-std::vector<powder::Nip> nips(const cases::Case& what, const observe::CollisionStatistics& tally) {
+std::vector<powder::Nip> nips(const cases::Case& mill_case,
+                              const observe::CollisionStatistics& tally) {
   const observe::WallMap& hits = tally.wall_map;
-  const std::vector<WallPatch> patches = wall_patches(*what.jar.shape, hits.grid());
-  const std::vector<double> areas = wall_areas(*what.jar.shape, hits.grid());
+  const std::vector<WallPatch> patches = wall_patches(*mill_case.jar.shape, hits.grid());
+  const std::vector<double> areas = wall_areas(*mill_case.jar.shape, hits.grid());
   const observe::StatisticsByPair& pairs = tally.by_pair;
   std::vector<powder::Nip> found;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
     const auto one = static_cast<std::size_t>(kinds.one);
     powder::Nip nip;
-    if (kinds.with_jar() && !what.balls[one].grains) {
+    if (kinds.with_jar() && !mill_case.balls[one].grains) {
       // With one face in the statistics, it stands for all faces of the jar.
       const int face = pairs.faces() == 1 ? -1 : kinds.face();
-      nip.radius = mean_radius(patches, face, 0.5 * what.balls[one].diameter, hits, areas);
-      nip.modulus = cases::flash_pair_with_jar(what, one).modulus;
-    } else if (!kinds.with_jar() && !what.balls[one].grains &&
-               !what.balls[static_cast<std::size_t>(kinds.other)].grains) {
+      nip.radius = mean_radius(patches, face, 0.5 * mill_case.balls[one].diameter, hits, areas);
+      nip.modulus = cases::flash_pair_with_jar(mill_case, one).modulus;
+    } else if (!kinds.with_jar() && !mill_case.balls[one].grains &&
+               !mill_case.balls[static_cast<std::size_t>(kinds.other)].grains) {
       const powder::FlashPair flash =
-          cases::flash_pair(what, one, static_cast<std::size_t>(kinds.other));
+          cases::flash_pair(mill_case, one, static_cast<std::size_t>(kinds.other));
       nip = {flash.radius, flash.modulus};
     }
     found.push_back(nip);

@@ -70,18 +70,19 @@ const std::vector<PairMeasure>& pair_measures() {
 constexpr std::string_view jar = "jar";
 
 /// Kinds of pairs. All faces of the jar count as one.
-std::vector<PairKind> kinds_of_pairs(const cases::Case& what, const StatisticsByPair& pairs) {
+std::vector<PairKind> kinds_of_pairs(const cases::Case& mill_case, const StatisticsByPair& pairs) {
   std::vector<PairKind> list;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
-    const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
+    const std::string one = cases::set_name(mill_case, static_cast<std::size_t>(kinds.one));
     if (kinds.with_jar() && kinds.face() > 0) {
       list.back().pairs.push_back(pair);
       continue;
     }
     list.push_back({one,
-                    kinds.with_jar() ? std::string(jar)
-                                     : cases::set_name(what, static_cast<std::size_t>(kinds.other)),
+                    kinds.with_jar()
+                        ? std::string(jar)
+                        : cases::set_name(mill_case, static_cast<std::size_t>(kinds.other)),
                     {pair}});
   }
   return list;
@@ -104,12 +105,13 @@ std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& n
   return {table.columns[0].number_of(names[0]), table.columns[1].number_of(names[1])};
 }
 
-std::array<std::string, 2> pair_names(const cases::Case& what, const StatisticsByPair& pairs,
+std::array<std::string, 2> pair_names(const cases::Case& mill_case, const StatisticsByPair& pairs,
                                       int pair) {
   const auto kinds = pairs.kinds_of(pair);
-  const std::string one = cases::set_name(what, static_cast<std::size_t>(kinds.one));
-  if (!kinds.with_jar()) return {one, cases::set_name(what, static_cast<std::size_t>(kinds.other))};
-  const std::vector<std::string> faces = geometry::face_names(*what.jar.shape);
+  const std::string one = cases::set_name(mill_case, static_cast<std::size_t>(kinds.one));
+  if (!kinds.with_jar())
+    return {one, cases::set_name(mill_case, static_cast<std::size_t>(kinds.other))};
+  const std::vector<std::string> faces = geometry::face_names(*mill_case.jar.shape);
   if (faces.size() < 2 || pairs.faces() == 1) return {one, std::string(jar)};
   return {one, fmt::format("{}.{}", jar, faces[static_cast<std::size_t>(kinds.face())])};
 }
@@ -118,8 +120,9 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   std::vector<PairSummary> found;
   if (chosen.empty()) return found;
-  const std::vector<PairKind> kinds = kinds_of_pairs(outcome.what, chosen.front()->tally.by_pair);
-  if (kinds.size() == 1 || cases::kinds_of_balls(outcome.what).size() == 1) return found;
+  const std::vector<PairKind> kinds =
+      kinds_of_pairs(outcome.mill_case, chosen.front()->tally.by_pair);
+  if (kinds.size() == 1 || cases::kinds_of_balls(outcome.mill_case).size() == 1) return found;
   for (const PairKind& kind : kinds) {
     PairSummary made{kind.one, kind.other, {}};
     std::vector<PairTotals> totals;
@@ -152,22 +155,22 @@ Table collisions_by_pair(const std::vector<PairSummary>& pairs) {
   return table;
 }
 
-Table sizes(const cases::Case& what) {
+Table sizes(const cases::Case& mill_case) {
   Table table{{{"set", "1", "the ball set"},
                {"diameter", "m", "diameter of this size of ball"},
                {"count", "1", "balls of this size"},
                {"mass_share", "1", "share of the set's mass"}},
               {}};
-  if (std::ranges::all_of(what.balls, [](const auto& set) { return set.classes.empty(); }))
+  if (std::ranges::all_of(mill_case.balls, [](const auto& set) { return set.classes.empty(); }))
     return table;
-  for (std::size_t i = 0; i < what.balls.size(); ++i) {
+  for (std::size_t i = 0; i < mill_case.balls.size(); ++i) {
     double cubes = 0;
     const auto cube = [](const cases::SizeClass& c) {
       return static_cast<double>(c.count) * c.diameter * c.diameter * c.diameter;
     };
-    for (const cases::SizeClass& size : what.balls[i].sizes()) cubes += cube(size);
-    const double set = table.columns[0].number_of(cases::set_name(what, i));
-    for (const cases::SizeClass& size : what.balls[i].sizes())
+    for (const cases::SizeClass& size : mill_case.balls[i].sizes()) cubes += cube(size);
+    const double set = table.columns[0].number_of(cases::set_name(mill_case, i));
+    for (const cases::SizeClass& size : mill_case.balls[i].sizes())
       table.rows.push_back(
           {set, size.diameter, static_cast<double>(size.count), cube(size) / cubes});
   }

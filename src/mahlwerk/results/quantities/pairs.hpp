@@ -23,10 +23,10 @@ std::vector<Column> pair_columns();
 std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names);
 /// Names of the two bodies: ball sets, a face of the jar as in [[contact.pairs]] ("jar.side"), or
 /// "jar" where faces are not distinguished.
-std::array<std::string, 2> pair_names(const cases::Case& what,
+std::array<std::string, 2> pair_names(const cases::Case& mill_case,
                                       const observe::StatisticsByPair& pairs, int pair);
 
 /// sizes.csv: the ball sizes of each set; no rows if each set has one size.
-Table sizes(const cases::Case& what);
+Table sizes(const cases::Case& mill_case);
 
 }  // namespace mahlwerk::results

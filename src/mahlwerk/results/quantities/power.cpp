@@ -26,8 +26,8 @@ std::vector<Measure> power_measures() {
   };
 }
 
-std::vector<Measure> loss_measures(const cases::Case& what) {
-  if (what.run.engine != cases::EngineName::soft) return {};
+std::vector<Measure> loss_measures(const cases::Case& mill_case) {
+  if (mill_case.run.engine != cases::EngineName::soft) return {};
   return {
       {"dissipated_power_normal", "W",
        "power dissipated along the normal: dampers, hysteresis, cohesion",
@@ -48,9 +48,9 @@ std::vector<Measure> loss_measures(const cases::Case& what) {
   };
 }
 
-std::vector<Measure> contact_time_measures(const cases::Case& what) {
-  const bool soft = what.run.engine == cases::EngineName::soft;  // has no TC rule
-  if (soft || what.contact.lasting != cases::SustainedContactModel::tc) return {};
+std::vector<Measure> contact_time_measures(const cases::Case& mill_case) {
+  const bool soft = mill_case.run.engine == cases::EngineName::soft;  // has no TC rule
+  if (soft || mill_case.contact.lasting != cases::SustainedContactModel::tc) return {};
   return {{"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
            [](const cases::Case&, const Replicate& r) {
              return share(

@@ -133,15 +133,15 @@ double pinning(const Case& c, const Replicate& r) {
 double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
   double sum = 0;
   const auto chosen = averaged_replicates(outcome);
-  for (const Replicate* r : chosen) sum += of(outcome.what, *r);
+  for (const Replicate* r : chosen) sum += of(outcome.mill_case, *r);
   return chosen.empty() ? undefined : sum / static_cast<double>(chosen.size());
 }
 
 }  // namespace
 
-std::vector<Measure> regime_measures(const Case& what) {
-  if (!has_regime(what)) return {};
-  const bool drum = kinematics::as<Tumbling>(*what.mill.motion) != nullptr;
+std::vector<Measure> regime_measures(const Case& mill_case) {
+  if (!has_regime(mill_case)) return {};
+  const bool drum = kinematics::as<Tumbling>(*mill_case.mill.motion) != nullptr;
   return {
       {"flight_share", "1", "share of the balls' time without any contact", flight_share},
       {"toe_angle", "deg",
@@ -166,12 +166,12 @@ std::vector<Measure> regime_measures(const Case& what) {
 }
 
 std::string regime(const Outcome& outcome) {
-  if (!has_regime(outcome.what) || averaged_replicates(outcome).empty()) return "";
+  if (!has_regime(outcome.mill_case) || averaged_replicates(outcome).empty()) return "";
   const double flight = mean_of(outcome, flight_share);
   const bool all_round = mean_of(outcome, emptiest_sector) > 0.1;
   if (flight < 0.02 && all_round)
-    return kinematics::as<Tumbling>(*outcome.what.mill.motion) != nullptr ? "centrifuging"
-                                                                          : "rolling";
+    return kinematics::as<Tumbling>(*outcome.mill_case.mill.motion) != nullptr ? "centrifuging"
+                                                                               : "rolling";
   return flight > 0.2 ? "cataracting" : "cascading";
 }
 
@@ -181,8 +181,8 @@ std::string regime_reason(const Outcome& outcome) {
       "uniform charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
       100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
       mean_of(outcome, toe), mean_of(outcome, shoulder),
-      kinematics::as<Tumbling>(*outcome.what.mill.motion) != nullptr ? "Froude number"
-                                                                     : "pinning ratio",
+      kinematics::as<Tumbling>(*outcome.mill_case.mill.motion) != nullptr ? "Froude number"
+                                                                          : "pinning ratio",
       mean_of(outcome, pinning));
 }
 

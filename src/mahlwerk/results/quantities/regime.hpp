@@ -12,7 +12,7 @@ namespace mahlwerk::results {
 
 /// Flight share, toe and shoulder angles, emptiest sector, wall slip, pinning; empty for other
 /// mills.
-std::vector<Measure> regime_measures(const cases::Case& what);
+std::vector<Measure> regime_measures(const cases::Case& mill_case);
 
 /// "cascading", "cataracting", "centrifuging" (of a drum), "rolling" (of a planetary mill); empty
 /// for other mills or without a counted time.

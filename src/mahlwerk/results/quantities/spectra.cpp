@@ -206,7 +206,7 @@ Table spectra_by_pair(const Outcome& outcome) {
       const std::vector<double> numbers = energy_row(spectra, bin);
       if (std::all_of(numbers.begin() + 2, numbers.end(), [](double v) { return v == 0; }))
         continue;
-      std::vector<double> row = pair_cells(table, pair_names(outcome.what, first, pair));
+      std::vector<double> row = pair_cells(table, pair_names(outcome.mill_case, first, pair));
       row.insert(row.end(), numbers.begin(), numbers.end());
       table.rows.push_back(std::move(row));
     }

@@ -38,7 +38,7 @@ Table time_series(const Outcome& outcome) {
               {}};
   const Chosen chosen = averaged_replicates(outcome);
   double balls = 0;
-  for (const cases::BallSet& set : outcome.what.balls) balls += static_cast<double>(set.count);
+  for (const cases::BallSet& set : outcome.mill_case.balls) balls += static_cast<double>(set.count);
   std::size_t most = 0;
   for (const Replicate* r : chosen) most = std::max(most, r->windows.size());
   for (std::size_t i = 0; i < most; ++i) {

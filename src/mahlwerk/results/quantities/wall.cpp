@@ -206,7 +206,7 @@ WallRates wall_rates(const Outcome& outcome) {
                   .lost = std::vector<double>(n),
                   .slid = std::vector<double>(n),
                   .erosion = std::vector<double>(n)};
-  rates.area = wall_areas(*outcome.what.jar.shape, rates.grid);
+  rates.area = wall_areas(*outcome.mill_case.jar.shape, rates.grid);
   for (const Replicate* r : chosen) {
     const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
     for (std::size_t i = 0; i < n; ++i) {
@@ -233,7 +233,7 @@ Table wall_map(const Outcome& outcome) {
                {"power_lost", "W", "power that the hits dissipate"},
                {"slid", "N m/s", "normal force times sliding distance, per second"}},
               {}};
-  const bool wears = outcome.what.wear.has_value();
+  const bool wears = outcome.mill_case.wear.has_value();
   if (wears)
     table.columns.push_back({"wear_depth_rate", "m/s", "depth of wall worn off per second"});
   if (averaged_replicates(outcome).empty()) return table;
@@ -246,7 +246,7 @@ Table wall_map(const Outcome& outcome) {
                           b.across[0], b.across[1], rates.area[i], rates.rate[i],
                           rates.energy_normal[i], rates.lost[i], rates.slid[i]});
     if (wears) {
-      const double volume = wall_wear_rate(outcome.what, rates.slid[i], rates.erosion[i]);
+      const double volume = wall_wear_rate(outcome.mill_case, rates.slid[i], rates.erosion[i]);
       table.rows.back().push_back(rates.area[i] > 0 ? volume / rates.area[i] : 0);
     }
   }

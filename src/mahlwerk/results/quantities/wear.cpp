@@ -77,16 +77,16 @@ powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
 
 }  // namespace
 
-double wall_wear_rate(const Case& what, double slid, double erosion) {
-  return wear_rate(what, slid, erosion, what.jar.substance.hardness);
+double wall_wear_rate(const Case& mill_case, double slid, double erosion) {
+  return wear_rate(mill_case, slid, erosion, mill_case.jar.substance.hardness);
 }
 
-std::vector<Measure> wear_measures(const Case& what) {
-  if (!what.wear) return {};
+std::vector<Measure> wear_measures(const Case& mill_case) {
+  if (!mill_case.wear) return {};
   std::vector<Measure> list{
       {"wear_rate_balls", "kg/s", "mass worn off all balls per second", balls_wear},
       {"wear_rate_jar", "kg/s", "mass worn off the jar per second", jar_wear}};
-  if (what.powder && what.powder->mass > 0)
+  if (mill_case.powder && mill_case.powder->mass > 0)
     list.push_back({"contamination_rate", "ug/g/h",
                     "worn mass of balls and jar per mass of powder and hour of milling",
                     [](const Case& c, const Replicate& r) {
@@ -101,7 +101,7 @@ Table wear(const Outcome& outcome) {
                {"volume_rate", "m3/s", "volume worn off it per second"},
                {"mass_rate", "kg/s", "mass worn off it per second"}},
               {}};
-  const Case& c = outcome.what;
+  const Case& c = outcome.mill_case;
   const auto chosen = averaged_replicates(outcome);
   if (!c.wear || chosen.empty()) return table;
   const auto add = [&](const std::string& name, double density, const auto& of) {
@@ -121,8 +121,8 @@ Table wear(const Outcome& outcome) {
   return table;
 }
 
-std::vector<Measure> heat_measures(const Case& what) {
-  if (!what.heat) return {};
+std::vector<Measure> heat_measures(const Case& mill_case) {
+  if (!mill_case.heat) return {};
   return {
       {"temperature_balls", "degC", "temperature of the balls at the end of the last milling",
        [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; }},
@@ -148,14 +148,14 @@ Table temperatures(const Outcome& outcome) {
                {"jar", "degC", "temperature of the jar"}},
               {}};
   const auto chosen = averaged_replicates(outcome);
-  if (!outcome.what.heat || chosen.empty()) return table;
+  if (!outcome.mill_case.heat || chosen.empty()) return table;
   double power = 0;
   for (const Replicate* r : chosen)
     power += dissipated_power(*r) / static_cast<double>(chosen.size());
   const powder::HeatNodes nodes =
-      cases::heat_nodes(outcome.what, wall_area(*outcome.what.jar.shape));
+      cases::heat_nodes(outcome.mill_case, wall_area(*outcome.mill_case.jar.shape));
   for (const powder::HeatPoint& p :
-       powder::temperature_history(nodes, cases::mill_cycles(outcome.what, power)))
+       powder::temperature_history(nodes, cases::mill_cycles(outcome.mill_case, power)))
     table.rows.push_back({p.time, p.balls - zero_celsius, p.jar - zero_celsius});
   return table;
 }

@@ -11,15 +11,15 @@
 namespace mahlwerk::results {
 
 /// [m3/s] Wear of the jar's wall, from sums per second over its hits. The case must have [wear].
-double wall_wear_rate(const cases::Case& what, double slid, double erosion);
+double wall_wear_rate(const cases::Case& mill_case, double slid, double erosion);
 
 /// Wear of balls and jar, and contamination of the powder; empty without [wear].
-std::vector<Measure> wear_measures(const cases::Case& what);
+std::vector<Measure> wear_measures(const cases::Case& mill_case);
 /// wear.csv: a row per ball set and face of the jar; no rows without [wear].
 Table wear(const Outcome& outcome);
 
 /// Temperatures at the end of milling; empty without [heat].
-std::vector<Measure> heat_measures(const cases::Case& what);
+std::vector<Measure> heat_measures(const cases::Case& mill_case);
 /// temperature.csv: temperatures over milling and pauses; no rows without [heat].
 Table temperatures(const Outcome& outcome);
 

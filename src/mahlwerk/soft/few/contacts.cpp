@@ -37,9 +37,9 @@ void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, con
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
   if (p.wall[lane] != 0 && settings_.model.curved_walls)
-    apply_wall_curvature(p, lane, *jar_, p.face[k],
-                         particles_.position.get(static_cast<std::size_t>(p.i[lane])),
-                         mill_time(particles_.step), pairs_[p.species_pair[k]], *settings_.model.law);
+    apply_wall_curvature(
+        p, lane, *jar_, p.face[k], particles_.position.get(static_cast<std::size_t>(p.i[lane])),
+        mill_time(particles_.step), pairs_[p.species_pair[k]], *settings_.model.law);
   p.onset[k] = contact_onset(particles_.step, m, b, lane);
   set_lane(p.spring, lane, {});
   set_lane(p.roll, lane, {});

@@ -148,10 +148,10 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
   p.face[k] = c.face;
   p.i[lane] = c.i;
   p.j[lane] = wall ? 0 : c.j;
-  copy_lane(
-      pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
-                      wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)), settings_.time_step),
-      0, p, lane);
+  copy_lane(pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
+                            wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)),
+                            settings_.time_step),
+            0, p, lane);
   // Unused here: flush_work() itself divides the largest overlap by the radius.
   p.inverse_radius[lane] = 0;
 }

@@ -49,7 +49,7 @@ void FewBodySolver::rebuild_neighbour_list() {
 void FewBodySolver::find_wall_pairs(std::size_t b) {
   const Vec3 x = particles_.position.get(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.get(b))))
-    stop(b, "its place or speed is no number");
+    stop(b, "its position or velocity is not a finite number");
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
   const double radius = initial_balls_[b].radius;

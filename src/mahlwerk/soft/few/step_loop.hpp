@@ -35,10 +35,12 @@ template <bool avx512>
                                          const DriveSample& after) {
   ParticleData& w = s.particles;
   const Lanes zero{}, step = zero + s.constants.dt, half = 0.5 * step;
-  const Vec<Lanes> acceleration_before{zero + before.body_acceleration.x, zero + before.body_acceleration.y,
-                         zero + before.body_acceleration.z};
-  const Vec<Lanes> acceleration_after{zero + after.body_acceleration.x, zero + after.body_acceleration.y,
-                         zero + after.body_acceleration.z};
+  const Vec<Lanes> acceleration_before{zero + before.body_acceleration.x,
+                                       zero + before.body_acceleration.y,
+                                       zero + before.body_acceleration.z};
+  const Vec<Lanes> acceleration_after{zero + after.body_acceleration.x,
+                                      zero + after.body_acceleration.y,
+                                      zero + after.body_acceleration.z};
   const double slack = s.max_displacement - s.jar.max_wall_speed() *
                                                 static_cast<double>(w.step - s.list_step) *
                                                 s.constants.dt;
@@ -50,8 +52,10 @@ template <bool avx512>
     const Vec<Lanes> x = w.position.at(b) + step * v;
     w.position.put(b, x);
     w.velocity_predicted.put(b, v + kick + half * acceleration_after);
-    w.velocity.put(b, v + half * acceleration_after);  // still without the second half kick of the contacts
-    const Vec<Lanes> spin_kick = w.half_spin_kick[b].value * w.torque.at(b), spin = w.spin.at(b) + spin_kick;
+    w.velocity.put(
+        b, v + half * acceleration_after);  // still without the second half kick of the contacts
+    const Vec<Lanes> spin_kick = w.half_spin_kick[b].value * w.torque.at(b),
+                     spin = w.spin.at(b) + spin_kick;
     w.spin.put(b, spin);
     w.spin_predicted.put(b, spin + spin_kick);
     const Vec<Lanes> displacement = x - w.list_positions.at(b);

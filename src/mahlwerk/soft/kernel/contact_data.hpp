@@ -41,8 +41,8 @@ struct alignas(64) PairParameters {
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
   Lanes roll_spring{};
-  Lanes inertia{};  ///< [kg m2] reduced moment of inertia
-  Lanes stiffness_correction{};      ///< [m/N] SpeciesPair::lag (dem.37)
+  Lanes inertia{};               ///< [kg m2] reduced moment of inertia
+  Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::lag (dem.37)
 };
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {

@@ -89,7 +89,8 @@ struct alignas(64) ContactGeometry {
         select(less(law_force.stiffness, history.stiffness), ratio, Lanes{} + 1.0) * history.spring;
   }
   const Lanes zero{}, one = zero + 1.0;
-  const Lanes stiffness = law_force.stiffness * (1.0 - pair.stiffness_correction * law_force.stiffness);
+  const Lanes stiffness =
+      law_force.stiffness * (1.0 - pair.stiffness_correction * law_force.stiffness);
   const Vec<Lanes> half_slip = (0.5 * constants.dt) * geometry.slip;
   Vec<Lanes> spring = rotate_to_tangent_plane(history.spring, geometry.n);
   const auto opposing_damping = [&] {
@@ -215,7 +216,8 @@ template <class Law>
   Lanes rate = geometry.rate;
   Vec<Lanes> slip = geometry.slip;
   if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
-    const Lanes half = (3.0 / 7.0 * constants.inverse_dt) * pair.stiffness_correction;  // half a step over the mass
+    const Lanes half = (3.0 / 7.0 * constants.inverse_dt) *
+                       pair.stiffness_correction;  // half a step over the mass
     rate -=
         select(correction.corrected, half * (law_force.force - correction.previous_force), zero);
     slip = slip + select(correction.corrected & transitions->begun, 3.5 * half, zero) * friction;

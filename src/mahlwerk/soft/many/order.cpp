@@ -79,7 +79,7 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<std::vector<Vec3>> positions(class_radius_.size());
   for (std::size_t k = 0; k < now_.size(); ++k) {
     const Vec3 x = now_[k].position();
-    if (!std::isfinite(squared(x))) stop(k, "its place or speed is no number");
+    if (!std::isfinite(squared(x))) stop(k, "its position or velocity is not a finite number");
     positions[class_of(k)].push_back(x);
   }
   grids_.clear();

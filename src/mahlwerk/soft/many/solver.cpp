@@ -16,8 +16,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t in_cache = 30000;     // balls that fit in a processor's cache, with contacts
-constexpr std::int64_t block = 64;          // steps between two checks of the energy
+constexpr std::size_t in_cache = 30000;    // balls that fit in a processor's cache, with contacts
+constexpr std::int64_t block = 64;         // steps between two checks of the energy
 constexpr std::size_t max_records = 8192;  // buffered for the observer, to bound the memory
 
 /// Largest useful number of threads.
@@ -41,7 +41,8 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       large_(balls.size() > in_cache),
       has_history_(
           std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||
-          contact::rule_of(settings.model.rolling).has_history || settings.model.rescaled_unloading),
+          contact::rule_of(settings.model.rolling).has_history ||
+          settings.model.rescaled_unloading),
       team_(std::clamp(settings.threads, 1, useful_threads(balls.size()))) {
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
   parameters_.resize(pairs_.all().size());
@@ -66,7 +67,8 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       parameters_[static_cast<std::size_t>(k)] =
           pair_parameters(pairs_[k], s, nullptr, settings_.time_step);
     }
-    const double kick = 0.5 * settings.time_step / s.mass, turn = 0.5 * settings.time_step / s.inertia;
+    const double kick = 0.5 * settings.time_step / s.mass,
+                 turn = 0.5 * settings.time_step / s.inertia;
     kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
     class_of_.push_back(classes[octave(s.radius)]);
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];

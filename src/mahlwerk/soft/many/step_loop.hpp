@@ -138,7 +138,8 @@ template <bool avx512, bool streaming>
                                                    ChunkDisplacement& displacement) {
   const double dt = s.constants.dt;
   const Vec3 &b0 = s.before.body_acceleration, &b1 = s.after.body_acceleration;
-  const Lanes body_kick_before = dt * Lanes{b0.x, b0.y, b0.z}, body_kick_after = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
+  const Lanes body_kick_before = dt * Lanes{b0.x, b0.y, b0.z},
+              body_kick_after = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
   const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
                             displacement.predicted_mean.z};
   Four sum{}, max_deviation{};
@@ -168,7 +169,9 @@ template <bool avx512, bool streaming>
   }
   if constexpr (streaming) store_fence();
   const double count = std::max(1, chunk.last - chunk.first);
-  displacement.spread = std::sqrt(max_deviation[0] * max_deviation[0] + max_deviation[1] * max_deviation[1] + max_deviation[2] * max_deviation[2]);
+  displacement.spread =
+      std::sqrt(max_deviation[0] * max_deviation[0] + max_deviation[1] * max_deviation[1] +
+                max_deviation[2] * max_deviation[2]);
   displacement.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 

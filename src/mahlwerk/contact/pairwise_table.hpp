@@ -11,9 +11,9 @@ namespace mahlwerk::contact {
 /// A value for each pair of ball kinds, and for each kind with each face of the jar. Symmetric in
 /// the two kinds.
 template <class T>
-class ByPair {
+class PairwiseTable {
  public:
-  ByPair(int kinds, int faces, const T& all)
+  PairwiseTable(int kinds, int faces, const T& all)
       : kinds_(static_cast<std::size_t>(kinds)),
         row_(kinds_ + static_cast<std::size_t>(faces)),
         all_(kinds_ * row_, all) {}
@@ -27,7 +27,7 @@ class ByPair {
   std::span<const T> all() const { return all_; }
   int kinds() const { return static_cast<int>(kinds_); }
   int faces() const { return static_cast<int>(row_ - kinds_); }
-  bool operator==(const ByPair&) const = default;
+  bool operator==(const PairwiseTable&) const = default;
 
  private:
   /// Layout: a row for each kind, with a column for every kind and then for every face.
