@@ -44,7 +44,7 @@ class Fit : public ProgramTest {
     return best;
   }
 
-  /// Writes data.csv: synthetic measurements at two frequencies and three times, with noise of 3 %.
+  /// Writes data.csv: synthetic measurements at two frequencies and four times, with noise of 3 %.
   void make_data(bool with_errors) const {
     constexpr double noise = 0.03;
     Random random(7, 0);

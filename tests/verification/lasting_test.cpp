@@ -299,8 +299,8 @@ TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
          "elastic bounces lose nothing; a rounding of m g (1 m) each");
 }
 
-/// Collision rates above 1 cm/s, per second of free flight, hardly depend on the treatment of
-/// inelastic collapse (a finding of the peers).
+/// Rates of collisions faster than 0.1 m/s, per second of free flight, hardly depend on the
+/// treatment of inelastic collapse.
 TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight) {
   const auto rate = [](event::SustainedContactMode lasting) {
     double hits = 0, flight = 0;
