@@ -52,7 +52,7 @@ Options running(std::string_view suffix) {
 Option threads() {
   return {.name = "--jobs,--threads",
           .target = &Request::threads,
-          .about = "number of replicates that run at a time (default: all cores)",
+          .about = "number of threads, each for a replicate (default: all cores)",
           .range = {1, 4096}};
 }
 

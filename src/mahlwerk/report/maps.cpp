@@ -201,10 +201,10 @@ std::string field_picture(const results::Outcome& outcome) {
   constexpr double size = 330, top = 24;
   const std::string text =
       label_at(10, 14,
-               disc ? "seen from the disc, outwards to the right"
-                    : "seen from the jar's centre, not rotating") +
+               disc ? "in the frame of the disc, outwards to the right"
+                    : "in a non-rotating frame at the jar's centre") +
       field(charge.in_carrier, 10, top, size, densest, fastest, ring, radius) +
-      label_at(380, 14, "seen from the rotating jar") +
+      label_at(380, 14, "in the frame of the rotating jar") +
       field(charge.in_jar, 380, top, size, densest, fastest, ring, radius) +
       colour_bar(10, top + size + 12, 300, "0", brief(densest, "kg/m²"), "mass per area") +
       label_at(380, top + size + 22, fmt::format("the longest arrow is {}", brief(fastest, "m/s")));

@@ -183,7 +183,7 @@ std::string_view word(Holds holds) {
     case Holds::no:
       return "no";
     case Holds::undecided:
-      return "cannot be told";
+      return "undecided";
   }
   return "";
 }

@@ -22,6 +22,6 @@ struct Verdict {
 /// Tests a claim against the points of its campaign.
 Verdict judge(const Claim& claim, const Campaign& campaign);
 
-std::string_view word(Holds holds);  ///< "yes", "partly", "no", "cannot be told"
+std::string_view word(Holds holds);  ///< "yes", "partly", "no", "undecided"
 
 }  // namespace mahlwerk::report
