@@ -165,8 +165,8 @@ std::unique_ptr<scene::Engine> engine(const CrowdCase& c, const std::vector<scen
   soft::Settings rules;
   rules.time_step = c.step;
   rules.threads = threads;
-  rules.max_overlap = 0.1;  // states in motion contain hard hits
-  return soft::engine(c.mill, balls, rules, {2, geometry::Cylinder::faces, pair}, start);
+  rules.max_initial_overlap = 0.1;  // states in motion contain hard hits
+  return soft::make_engine(c.mill, balls, rules, {2, geometry::Cylinder::faces, pair}, start);
 }
 
 }  // namespace mahlwerk::bench

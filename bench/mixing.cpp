@@ -68,13 +68,13 @@ std::unique_ptr<scene::Engine> engine(const std::vector<scene::Ball>& balls, dou
   soft::Settings rules;
   rules.model.rolling = contact::Rolling::none;
   rules.time_step = step;
-  rules.max_overlap = 0.1;
+  rules.max_initial_overlap = 0.1;
   rules.threads = 2;
   const scene::Chamber drum{geometry::Cylinder{2 * drum_radius, drum_length},
                             kinematics::Tumbling{speed},
                             scene::mounted_along({1, 0, 0}),
                             {0, 0, -9.81}};
-  return soft::engine(drum, balls, rules, pairs, 0);
+  return soft::make_engine(drum, balls, rules, pairs, 0);
 }
 
 /// Number of small grains in the lower quarter on the side where the wall moves down.

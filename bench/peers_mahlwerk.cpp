@@ -27,8 +27,8 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
   soft::Settings rules;
   rules.time_step = c.step;
   rules.model.rolling = contact::Rolling::epsd;  // nearest to the models of the peers
-  return soft::engine(mill, {start.begin(), start.end()}, rules,
-                      {1, geometry::Cylinder::faces, pair});
+  return soft::make_engine(mill, {start.begin(), start.end()}, rules,
+                           {1, geometry::Cylinder::faces, pair});
 }
 
 }  // namespace

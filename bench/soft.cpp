@@ -43,7 +43,7 @@ double planetary_ns(const contact::AnyLaw& law) {
   pair.cohesion = 1e5;
   std::vector<double> found;
   for (int i = 0; i < 5; ++i) {
-    const auto engine = soft::engine(mill, {balls.begin(), balls.end()}, rules, {1, 3, pair});
+    const auto engine = soft::make_engine(mill, {balls.begin(), balls.end()}, rules, {1, 3, pair});
     Count count;
     const double began = cpu_seconds();
     engine->advance(0.2, count);
@@ -64,8 +64,8 @@ VibrationResult run_vibration(bool free_flight_skip) {
   soft::Settings rules{.model = {.law = contact::HertzMindlin{}, .rolling = contact::Rolling::none},
                        .time_step = 5e-7,
                        .free_flight_skip = free_flight_skip};
-  const auto engine = soft::engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
-                                   {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
+  const auto engine = soft::make_engine(mill, {{0.004, 7850, {0.0005, 0, 0}, {}, {}}}, rules,
+                                        {1, geometry::Capsule::faces, steel(0.9, 0.05, 0)});
   Count count;
   constexpr double time = 5;
   const double began = cpu_seconds();

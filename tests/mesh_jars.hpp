@@ -48,8 +48,8 @@ inline std::unique_ptr<scene::Engine> run_in(const geometry::AnyShape& shape,
   for (scene::Ball& b : balls) b.position = mount * b.position;
   const int faces = geometry::faces(shape);
   soft::Settings rules{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), step, false};
-  rules.few_body_limit = few;
-  return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
+  rules.few_ball_limit = few;
+  return soft::make_engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 
 }  // namespace mahlwerk::tests

@@ -45,8 +45,8 @@ inline std::unique_ptr<scene::Engine> soft_engine(const scene::Chamber& chamber,
                                                   const contact::Pair& pair, double step,
                                                   bool hop = false, double start = 0) {
   const int faces = geometry::faces(*chamber.shape);
-  return soft::engine(chamber, balls, {model, step, hop}, contact::PairTable(1, faces, pair),
-                      start);
+  return soft::make_engine(chamber, balls, {model, step, hop}, contact::PairTable(1, faces, pair),
+                           start);
 }
 
 /// Effective radius R* and mass m* of a ball at a flat wall.

@@ -11,23 +11,24 @@ namespace mahlwerk::soft {
 
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
                                double time_step) {
-  PairParameters m;
+  PairParameters parameters;
   const Lanes zero{};
-  m.wall = LaneMask{} - (b == nullptr ? 1 : 0);
-  m.radius_i = zero + a.radius;
-  m.radius_j = zero + (b != nullptr ? b->radius : 0.0);
-  m.inverse_radius = zero + 1 / a.radius;
-  m.share = zero + (b != nullptr ? 0.5 : 1.0);
-  m.pull_off_distance = zero + pair.pull_off_distance;
+  parameters.wall = LaneMask{} - (b == nullptr ? 1 : 0);
+  parameters.radius_i = zero + a.radius;
+  parameters.radius_j = zero + (b != nullptr ? b->radius : 0.0);
+  parameters.inverse_radius = zero + 1 / a.radius;
+  parameters.overlap_share = zero + (b != nullptr ? 0.5 : 1.0);
+  parameters.pull_off_distance = zero + pair.pull_off_distance;
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
-    m.coefficients[n] = zero + pair.coefficients[n];
-  m.friction = zero + pair.effective.pair.friction;
+    parameters.coefficients[n] = zero + pair.coefficients[n];
+  parameters.friction = zero + pair.effective.pair.friction;
   const double arm = pair.effective.pair.rolling_friction * pair.effective.radius;
-  m.rolling = zero + arm;
-  m.roll_spring = zero + 2.25 * arm * arm * pair.stiffness_ratio;
-  m.stiffness_correction = zero + pair.stiffness_correction(time_step);
-  m.inertia = zero + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
-  return m;
+  parameters.rolling_coefficient = zero + arm;
+  parameters.rolling_stiffness_ratio = zero + 2.25 * arm * arm * pair.stiffness_ratio;
+  parameters.stiffness_correction = zero + pair.stiffness_correction(time_step);
+  parameters.inertia =
+      zero + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
+  return parameters;
 }
 
 void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
@@ -46,17 +47,18 @@ void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall
   for (std::size_t n = 0; n < coefficients.size(); ++n)
     parameters.coefficients[n][lane] = coefficients[n];
   const double arm = effective.pair.rolling_friction * effective.radius;
-  parameters.rolling[lane] = arm;
-  parameters.roll_spring[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
+  parameters.rolling_coefficient[lane] = arm;
+  parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
 }
 
-ContactOnset contact_onset(std::int64_t step, const ContactGeometry& m, const PairMotion& b,
-                           int lane) {
-  const Vec3 n = get_lane(m.n, lane), glide = get_lane(b.relative, lane);
+ContactOnset contact_onset(std::int64_t step, const ContactGeometry& geometry,
+                           const PairMotion& motion, int lane) {
+  const Vec3 n = get_lane(geometry.n, lane),
+             relative_velocity = get_lane(motion.relative_velocity, lane);
   return {.step = step,
-          .approach = std::max(m.rate[lane], 0.0),
-          .slip = norm(get_lane(m.slip, lane)),
-          .glide = norm(glide - dot(glide, n) * n)};
+          .approach = std::max(geometry.overlap_rate[lane], 0.0),
+          .slip = norm(get_lane(geometry.slip, lane)),
+          .glide = norm(relative_velocity - dot(relative_velocity, n) * n)};
 }
 
 void begin_law_history(Lanes (&law_history)[contact::law_history_size],
@@ -76,15 +78,15 @@ void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int
   energy_balance.wall_work += work.wall[lane];
 }
 
-bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& pair,
-                const contact::AnyLaw& law) {
-  constexpr double lasting_ratio = 5;
+bool is_sustained(double duration, const ContactOnset& onset, const SpeciesPair& pair,
+                  const contact::AnyLaw& law) {
+  constexpr double sustained_ratio = 5;
   const double impact_time = std::visit(
       [&](const auto& l) {
         return l.shortest_time(pair.effective, std::max(onset.approach, 1e-3));
       },
       law);
-  return duration > lasting_ratio * impact_time;
+  return duration > sustained_ratio * impact_time;
 }
 
 StepConstants step_constants(const Settings& settings, const Vec3& periods) {

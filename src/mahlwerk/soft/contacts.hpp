@@ -23,8 +23,8 @@ void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall
                           const contact::AnyLaw& law);
 
 /// The onset data of a contact that begins at `step`.
-ContactOnset contact_onset(std::int64_t step, const ContactGeometry& m, const PairMotion& b,
-                           int lane);
+ContactOnset contact_onset(std::int64_t step, const ContactGeometry& geometry,
+                           const PairMotion& motion, int lane);
 /// Sets the law's history variables of a contact that begins; `approach` in m/s.
 void begin_law_history(Lanes (&law_history)[contact::law_history_size],
                        const PairParameters& parameters, int lane, double approach,
@@ -33,10 +33,10 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
 /// Adds the work of a lane to the energy balance.
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int lane);
 
-/// Whether a contact is a lasting one: its `duration` [s] exceeds five times the duration of a
+/// Whether a contact is a sustained one: its `duration` [s] exceeds five times the duration of a
 /// collision.
-bool is_lasting(double duration, const ContactOnset& onset, const SpeciesPair& pair,
-                const contact::AnyLaw& law);
+bool is_sustained(double duration, const ContactOnset& onset, const SpeciesPair& pair,
+                  const contact::AnyLaw& law);
 
 /// The constants of all packets and steps. The caller sets the jar velocity at each step.
 StepConstants step_constants(const Settings& settings, const Vec3& periods);

@@ -13,18 +13,18 @@
 
 namespace mahlwerk::soft {
 
-std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls,
-                                      const Settings& settings, const contact::PairTable& pairs,
-                                      double start) {
+std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
+                                           const std::vector<scene::Ball>& balls,
+                                           const Settings& settings,
+                                           const contact::PairTable& pairs, double start) {
   auto jar = moving_wall(chamber);
-  if (balls.size() > settings.few_body_limit)
+  if (balls.size() > settings.few_ball_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);
 }
 
 double TimeSteps::recommended(double fraction) const {
-  return std::min({fraction * rayleigh, contact / 50, damper / 5});
+  return std::min({fraction * rayleigh, contact / 50, dashpot / 5});
 }
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
@@ -36,8 +36,8 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
     std::visit(
         [&](const auto& l) {
           found.contact = std::min(found.contact, l.shortest_time(t, speed));
-          found.damper =
-              std::min(found.damper, l.damper_time(t, species_pairs[pair].damping, speed));
+          found.dashpot =
+              std::min(found.dashpot, l.damper_time(t, species_pairs[pair].damping, speed));
           found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
@@ -45,13 +45,13 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
   const auto species = static_cast<std::int32_t>(species_pairs.all_species().size());
   for (std::int32_t a = 0; a < species; ++a) {
     for (std::int32_t b = 0; b < species; ++b)
-      include_pair(species_pairs.balls(a, b),
+      include_pair(species_pairs.ball_pair_index(a, b),
                    std::min(species_pairs.species(a).radius, species_pairs.species(b).radius));
     for (int face = 0; face < pairs.faces(); ++face)
-      include_pair(species_pairs.wall(a, face), species_pairs.species(a).radius);
+      include_pair(species_pairs.wall_pair_index(a, face), species_pairs.species(a).radius);
   }
   for (const scene::Ball& ball : balls) {
-    // The softest partner decides: G* and E* give the wave speed of the pair (dem.28).
+    // The stiffest partner decides: its G* and E* give the highest wave speed (dem.28).
     for (int k = 0; k < pairs.kinds(); ++k) {
       const contact::Pair& pair = pairs.balls(ball.kind, k);
       const double q = pair.modulus / (2 * pair.shear_modulus);  // (2 - nu)/(1 - nu)
@@ -62,7 +62,7 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
                                        std::sqrt(ball.density / shear) / (0.1631 * nu + 0.8766));
     }
   }
-  found.limit = std::min({found.rayleigh, 0.2 * found.contact, found.damper});
+  found.limit = std::min({found.rayleigh, 0.2 * found.contact, found.dashpot});
   return found;
 }
 

@@ -16,21 +16,22 @@ namespace mahlwerk::soft {
 
 /// A soft-sphere DEM engine, which resolves every contact in small time steps, from `start` [s] on
 /// the mill's clock. `pairs` has an entry for every Ball::kind and every face of the jar. Throws
-/// InputError where balls overlap each other or the jar by more than Settings::max_overlap.
-std::unique_ptr<scene::Engine> engine(const scene::Chamber& chamber,
-                                      const std::vector<scene::Ball>& balls,
-                                      const Settings& settings, const contact::PairTable& pairs,
-                                      double start = 0);
+/// InputError where balls overlap each other or the jar by more than Settings::max_initial_overlap.
+std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
+                                           const std::vector<scene::Ball>& balls,
+                                           const Settings& settings,
+                                           const contact::PairTable& pairs, double start = 0);
 
 /// Limits of the time step for collisions at up to `speed` [m/s], the smallest over all pairs
-/// (dem.28 to dem.31). In s unless stated otherwise.
+/// (dem.28 to dem.31, dem.33). In s unless stated otherwise.
 struct TimeSteps {
-  double rayleigh = 0;  ///< shortest time of a surface wave round a ball (dem.28)
-  double contact = 0;   ///< duration of the shortest collision (dem.29)
-  double damper = 0;    ///< shortest time in which a contact damper alone stops a ball (dem.33)
-  double limit = 0;     ///< longer steps are unstable (dem.31)
-  double overlap = 0;   ///< [1] largest overlap over radius
-  /// The recommended step [s]: `fraction` of rayleigh, at most contact / 50 and damper / 5
+  /// Rayleigh time: shortest time of a surface wave from pole to pole of a ball (dem.28)
+  double rayleigh = 0;
+  double contact = 0;  ///< duration of the shortest collision (dem.29)
+  double dashpot = 0;  ///< shortest time in which a contact's dashpot alone stops a ball (dem.33)
+  double limit = 0;    ///< longer steps are unstable (dem.31)
+  double overlap = 0;  ///< [1] largest overlap over radius
+  /// The recommended step [s]: `fraction` of rayleigh, at most contact / 50 and dashpot / 5
   /// (dem.30).
   double recommended(double fraction) const;
 };

@@ -16,9 +16,9 @@ SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact:
     const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
                                                static_cast<std::int32_t>(species_.size()));
     if (fresh) species_.push_back({b.radius, b.density, b.mass(), b.inertia(), b.kind});
-    of_.push_back(at->second);
+    species_index_.push_back(at->second);
   }
-  row_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
+  row_length_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
   std::map<double, double> dampings;  // by restitution: computed once for each value
   const auto make_pair = [&](const contact::Pair& pair, double radius, double mass) {
     return std::visit(

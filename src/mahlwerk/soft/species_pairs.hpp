@@ -19,12 +19,11 @@ struct SpeciesPair {
   double pull_off_distance = 0;  ///< [m]
   double stiffness_ratio = 0;    ///< [1]
 
-  /// Correction of the tangential stiffness for the step dt [s], in m/N: k_t <- k_t (1 - lag k_t)
-  /// (dem.37). The tangential spring of a ball swings too fast by w^2 dt^2/6 of its rate, with
-  /// w^2 = (7/2) k_t/m*, so k_t is reduced by w^2 dt^2/3 = (7/6) (dt^2/m*) k_t.
-  double stiffness_correction(double step) const {
-    return 7.0 / 6.0 * step * step / effective.mass;
-  }
+  /// Correction c of the tangential stiffness for a step dt [s], in m/N: k_t is replaced by
+  /// k_t (1 - c k_t) (dem.37). The integrator makes the tangential spring oscillate too fast, by
+  /// the fraction w^2 dt^2/6 of its frequency w, with w^2 = (7/2) k_t/m*. So k_t is reduced by the
+  /// fraction w^2 dt^2/3 = (7/6) (dt^2/m*) k_t.
+  double stiffness_correction(double dt) const { return 7.0 / 6.0 * dt * dt / effective.mass; }
 };
 
 /// Balls of the same size, density and kind.
@@ -39,12 +38,12 @@ class SpeciesPairs {
   SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
                const contact::AnyLaw& law);
 
-  std::int32_t species_of(std::size_t ball) const { return of_[ball]; }
+  std::int32_t species_index(std::size_t ball) const { return species_index_[ball]; }
   const Species& species(std::int32_t s) const { return species_[static_cast<std::size_t>(s)]; }
-  const Species& of(std::size_t ball) const { return species(of_[ball]); }
-  std::int32_t balls(std::int32_t a, std::int32_t b) const { return a * row_ + b; }
-  std::int32_t wall(std::int32_t s, int face) const {
-    return s * row_ + static_cast<std::int32_t>(species_.size()) + face;
+  const Species& species_of(std::size_t ball) const { return species(species_index_[ball]); }
+  std::int32_t ball_pair_index(std::int32_t a, std::int32_t b) const { return a * row_length_ + b; }
+  std::int32_t wall_pair_index(std::int32_t s, int face) const {
+    return s * row_length_ + static_cast<std::int32_t>(species_.size()) + face;
   }
   const SpeciesPair& operator[](std::int32_t pair) const {
     return pairs_[static_cast<std::size_t>(pair)];
@@ -54,9 +53,9 @@ class SpeciesPairs {
 
  private:
   std::vector<Species> species_;
-  std::vector<std::int32_t> of_;  // species of each ball
+  std::vector<std::int32_t> species_index_;  // species of each ball
   std::vector<SpeciesPair> pairs_;
-  std::int32_t row_ = 0;
+  std::int32_t row_length_ = 0;
 };
 
 }  // namespace mahlwerk::soft

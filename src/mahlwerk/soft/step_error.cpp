@@ -24,11 +24,12 @@ StepError step_error(const contact::AnyLaw& law, double restitution, double step
   std::size_t k = 0;
   while (k + 2 < restitutions.size() && e > restitutions[k + 1]) ++k;
   const double part = (e - restitutions[k]) / (restitutions[k + 1] - restitutions[k]);
-  // The error is of order 2, except for order 1 where sliding begins between two steps. That part
-  // dominates in short steps, which are therefore scaled linearly.
-  const double longer = 50 / steps_per_collision, per_cent = longer * std::max(longer, 1.0) / 100;
+  // The error is of second order, plus a part of first order where sliding begins between two
+  // steps. That part dominates in short steps, so the bound is scaled linearly there.
+  const double step_ratio = 50 / steps_per_collision;
+  const double scale = step_ratio * std::max(step_ratio, 1.0) / 100;  // the table is in per cent
   const auto at = [&](std::size_t column) {
-    return per_cent * ((1 - part) * table[k][column] + part * table[k + 1][column]);
+    return scale * ((1 - part) * table[k][column] + part * table[k + 1][column]);
   };
   return {at(0), margin * at(1), margin * at(2)};
 }

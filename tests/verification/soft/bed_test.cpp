@@ -30,8 +30,9 @@ std::unique_ptr<scene::Engine> bed(Rolling rule) {
   contact::Pair pair = pair_of({1e9, 0.2}, {1e9, 0.2}, 0.2, 0.5);
   pair.rolling_friction = 0.05;
   soft::Settings rules{of_law(HertzMindlin{}, rule), 8e-7, false};
-  return soft::engine({geometry::Box{0.015, 0.015, 0.02}, kinematics::Still{}, {}, {0, 0, -2000}},
-                      balls, rules, contact::PairTable(1, geometry::Box::faces, pair), 0);
+  return soft::make_engine(
+      {geometry::Box{0.015, 0.015, 0.02}, kinematics::Still{}, {}, {0, 0, -2000}}, balls, rules,
+      contact::PairTable(1, geometry::Box::faces, pair), 0);
 }
 
 TEST(Bed, rolling_resistance_of_many_contacts_puts_no_energy_in) {

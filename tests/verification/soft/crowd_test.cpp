@@ -66,9 +66,9 @@ struct World {
 std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
   const int faces = geometry::faces(*w.mill.shape);
   soft::Settings rules{w.law, w.step, false};
-  rules.few_body_limit = few;
+  rules.few_ball_limit = few;
   rules.threads = threads;
-  return soft::engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
+  return soft::make_engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
 }
 
 std::vector<World> worlds() {

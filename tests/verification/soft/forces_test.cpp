@@ -23,7 +23,7 @@ using contact::HertzMindlin;
 using contact::Rolling;
 
 constexpr double rounding = std::numeric_limits<double>::epsilon();
-constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Settings::few_body_limit
+constexpr std::size_t as_few = 32, as_crowd = 0;  // soft::Settings::few_ball_limit
 
 std::string arranged(std::size_t balls, std::size_t few) {
   return std::to_string(balls) + (balls > few ? " as a crowd: " : " as few: ");
@@ -34,10 +34,10 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
                                          std::size_t few, bool hop = true) {
   const int faces = geometry::faces(*mill.shape);
   soft::Settings rules{of_law(HertzMindlin{}, Rolling::cdt), step, hop};
-  rules.few_body_limit = few;
+  rules.few_ball_limit = few;
   contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.3, 0.4);
   pair.rolling_friction = 0.02;
-  return soft::engine(mill, balls, rules, contact::PairTable(1, faces, pair), 0);
+  return soft::make_engine(mill, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 
 /// A ball falls from a tenth of its radius. After 0.3 s, some hundred oscillations on its contact,

@@ -27,9 +27,9 @@ std::unique_ptr<scene::Engine> run_in(const scene::Chamber& chamber,
                                       const contact::Pair& pair, double step,
                                       std::size_t few = 32) {
   soft::Settings rules{of_law(HertzMindlin{}, Rolling::none), step, false};
-  rules.few_body_limit = few;
+  rules.few_ball_limit = few;
   const int faces = geometry::faces(*chamber.shape);
-  return soft::engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
+  return soft::make_engine(chamber, balls, rules, contact::PairTable(1, faces, pair), 0);
 }
 
 geometry::Attritor stirrer(double speed) {

@@ -25,8 +25,8 @@ struct Seen {
   double kinetic = 0;          // [J] mean translational energy, laboratory
 };
 
-/// Five balls at fixed positions, each displaced by 0.05 mm unless `start` is 0, at rest in the rotating vial. The
-/// results cover `time` [s] from 0.1 s on.
+/// Five balls at fixed positions, each displaced by 0.05 mm unless `start` is 0, at rest in the
+/// rotating vial. The results cover `time` [s] from 0.1 s on.
 Seen run(std::uint32_t start, double time) {
   kinematics::Planetary mill;
   mill.orbit_radius = 0.07;

@@ -35,7 +35,7 @@ scene::Ball steel(double along, double towards) {
 double usual_share(const contact::AnyLaw& law, const contact::Pair& pair, const scene::Ball& ball) {
   const soft::TimeSteps steps =
       soft::time_steps({ball}, law, contact::PairTable(1, 6, pair), -ball.velocity.z);
-  return std::min(1.0 / 50, steps.damper / 5 / steps.contact);
+  return std::min(1.0 / 50, steps.dashpot / 5 / steps.contact);
 }
 
 /// Largest error over slopes and phases, with `shorter` times as many steps as usual. `nu` is

@@ -81,7 +81,7 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
   if (mill_case.run.engine == cases::EngineName::soft) {
     soft::Settings rules = soft_settings(mill_case).rules;
     rules.threads = threads;
-    return soft::engine(mill, balls, rules, cases::pair_table(mill_case));
+    return soft::make_engine(mill, balls, rules, cases::pair_table(mill_case));
   }
   const contact::BounceTable bounces = cases::bounce_table(mill_case);
   event::Rules treatment = rules(mill_case.contact);

@@ -50,7 +50,7 @@ std::string reason(const cases::Case& mill_case, const soft::TimeSteps& steps) {
   const double usual = steps.recommended(fraction);
   if (usual == fraction * steps.rayleigh)
     return fmt::format("the requested {:.4g} % of the Rayleigh time", 100 * fraction);
-  if (usual == steps.damper / 5)
+  if (usual == steps.dashpot / 5)
     return "a fifth of the time in which the damper of a contact stops a ball";
   return fmt::format("a fiftieth of {}", contact::shortest_time_name(*mill_case.contact.model.law));
 }

@@ -10,10 +10,10 @@
 // Contacts that begin and end, and their collision records.
 namespace mahlwerk::soft {
 
-void FewBodySolver::begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,
-                          const PairMotion& b) {
+void FewBodySolver::begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& geometry,
+                          const PairMotion& motion) {
   for (int l = 0; l < lanes; ++l)
-    if (begun[l] != 0) begin(p, l, m, b);
+    if (begun[l] != 0) begin(p, l, geometry, motion);
   p.touching |= begun;
 }
 void FewBodySolver::end(PairPacket& p, const LaneMask& ended) {
@@ -32,7 +32,8 @@ void FewBodySolver::change_contact_count(std::int64_t body, int more) {
   balls_in_contact_ += count > 0 ? 1 : -1;
 }
 
-void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, const PairMotion& b) {
+void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& geometry,
+                          const PairMotion& motion) {
   const auto k = static_cast<std::size_t>(lane);
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
@@ -40,11 +41,11 @@ void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& m, con
     apply_wall_curvature(
         p, lane, *jar_, p.face[k], particles_.position.get(static_cast<std::size_t>(p.i[lane])),
         mill_time(particles_.step), pairs_[p.species_pair[k]], *settings_.model.law);
-  p.onset[k] = contact_onset(particles_.step, m, b, lane);
+  p.onset[k] = contact_onset(particles_.step, geometry, motion, lane);
   set_lane(p.spring, lane, {});
-  set_lane(p.roll, lane, {});
+  set_lane(p.rolling_spring_torque, lane, {});
   p.stiffness[lane] = 0;
-  p.pulls[lane] = 0;
+  p.tensile[lane] = 0;
   begin_law_history(p.law_history, p, lane, p.onset[k].approach, *settings_.model.law);
 }
 
@@ -80,7 +81,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
                        .lost_normal = d.normal[lane],
                        .lost_tangential = d.tangential[lane] + d.rolling[lane]});
   ++energy_balance_.collisions;
-  if (is_lasting(duration, onset, pair, *settings_.model.law)) ++energy_balance_.lasting_contacts;
+  if (is_sustained(duration, onset, pair, *settings_.model.law)) ++energy_balance_.lasting_contacts;
   p.touching[lane] = 0;
   flush_work(p, lane);
 }
@@ -91,12 +92,12 @@ void FewBodySolver::flush_work(PairPacket& p, int lane) {
   const double radius = p.radius_i[lane];
   if (radius > 0)
     energy_balance_.deepest_overlap =
-        std::max(energy_balance_.deepest_overlap, d.deepest[lane] / radius);
+        std::max(energy_balance_.deepest_overlap, d.max_overlap[lane] / radius);
   for (Lanes* sum :
-       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
+       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.max_overlap})
     (*sum)[lane] = 0;
   set_lane(p.spring, lane, {});
-  set_lane(p.roll, lane, {});
+  set_lane(p.rolling_spring_torque, lane, {});
   p.stiffness[lane] = 0;
 }
 

@@ -40,7 +40,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   const kinematics::FrameMotion there = way.time > 0 ? jar_->frame_motion(mill_time(now_)) : frame;
   a.kinetic = a.potential = 0;
   for (std::size_t b = 0; b < particles_.balls; ++b) {
-    const Species& of = pairs_.of(b);
+    const Species& of = pairs_.species_of(b);
     const Vec3 v0 = particles_.velocity.get(b);
     const Vec3 v = v0 + way.gain + there.velocity;
     const Vec3 x = particles_.position.get(b) + way.time * v0 + way.shift + there.centre;
@@ -54,7 +54,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
       add_work(a, p.work, l);
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
-      a.deepest_overlap = std::max(a.deepest_overlap, p.work.deepest[l] / p.radius_i[l]);
+      a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / p.radius_i[l]);
     }
   a.lost_normal -= kept.normal;  // stored, not dissipated
   a.lost_tangential -= kept.tangential;
@@ -67,7 +67,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
 void FewBodySolver::check_energy() {
   const scene::EnergyBalance a = energy_balance();
   const double t = mill_time(particles_.step);
-  const double wall = jar_->max_wall_speed(t);
+  const double wall = jar_->max_lab_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;

@@ -37,9 +37,9 @@ std::int64_t FewBodySolver::collision_free_steps() const {
     for (std::size_t j = i + 1; j < particles_.balls; ++j) {
       const Vec3 r = particles_.position.get(j) - x, u = particles_.velocity.get(j) - v;
       const double touch = initial_balls_[i].radius + initial_balls_[j].radius;
-      const double b = dot(r, u), gap = squared(r) - touch * touch;
-      const double d = b * b - squared(u) * gap;
-      if (b < 0 && d > 0) time = std::min(time, std::max(gap, 0.0) / (std::sqrt(d) - b));
+      const double b = dot(r, u), c = squared(r) - touch * touch;
+      const double d = b * b - squared(u) * c;
+      if (b < 0 && d > 0) time = std::min(time, std::max(c, 0.0) / (std::sqrt(d) - b));
     }
   }
   return static_cast<std::int64_t>(time / settings_.time_step) - 1;

@@ -12,16 +12,17 @@ namespace {
 /// Calls `f` with every column of a packet except inverse_radius, which FewBodySolver does not use.
 template <class F>
 void each_column(PairPacket& p, const F& f) {
-  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.pulls}) f(*c);
-  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.share, &p.pull_off_distance, &p.friction,
-                   &p.rolling, &p.roll_spring, &p.inertia, &p.stiffness_correction, &p.stiffness})
+  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.tensile}) f(*c);
+  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.overlap_share, &p.pull_off_distance, &p.friction,
+                   &p.rolling_coefficient, &p.rolling_stiffness_ratio, &p.inertia,
+                   &p.stiffness_correction, &p.stiffness})
     f(*c);
   for (Lanes& c : p.coefficients) f(c);
   for (Lanes& c : p.law_history) f(c);
-  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.roll}) f(v->x), f(v->y), f(v->z);
+  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.rolling_spring_torque}) f(v->x), f(v->y), f(v->z);
   ContactWork& d = p.work;
   for (Lanes* c :
-       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.deepest})
+       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.max_overlap})
     f(*c);
   f(p.face), f(p.species_pair), f(p.used), f(p.onset);
 }
@@ -141,22 +142,23 @@ void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
   const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);
   const bool wall = c.face >= 0;
-  const std::int32_t mine = pairs_.species_of(i);
-  p.species_pair[k] = wall ? pairs_.wall(mine, c.face)
-                           : pairs_.balls(mine, pairs_.species_of(static_cast<std::size_t>(c.j)));
+  const std::int32_t mine = pairs_.species_index(i);
+  p.species_pair[k] =
+      wall ? pairs_.wall_pair_index(mine, c.face)
+           : pairs_.ball_pair_index(mine, pairs_.species_index(static_cast<std::size_t>(c.j)));
   p.used[k] = true;
   p.face[k] = c.face;
   p.i[lane] = c.i;
   p.j[lane] = wall ? 0 : c.j;
-  copy_lane(pair_parameters(pairs_[p.species_pair[k]], pairs_.of(i),
-                            wall ? nullptr : &pairs_.of(static_cast<std::size_t>(c.j)),
+  copy_lane(pair_parameters(pairs_[p.species_pair[k]], pairs_.species_of(i),
+                            wall ? nullptr : &pairs_.species_of(static_cast<std::size_t>(c.j)),
                             settings_.time_step),
             0, p, lane);
   // Unused here: flush_work() itself divides the largest overlap by the radius.
   p.inverse_radius[lane] = 0;
 }
 
-/// Allocates a wall point for each ball near a wall, in the order of the lanes.
+/// Allocates a wall point for each pair of a ball and a face, in the order of the lanes.
 void FewBodySolver::allocate_wall_points() {
   ParticleData& w = particles_;
   w.wall_neighbours.clear();

@@ -53,9 +53,9 @@ struct alignas(64) PairPacket : PairParameters, History {
   std::array<ContactOnset, lanes> onset{};
 };
 
-/// Gather indices: the k-th contact of each of up to eight balls is in lane `source[k]` of a
-/// packet; indices from `lanes` on mean body j of lane `source[k] - lanes`, with the opposite
-/// force.
+/// Gather indices of a packet. For ball l of up to eight, the force of its k-th contact is that on
+/// body i of lane source[k][l], or, if source[k][l] >= lanes, that on body j of lane
+/// source[k][l] - lanes. active[k] masks the balls that have a k-th contact.
 struct alignas(64) GatherMap {
   std::array<LaneMask, lanes> source{}, active{};
   int max_contacts = 0;  ///< largest number of contacts of one ball
@@ -68,18 +68,18 @@ struct ParticleData {
   std::size_t balls = 0, blocks = 0;  ///< blocks of balls
   VectorColumns position;             ///< [m] of all bodies, in the jar frame
   VectorColumns velocity_predicted,
-      spin_predicted;                        ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
-  VectorColumns velocity, spin;              ///< of the balls, at the end of the step
-  VectorColumns force, torque;               ///< [N], [N m] of the contacts on the balls
-  std::vector<AlignedLanes> half_kick;       ///< [s/kg] half a step over mass
-  std::vector<AlignedLanes> half_spin_kick;  ///< [s/(kg m2)] half a step over inertia
+      spin_predicted;                          ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
+  VectorColumns velocity, spin;                ///< of the balls, at the end of the step
+  VectorColumns force, torque;                 ///< [N], [N m] of the contacts on the balls
+  std::vector<AlignedLanes> half_kick_factor;  ///< [s/kg] half a step over mass
+  std::vector<AlignedLanes> half_spin_kick_factor;  ///< [s/(kg m2)] half a step over inertia
   std::vector<PairPacket> packets;
   std::vector<GatherMap> gather_maps;          ///< of each packet, if `fits_registers`
   std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
   VectorColumns list_positions;                ///< [m] when the neighbour list was built
   std::vector<AlignedLanes>
       displacement_squared;     ///< [m2] squared displacement of the balls since then
-  bool fits_registers = false;  ///< all bodies fit in two registers
+  bool fits_registers = false;  ///< each column of all bodies fits in two registers
   bool wall_points_due = true;  ///< update every wall point at the next step
 };
 
@@ -96,11 +96,11 @@ class FewContactCallbacks {
   virtual void end(PairPacket& packet, const LaneMask& ended) = 0;
 };
 
-/// Everything a block of steps needs.
-struct alignas(64) StepBlock {
+/// Everything a batch of steps needs.
+struct alignas(64) StepBatch {
   ParticleData& particles;
   const MovingWall& jar;
-  FewContactCallbacks& slow_path;
+  FewContactCallbacks& callbacks;
   StepConstants constants;
   std::span<const DriveSample> drive;  ///< samples: one more than steps
   double start = 0;                    ///< [s] the mill's clock at step 0
@@ -109,11 +109,11 @@ struct alignas(64) StepBlock {
   bool stop_when_idle = false;         ///< stop after a step without contacts
 };
 
-/// Computes a block of steps; returns whether the last one had contacts.
-using BlockStepper = bool (*)(StepBlock&);
+/// Computes a batch of steps; returns whether the last one had contacts.
+using BatchStepper = bool (*)(StepBatch&);
 
 /// The step function of a law, compiled for the instruction set of this machine.
 template <class Law>
-BlockStepper block_stepper();
+BatchStepper batch_stepper();
 
 }  // namespace mahlwerk::soft

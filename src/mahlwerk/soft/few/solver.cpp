@@ -14,8 +14,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::int64_t energy_check = 64;  // steps between two checks of the energy
-constexpr std::size_t skipping = 32;       // balls: with more, contacts exist nearly always
+constexpr std::int64_t energy_check_interval = 64;  // steps between two checks of the energy
+constexpr std::size_t max_skip_balls = 32;  // balls: with more, contacts exist nearly always
 
 }  // namespace
 
@@ -26,10 +26,10 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       initial_balls_(balls),
       settings_(settings),
       pairs_(balls, pairs, *settings.model.law),
-      step_block_(
-          std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *settings_.model.law)),
+      step_batch_(
+          std::visit([]<class L>(const L&) { return batch_stepper<L>(); }, *settings_.model.law)),
       start_(start),
-      skips_(settings.free_flight_skip && balls.size() <= skipping),
+      skips_(settings.free_flight_skip && balls.size() <= max_skip_balls),
       periodic_(is_periodic(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
@@ -42,18 +42,20 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     c->resize(w.blocks);
   for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
     c->resize(w.blocks + 1);
-  w.half_kick.resize(w.blocks);
-  w.half_spin_kick.resize(w.blocks);
+  w.half_kick_factor.resize(w.blocks);
+  w.half_spin_kick_factor.resize(w.blocks);
   w.displacement_squared.resize(w.blocks);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     w.position.set(b, balls[b].position);
     w.velocity.set(b, balls[b].velocity);
     w.spin.set(b, balls[b].spin);
-    w.half_kick[b / lanes].value[b % lanes] = 0.5 * settings.time_step / pairs_.of(b).mass;
-    w.half_spin_kick[b / lanes].value[b % lanes] = 0.5 * settings.time_step / pairs_.of(b).inertia;
+    w.half_kick_factor[b / lanes].value[b % lanes] =
+        0.5 * settings.time_step / pairs_.species_of(b).mass;
+    w.half_spin_kick_factor[b / lanes].value[b % lanes] =
+        0.5 * settings.time_step / pairs_.species_of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
-    mass_ += pairs_.of(b).mass;
+    mass_ += pairs_.species_of(b).mass;
   }
   skin_ = 0.03 * smallest;
   rebuild_neighbour_list();
@@ -64,7 +66,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   watch_.begin(now);
 }
 
-/// A large overlap at the start would eject the balls at high speed.
+/// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
+/// high speed.
 void FewBodySolver::refuse_overlaps() const {
   const double t = mill_time(particles_.step);
   for (const NearPair& c : listed_pairs_) {
@@ -73,13 +76,13 @@ void FewBodySolver::refuse_overlaps() const {
     const Vec3 x = particles_.position.get(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
-      if (overlap > settings_.max_overlap) throw overlap_error(i, "the jar", overlap);
+      if (overlap > settings_.max_initial_overlap) throw overlap_error(i, "the jar", overlap);
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double touch = radius + initial_balls_[j].radius;
     const double overlap = (touch - norm(nearest(particles_.position.get(j) - x))) / radius;
-    if (overlap > settings_.max_overlap)
+    if (overlap > settings_.max_initial_overlap)
       throw overlap_error(i, fmt::format("ball {}", j + 1), overlap);
   }
 }
@@ -105,7 +108,7 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
         now_ = std::min(skip_end_, until);
         if (now_ == skip_end_) end_skip();
       } else if (!start_skip()) {
-        advance_block(until);
+        advance_batch(until);
         now_ = particles_.step;
       }
       if (finished_.size() > 1000) hand_over();
@@ -118,18 +121,18 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
   hand_over();
 }
 
-/// Steps to `until` or the end of the block; stops early after a step without contacts, if a skip
+/// Steps to `until` or the end of the batch; stops early after a step without contacts, if a skip
 /// may start there.
-void FewBodySolver::advance_block(std::int64_t until) {
+void FewBodySolver::advance_batch(std::int64_t until) {
   ParticleData& w = particles_;
-  std::int64_t end = std::min(until, (w.step / energy_check + 1) * energy_check);
+  std::int64_t end = std::min(until, (w.step / energy_check_interval + 1) * energy_check_interval);
   const bool waits = skips_ && !touched_ && w.step < next_skip_;
   if (waits) end = std::min(end, next_skip_);
   drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
   jar_->sample_drive(start_, settings_.time_step, w.step, drive_);
-  StepBlock s{.particles = w,
+  StepBatch s{.particles = w,
               .jar = *jar_,
-              .slow_path = *this,
+              .callbacks = *this,
               .constants = step_constants(settings_, jar_->periods()),
               .drive = drive_,
               .start = start_,
@@ -137,9 +140,9 @@ void FewBodySolver::advance_block(std::int64_t until) {
               .list_step = list_step_,
               .stop_when_idle = skips_ && !waits};
   const std::int64_t before = w.step;
-  touched_ = step_block_(s);
+  touched_ = step_batch_(s);
   energy_balance_.time_steps += w.step - before;
-  if (w.step % energy_check == 0) check_energy();
+  if (w.step % energy_check_interval == 0) check_energy();
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {

@@ -28,7 +28,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
 
  private:
   // The main loop (solver.cpp).
-  void advance_block(std::int64_t until);
+  void advance_batch(std::int64_t until);
   double mill_time(std::int64_t step) const;  // [s] of the mill
   double time_of(std::int64_t step) const;    // [s] since the start of the run
   void refuse_overlaps() const;
@@ -62,12 +62,13 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   void build_gather_maps();
 
   // Contacts that begin and end (contacts.cpp).
-  void begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& m,
-             const PairMotion& b) override;
+  void begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& geometry,
+             const PairMotion& motion) override;
   void end(PairPacket& p, const LaneMask& ended) override;
-  void begin(PairPacket& p, int lane, const ContactGeometry& m, const PairMotion& b);
+  void begin(PairPacket& p, int lane, const ContactGeometry& geometry, const PairMotion& motion);
   void end(PairPacket& p, int lane);
-  void flush_work(PairPacket& p, int lane);  // adds the work of a lane to the energy balance
+  // Adds the work of a lane to the energy balance; clears its work and springs.
+  void flush_work(PairPacket& p, int lane);
   void change_contact_count(std::int64_t body, int more);  // of a ball, by +1 or -1
 
   // Free flight (free_flight_skip.cpp).
@@ -84,7 +85,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   std::vector<scene::Ball> initial_balls_;  // radius, density, kind; initial positions
   Settings settings_;
   SpeciesPairs pairs_;
-  BlockStepper step_block_;
+  BatchStepper step_batch_;
   double start_, skin_;
   double mass_ = 0;               // [kg] of all balls
   double pull_off_distance_ = 0;  // [m] largest of all pairs
@@ -92,7 +93,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   std::vector<double> gaps_;      // [m] from each ball to each face, when the list was built
 
   ParticleData particles_;
-  std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; of those with a lane
+  std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; those that have a lane
   std::int64_t list_step_ = 0;
   std::int64_t next_skip_ = 0;  // earliest step of the next skip
   std::int64_t skip_end_ = -1;  // end of the current skip; < 0: none

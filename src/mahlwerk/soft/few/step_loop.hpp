@@ -31,8 +31,8 @@ template <bool avx512>
 
 /// Half a kick, a drift, and the velocities predicted for the contacts of this step (velocity
 /// Verlet, dem.26). Returns whether a displacement since the last rebuild exceeds the limit.
-[[gnu::always_inline]] inline bool drift(StepBlock& s, const DriveSample& before,
-                                         const DriveSample& after) {
+[[gnu::always_inline]] inline bool half_kick_and_drift(StepBatch& s, const DriveSample& before,
+                                                       const DriveSample& after) {
   ParticleData& w = s.particles;
   const Lanes zero{}, step = zero + s.constants.dt, half = 0.5 * step;
   const Vec<Lanes> acceleration_before{zero + before.body_acceleration.x,
@@ -47,17 +47,17 @@ template <bool avx512>
   const double limit = slack > 0 ? slack * slack : -1;
   LaneMask moved_far{};
   for (std::size_t b = 0; b < w.blocks; ++b) {
-    const Vec<Lanes> kick = w.half_kick[b].value * w.force.at(b);
-    const Vec<Lanes> v = w.velocity.at(b) + kick + half * acceleration_before;
+    const Vec<Lanes> half_kick = w.half_kick_factor[b].value * w.force.at(b);
+    const Vec<Lanes> v = w.velocity.at(b) + half_kick + half * acceleration_before;
     const Vec<Lanes> x = w.position.at(b) + step * v;
     w.position.put(b, x);
-    w.velocity_predicted.put(b, v + kick + half * acceleration_after);
+    w.velocity_predicted.put(b, v + half_kick + half * acceleration_after);
     w.velocity.put(
         b, v + half * acceleration_after);  // still without the second half kick of the contacts
-    const Vec<Lanes> spin_kick = w.half_spin_kick[b].value * w.torque.at(b),
-                     spin = w.spin.at(b) + spin_kick;
+    const Vec<Lanes> half_spin_kick = w.half_spin_kick_factor[b].value * w.torque.at(b),
+                     spin = w.spin.at(b) + half_spin_kick;
     w.spin.put(b, spin);
-    w.spin_predicted.put(b, spin + spin_kick);
+    w.spin_predicted.put(b, spin + half_spin_kick);
     const Vec<Lanes> displacement = x - w.list_positions.at(b);
     const Lanes moved = dot(displacement, displacement);
     w.displacement_squared[b].value = moved;
@@ -67,12 +67,13 @@ template <bool avx512>
 }
 
 /// The second half kick of the contacts.
-[[gnu::always_inline]] inline void kick(ParticleData& w, std::size_t b, const Vec<Lanes>& force,
-                                        const Vec<Lanes>& torque) {
+[[gnu::always_inline]] inline void second_half_kick(ParticleData& w, std::size_t b,
+                                                    const Vec<Lanes>& force,
+                                                    const Vec<Lanes>& torque) {
   w.force.put(b, force);
   w.torque.put(b, torque);
-  w.velocity.put(b, w.velocity.at(b) + w.half_kick[b].value * force);
-  w.spin.put(b, w.spin.at(b) + w.half_spin_kick[b].value * torque);
+  w.velocity.put(b, w.velocity.at(b) + w.half_kick_factor[b].value * force);
+  w.spin.put(b, w.spin.at(b) + w.half_spin_kick_factor[b].value * torque);
 }
 
 /// Adds the forces and torques of a packet to eight balls in registers, in the order of its lanes.
@@ -114,43 +115,46 @@ template <bool avx512>
   add(w.torque.z, f.torque_i.z, f.torque_j.z);
 }
 
-/// Computes the forces of a packet in a step. Returns false if no lane touches.
+/// Computes the forces of a packet in a step. Returns false if no lane touches and none touched at
+/// the last step.
 template <class Law, bool avx512>
-[[gnu::always_inline]] inline bool apply_packet(StepBlock& s, PairPacket& p, ContactForce& out) {
+[[gnu::always_inline]] inline bool apply_packet(StepBatch& s, PairPacket& p, ContactForce& out) {
   const ParticleData& w = s.particles;
-  PairMotion b;
-  b.separation = gather<avx512>(w.position, p.j, w.fits_registers) -
-                 gather<avx512>(w.position, p.i, w.fits_registers);
-  if (s.constants.periodic) b.separation = folded(b.separation, s.constants.periods);
-  const Lanes squared = dot(b.separation, b.separation), near = touch_distance(p, p.touching);
+  PairMotion motion;
+  motion.separation = gather<avx512>(w.position, p.j, w.fits_registers) -
+                      gather<avx512>(w.position, p.i, w.fits_registers);
+  if (s.constants.periodic) motion.separation = folded(motion.separation, s.constants.periods);
+  const Lanes squared = dot(motion.separation, motion.separation),
+              near = touch_distance(p, p.touching);
   const LaneMask touching = less(squared, near * near);
   const ContactTransitions transitions{touching & ~p.touching, p.touching & ~touching};
   const bool changes = any(touching ^ p.touching);
   if (!changes && !any(touching)) return false;
-  b.vj = gather<avx512>(w.velocity_predicted, p.j, w.fits_registers);
-  b.relative = gather<avx512>(w.velocity_predicted, p.i, w.fits_registers) - b.vj;
-  b.wi = gather<avx512>(w.spin_predicted, p.i, w.fits_registers);
-  b.wj = gather<avx512>(w.spin_predicted, p.j, w.fits_registers);
-  const ContactGeometry m = contact_geometry(p, b, squared);
-  if (changes) s.slow_path.begin(p, transitions.begun, m, b);
-  out = contact_force<Law>(p, p, p.work, s.constants, b, m, touching,
+  motion.vj = gather<avx512>(w.velocity_predicted, p.j, w.fits_registers);
+  motion.relative_velocity =
+      gather<avx512>(w.velocity_predicted, p.i, w.fits_registers) - motion.vj;
+  motion.wi = gather<avx512>(w.spin_predicted, p.i, w.fits_registers);
+  motion.wj = gather<avx512>(w.spin_predicted, p.j, w.fits_registers);
+  const ContactGeometry geometry = contact_geometry(p, motion, squared);
+  if (changes) s.callbacks.begin(p, transitions.begun, geometry, motion);
+  out = contact_force<Law>(p, p, p.work, s.constants, motion, geometry, touching,
                            changes ? &transitions : nullptr, true);
-  if (changes) s.slow_path.end(p, transitions.ended);
-  p.normal = m.n;
+  if (changes) s.callbacks.end(p, transitions.ended);
+  p.normal = geometry.n;
   return true;
 }
 
-/// The main loop over the steps of a block.
+/// The main loop over the steps of a batch.
 template <class Law, bool avx512>
-[[gnu::always_inline]] inline bool step_block(StepBlock& s) {
+[[gnu::always_inline]] inline bool step_batch(StepBatch& s) {
   ParticleData& w = s.particles;
   bool touched = false;
   for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
     const DriveSample& drive = s.drive[k + 1];
-    const bool moved_far = drift(s, s.drive[k], drive);
+    const bool moved_far = half_kick_and_drift(s, s.drive[k], drive);
     ++w.step;
     if (moved_far) {
-      s.slow_path.rebuild_neighbour_list();
+      s.callbacks.rebuild_neighbour_list();
       s.list_step = w.step;
     }
     if (!w.wall_neighbours.empty()) {
@@ -183,24 +187,24 @@ template <class Law, bool avx512>
       else
         scatter(w, w.packets[n], found);
     }
-    if (in_registers) kick(w, 0, force, torque);
+    if (in_registers) second_half_kick(w, 0, force, torque);
     for (std::size_t b = 0; b < w.blocks && !in_registers; ++b)
-      kick(w, b, w.force.at(b), w.torque.at(b));
+      second_half_kick(w, b, w.force.at(b), w.torque.at(b));
     if (!touched && s.stop_when_idle) return false;
   }
   return touched;
 }
 
 template <class Law>
-struct BlockLoop {
+struct BatchLoop {
   template <bool avx512>
-  [[gnu::always_inline]] static bool run(StepBlock& s) {
-    return step_block<Law, avx512>(s);
+  [[gnu::always_inline]] static bool run(StepBatch& s) {
+    return step_batch<Law, avx512>(s);
   }
 };
 template <class Law>
-BlockStepper block_stepper() {
-  return Compiled<BlockLoop<Law>, BlockStepper>::best();
+BatchStepper batch_stepper() {
+  return Multiversioned<BatchLoop<Law>, BatchStepper>::best();
 }
 
 }  // namespace mahlwerk::soft

@@ -12,13 +12,13 @@ namespace mahlwerk::soft {
 
 /// Impulse and work of a contact since its onset: sums over steps of force or power times the step.
 struct alignas(64) ContactWork {
-  Lanes impulse{};     ///< [N s] normal
-  Lanes normal{};      ///< [J] normal work
-  Lanes tangential{};  ///< [J] tangential work
-  Lanes rolling{};     ///< [J] by rolling resistance
-  Lanes sliding{};     ///< [J] part of `tangential`: sliding at the Coulomb limit
-  Lanes wall{};        ///< [J] work done by the wall, in the laboratory frame
-  Lanes deepest{};     ///< [m] largest overlap; ChunkSums::work holds it over the radius [1]
+  Lanes impulse{};      ///< [N s] normal
+  Lanes normal{};       ///< [J] work done against the normal force
+  Lanes tangential{};   ///< [J] work done against friction
+  Lanes rolling{};      ///< [J] work done against rolling resistance
+  Lanes sliding{};      ///< [J] part of `tangential`: sliding at the Coulomb limit
+  Lanes wall{};         ///< [J] work done by the wall, in the laboratory frame
+  Lanes max_overlap{};  ///< [m] largest overlap; ChunkSums::work holds it over the radius [1]
 };
 
 /// Onset of a contact: step and speeds of first touch.
@@ -33,16 +33,16 @@ struct alignas(64) PairParameters {
   LaneMask wall{};               ///< where j is a wall point
   Lanes radius_i{}, radius_j{};  ///< [m] 0 for a wall point
   Lanes inverse_radius{};        ///< [1/m] 1 / radius_i
-  Lanes share{};                 ///< fraction of the overlap in i: 0.5, or 1 at a wall
+  Lanes overlap_share{};         ///< fraction of the overlap in i: 0.5, or 1 at a wall
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
-  Lanes friction{};  ///< mu
-  Lanes rolling{};   ///< [m] mu_r R*; [s] for the viscous rule
+  Lanes friction{};             ///< mu
+  Lanes rolling_coefficient{};  ///< [m] mu_r R*; [s] for the viscous rule
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
-  Lanes roll_spring{};
+  Lanes rolling_stiffness_ratio{};
   Lanes inertia{};               ///< [kg m2] reduced moment of inertia
-  Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::lag (dem.37)
+  Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
 };
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {
@@ -69,10 +69,10 @@ inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int 
 /// History of eight contacts.
 struct alignas(64) History {
   Lanes law_history[contact::law_history_size]{};
-  Vec<Lanes> spring{};  ///< [m] tangential spring xi, half a step ahead
-  Vec<Lanes> roll{};    ///< [N m] epsd: torque of the rolling spring
-  Lanes stiffness{};    ///< [N/m] tangential, at the last step
-  LaneMask pulls{};     ///< lanes with a load < 0 at the last step
+  Vec<Lanes> spring{};                 ///< [m] tangential spring xi, half a step ahead
+  Vec<Lanes> rolling_spring_torque{};  ///< [N m] epsd: torque of the rolling spring
+  Lanes stiffness{};                   ///< [N/m] tangential, at the last step
+  LaneMask tensile{};                  ///< lanes with a load < 0 at the last step
 };
 
 }  // namespace mahlwerk::soft

@@ -22,10 +22,10 @@ struct alignas(64) StepConstants {
 
 /// Relative position and motion of the pairs of a packet.
 struct alignas(64) PairMotion {
-  Vec<Lanes> separation;  ///< [m] from i to j
-  Vec<Lanes> relative;    ///< [m/s] velocity of i minus that of j
-  Vec<Lanes> vj;          ///< [m/s] velocity of j, for walls only
-  Vec<Lanes> wi, wj;      ///< [rad/s] spins
+  Vec<Lanes> separation;         ///< [m] from i to j
+  Vec<Lanes> relative_velocity;  ///< [m/s] velocity of i minus that of j
+  Vec<Lanes> vj;                 ///< [m/s] velocity of j, for walls only
+  Vec<Lanes> wi, wj;             ///< [rad/s] spins
 };
 
 /// Force [N] on i, its negative on j; torques [N m] on both.
@@ -39,7 +39,7 @@ struct alignas(64) ContactGeometry {
   Lanes overlap;           ///< [m]
   Lanes lever_i, lever_j;  ///< [m] distances from the centres to the contact
   Vec<Lanes> u;            ///< [m/s] relative velocity at the contact (dem.1)
-  Lanes rate;              ///< [m/s] u.n, rate of the overlap
+  Lanes overlap_rate;      ///< [m/s] u.n, rate of the overlap
   Vec<Lanes> slip;         ///< [m/s] tangential part of u
 };
 
@@ -51,17 +51,17 @@ struct alignas(64) ContactGeometry {
 
 [[gnu::always_inline]] inline ContactGeometry contact_geometry(const PairParameters& pair,
                                                                const PairMotion& motion,
-                                                               Lanes squared) {
+                                                               Lanes distance_squared) {
   ContactGeometry geometry;
-  const Lanes distance = sqrt(squared);
+  const Lanes distance = sqrt(distance_squared);
   geometry.n = (1.0 / max(distance, Lanes{} + 1e-300)) * motion.separation;  // 0 in free lanes
   geometry.overlap = pair.radius_i + pair.radius_j - distance;
-  geometry.lever_i = pair.radius_i - pair.share * geometry.overlap;
+  geometry.lever_i = pair.radius_i - pair.overlap_share * geometry.overlap;
   geometry.lever_j = distance - geometry.lever_i;
-  geometry.u = motion.relative +
+  geometry.u = motion.relative_velocity +
                cross(geometry.lever_i * motion.wi + geometry.lever_j * motion.wj, geometry.n);
-  geometry.rate = dot(geometry.u, geometry.n);
-  geometry.slip = geometry.u - geometry.rate * geometry.n;
+  geometry.overlap_rate = dot(geometry.u, geometry.n);
+  geometry.slip = geometry.u - geometry.overlap_rate * geometry.n;
   return geometry;
 }
 
@@ -131,7 +131,7 @@ struct alignas(64) ContactGeometry {
   Vec<Lanes> rolling_velocity = motion.wi - motion.wj;
   rolling_velocity =
       rolling_velocity - dot(rolling_velocity, geometry.n) * geometry.n;  // no resistance to twist
-  const Lanes zero{}, limit = pair.rolling * law_force.load;
+  const Lanes zero{}, limit = pair.rolling_coefficient * law_force.load;
   // Limits the torque to one that stops the rolling in sixteen steps. Spins are predicted from the
   // torque of the last step, and a ball may have a dozen contacts that all resist: without the
   // limit, they would reverse its rotation and make it oscillate.
@@ -150,21 +150,21 @@ struct alignas(64) ContactGeometry {
         dot(surface, surface) / max(dot(rolling_velocity, rolling_velocity), zero + 1e-300);
     torque = -(limited(limit * sqrt(ratio)) * rolling_velocity);
   } else {
-    const Lanes stiffness = pair.roll_spring * law_force.stiffness;
-    Vec<Lanes> spring = rotate_to_tangent_plane(history.roll, geometry.n) -
-                        (constants.dt * stiffness) * rolling_velocity;
-    const Lanes squared = dot(spring, spring);
-    const LaneMask sliding = less(limit * limit, squared);
-    if (any(sliding)) {
+    const Lanes stiffness = pair.rolling_stiffness_ratio * law_force.stiffness;
+    Vec<Lanes> spring_torque = rotate_to_tangent_plane(history.rolling_spring_torque, geometry.n) -
+                               (constants.dt * stiffness) * rolling_velocity;
+    const Lanes squared = dot(spring_torque, spring_torque);
+    const LaneMask at_limit = less(limit * limit, squared);
+    if (any(at_limit)) {
       const Lanes factor = limit / sqrt(max(squared, zero + 1e-300));
-      spring = select<Lanes>(sliding, factor * spring, spring);
+      spring_torque = select<Lanes>(at_limit, factor * spring_torque, spring_torque);
     }
     // Each ball rolls about the contact, with the inertia (7/5) m R^2 = 7/2 of that about its
     // centre.
     const Lanes damping =
         limited(2.0 * constants.rolling_damping * sqrt(3.5 * pair.inertia * stiffness));
-    torque = spring - select(sliding, zero, damping) * rolling_velocity;
-    history.roll = select<Lanes>(touching, spring, Vec<Lanes>{});
+    torque = spring_torque - select(at_limit, zero, damping) * rolling_velocity;
+    history.rolling_spring_torque = select<Lanes>(touching, spring_torque, Vec<Lanes>{});
   }
   work.rolling -= select(touching, constants.dt * dot(torque, rolling_velocity), zero);
   return select<Lanes>(touching, torque, Vec<Lanes>{});
@@ -180,16 +180,16 @@ template <class Law>
   const Lanes zero{};
   contact::LawForce<Lanes> law_force = Law::template evaluate<Lanes>(
       pair.coefficients, history.law_history, select(touching, geometry.overlap, zero),
-      select(touching, geometry.rate, zero));
+      select(touching, geometry.overlap_rate, zero));
   const LaneMask tensile = less(law_force.load, zero) & touching;
-  const LaneMask load_reversed = (tensile ^ history.pulls) & touching;
-  history.pulls = tensile;
+  const LaneMask load_reversed = (tensile ^ history.tensile) & touching;
+  history.tensile = tensile;
   const Lanes stiffness = law_force.stiffness;
   LaneMask active = touching;
   TransitionCorrection correction;
   if (transitions != nullptr) {
     correction = correct_transitions<Law>(pair, history, *transitions, geometry.overlap,
-                                          geometry.rate, constants.dt, law_force);
+                                          geometry.overlap_rate, constants.dt, law_force);
     active |= correction.corrected;
     history.spring = select<Lanes>(transitions->begun, correction.initial_slip_time * geometry.slip,
                                    history.spring);
@@ -213,7 +213,7 @@ template <class Law>
     out.torque_j = out.torque_j - torque;
     if (walls) wall_power += dot(torque, motion.wj);
   }
-  Lanes rate = geometry.rate;
+  Lanes rate = geometry.overlap_rate;
   Vec<Lanes> slip = geometry.slip;
   if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
     const Lanes half = (3.0 / 7.0 * constants.inverse_dt) *
@@ -226,7 +226,7 @@ template <class Law>
   work.normal += constants.dt * (law_force.force * rate);
   work.tangential -= constants.dt * dot(friction, slip);
   if (walls) work.wall += select(pair.wall, constants.dt * wall_power, zero);
-  work.deepest = max(work.deepest, select(touching, geometry.overlap, zero));
+  work.max_overlap = max(work.max_overlap, select(touching, geometry.overlap, zero));
   return out;
 }
 

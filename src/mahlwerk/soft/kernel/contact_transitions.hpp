@@ -14,15 +14,16 @@ struct alignas(64) ContactTransitions {
   LaneMask begun{}, ended{};
 };
 
-/// since^(1/4) times the weight of the first force of a contact, for a force that grows as the
-/// fourth root of time, as damping proportional to overlap^(1/4) does (Tsuji's law). With this
-/// weight, the sum over the steps equals the integral (Euler-Maclaurin end correction, dem.35).
-/// Polynomial fit of -zeta(-1/4, 1 + since), Hurwitz's zeta, to 1.1e-4; `since` is the time from
-/// touch to the first step, in steps.
-[[gnu::always_inline]] inline Lanes fourth_root_weight(const Lanes& since) {
+/// Weight of the first force of a contact, times step_fraction^(1/4), for a force that grows as the
+/// fourth root of the time since touch, as damping proportional to overlap^(1/4) does (Tsuji's
+/// law). With this weight, the sum over the steps equals the integral (Euler-Maclaurin end
+/// correction, dem.35). `step_fraction` is the time from touch to the first step, in steps.
+/// Polynomial fit of Hurwitz's -zeta(-1/4, 1 + step_fraction), to 1.1e-4.
+[[gnu::always_inline]] inline Lanes fourth_root_weight(const Lanes& step_fraction) {
   return 0.31709151755564424 +
-         since *
-             (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
+         step_fraction *
+             (0.8639717633735045 +
+              step_fraction * (0.16417356305177494 - step_fraction * 0.028025128008455826));
 }
 
 /// Sum of the part of the force that is there at touch and the part that grows as a fourth root,
@@ -40,9 +41,9 @@ struct alignas(64) TransitionCorrection {
   Lanes previous_force{};     ///< [N] normal force of the last step, where ended
 };
 
-/// Scales the first force of a contact by the number of steps for which it acts (dem.35). Where a
-/// contact has ended, `f` becomes the correction of its last force, which counted for a whole step
-/// (dem.36).
+/// Weights the first force of a contact so that the sum over the steps equals its integral
+/// (dem.35). Where a contact has ended, `f` becomes the correction of its last force, which counted
+/// for a whole step (dem.36).
 template <class Law>
 [[gnu::always_inline]] inline TransitionCorrection correct_transitions(
     const PairParameters& pair, const History& history, const ContactTransitions& transitions,
@@ -62,10 +63,10 @@ template <class Law>
   const LaneMask partial_step = (transitions.begun & less(steps_in_contact, zero + 1.5)) |
                                 (transitions.ended & less(zero - 0.5, steps_in_contact));
   const LaneMask corrected = partial_step & overlap_changes;
-  const Lanes since =
+  const Lanes step_fraction =
       min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end
   const Lanes force_overlap =
-      select(transitions.ended, since * overlap_change - pair.pull_off_distance,
+      select(transitions.ended, step_fraction * overlap_change - pair.pull_off_distance,
              max(overlap, onset_overlap));
   const auto evaluate_at = [&](const Lanes& where) {
     Lanes law_history[contact::law_history_size];
@@ -77,9 +78,10 @@ template <class Law>
   const contact::LawForce<Lanes> full_force = evaluate_at(force_overlap),
                                  jump_force = evaluate_at(edge_overlap);
   const Lanes already_counted = select(transitions.ended, one, zero);  // whole step already counted
-  const Lanes root_weight = fourth_root_weight(since) / sqrt(sqrt(since)) - already_counted;
+  const Lanes root_weight =
+      fourth_root_weight(step_fraction) / sqrt(sqrt(step_fraction)) - already_counted;
   const Lanes jump_weight =
-      0.5 + since - 0.5 * onset_overlap * inverse_overlap_change - already_counted;
+      0.5 + step_fraction - 0.5 * onset_overlap * inverse_overlap_change - already_counted;
   const auto correct = [&](const Lanes& a, const Lanes& b, Lanes& out) {
     out = select(corrected, weighted_force(a, b, root_weight, jump_weight), out);
   };
@@ -87,7 +89,7 @@ template <class Law>
   correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
   correct(full_force.damping, jump_force.damping, f.damping);
   correct(full_force.load, jump_force.load, f.load);
-  return {corrected, select(corrected & transitions.begun, time_step * (since - 0.5), zero),
+  return {corrected, select(corrected & transitions.begun, time_step * (step_fraction - 0.5), zero),
           select(corrected & transitions.ended, full_force.force, zero)};
 }
 

@@ -17,29 +17,30 @@
 
 namespace mahlwerk::soft {
 
-enum class Isa { sse2, avx2, avx512 };
+enum class Isa { baseline, avx2, avx512 };
 
-/// The widest instruction set of this machine, at least SSE2. The environment variable
-/// MAHLWERK_SIMD (avx2 or plain) selects a narrower one. Results have the same bits on all.
+/// The widest instruction set of this machine. The environment variable MAHLWERK_SIMD selects a
+/// narrower one: avx2, or plain for the baseline (SSE2 on x86-64). Results have the same bits on
+/// all.
 inline Isa isa() {
 #ifdef MAHLWERK_AVX512
   const char* wish = std::getenv("MAHLWERK_SIMD");
   const std::string_view asked = wish == nullptr ? "" : wish;
-  if (asked == "plain") return Isa::sse2;
+  if (asked == "plain") return Isa::baseline;
   if (asked != "avx2" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512vl"))
     return Isa::avx512;
   if (__builtin_cpu_supports("avx2")) return Isa::avx2;
 #endif
-  return Isa::sse2;
+  return Isa::baseline;
 }
 
-/// Compiles `Body::run<avx512>`, which must be inlined, for each instruction set, as functions of
-/// type F.
+/// Function multiversioning: `Body::run<avx512>`, inlined into one function of type F for each
+/// instruction set.
 template <class Body, class F>
-struct Compiled;
+struct Multiversioned;
 template <class Body, class Result, class... In>
-struct Compiled<Body, Result (*)(In...)> {
+struct Multiversioned<Body, Result (*)(In...)> {
 #ifdef MAHLWERK_AVX512
   [[gnu::target("avx512f,avx512dq,avx512vl"), gnu::flatten]] static Result avx512(In... in) {
     return Body::template run<true>(in...);
@@ -50,7 +51,7 @@ struct Compiled<Body, Result (*)(In...)> {
     return Body::template run<false>(in...);
   }
 #endif
-  [[gnu::flatten]] static Result sse2(In... in) {
+  [[gnu::flatten]] static Result baseline(In... in) {
     return Body::template run<false>(in...);
   }
 
@@ -62,7 +63,7 @@ struct Compiled<Body, Result (*)(In...)> {
 #ifdef MAHLWERK_AVX2
     if (isa() == Isa::avx2) return avx2;
 #endif
-    return sse2;
+    return baseline;
   }
 };
 

@@ -10,8 +10,6 @@
 // balls.
 namespace mahlwerk::soft {
 
-enum class ContactKind { own, halo, wall };
-
 using LaneBodies = std::array<std::int32_t, lanes>;  // a body for each lane
 
 /// Gathers positions and velocities. Without AVX-512, element by element.
@@ -96,34 +94,34 @@ template <bool avx512>
 [[gnu::always_inline]] inline PairMotion gather_pair_motion(const ChunkStep& s,
                                                             const ContactPacket& g,
                                                             LaneMask touching, ContactKind kind) {
-  PairMotion b;
+  PairMotion motion;
   const Lanes zero{};
   Vec<Lanes> position, velocity;
-  b.wi = gather_spins<avx512>(s.spins, g.i);
+  motion.wi = gather_spins<avx512>(s.spins, g.i);
   if (kind == ContactKind::wall) {
     AlignedLanes points[3];
     s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.pull_off_distance, points);
     gather_motion<avx512>(s.rows, g.i, position, velocity);
     const Vec<Lanes> at{points[0].value, points[1].value, points[2].value};
-    const Vec3& spin = s.before.spin;
-    b.wj = {zero + spin.x, zero + spin.y, zero + spin.z};
+    const Vec3& spin = s.drive.spin;
+    motion.wj = {zero + spin.x, zero + spin.y, zero + spin.z};
     for (int l = 0; s.turning && l < lanes; ++l) {
       if (g.j[static_cast<std::size_t>(l)] < s.jar->first_rotor_face()) continue;
-      const Vec3& rotor = s.before.rotor_spin;
-      b.wj.x[l] = rotor.x, b.wj.y[l] = rotor.y, b.wj.z[l] = rotor.z;
+      const Vec3& rotor = s.drive.rotor_spin;
+      motion.wj.x[l] = rotor.x, motion.wj.y[l] = rotor.y, motion.wj.z[l] = rotor.z;
     }
-    b.vj = cross(b.wj, at);
-    b.separation = at - position;
-    b.relative = velocity - b.vj;
+    motion.vj = cross(motion.wj, at);
+    motion.separation = at - position;
+    motion.relative_velocity = velocity - motion.vj;
   } else {
     gather_differences<avx512>(s.rows, g, position, velocity);
-    b.separation = position;
-    if (s.constants.periodic) b.separation = folded(position, s.constants.periods);
-    b.relative = -velocity;
-    b.vj = {zero, zero, zero};
-    b.wj = gather_spins<avx512>(s.spins, g.j);
+    motion.separation = position;
+    if (s.constants.periodic) motion.separation = folded(position, s.constants.periods);
+    motion.relative_velocity = -velocity;
+    motion.vj = {zero, zero, zero};
+    motion.wj = gather_spins<avx512>(s.spins, g.j);
   }
-  return b;
+  return motion;
 }
 
 [[gnu::always_inline]] inline void prefetch(const ChunkStep& s, const ContactPacket& g,

@@ -20,7 +20,7 @@ struct alignas(64) ContactPacket {
   std::array<std::int32_t, lanes> i{}, j{};  ///< balls; at a wall, j is the face
   std::array<std::int32_t, lanes> species_pair{};
   std::uint32_t touching = 0, begun = 0;  ///< bits of lanes: in contact; new in this step
-  std::uint32_t pulling = 0;              ///< bits of lanes with a load < 0 at the last step
+  std::uint32_t tensile = 0;              ///< bits of lanes with a load < 0 at the last step
   bool one_species_pair = true;           ///< all lanes have the same species pair
   Vec<Lanes> spring{};
   Lanes impulse{}, lost_normal{}, lost_tangential{};  ///< since the onset
@@ -30,7 +30,7 @@ struct alignas(64) ContactPacket {
 /// History variables that only some laws and rolling models need.
 struct alignas(64) OptionalHistory {
   Lanes law_history[contact::law_history_size]{};
-  Vec<Lanes> roll{};
+  Vec<Lanes> rolling_spring_torque{};
   Lanes stiffness{};  ///< for ContactModel::rescaled_unloading
 };
 
@@ -39,6 +39,9 @@ struct alignas(64) OptionalHistory {
 struct alignas(64) WallNormals {
   Vec<Lanes> normal{};
 };
+
+/// Between two balls of a chunk, with a ball of another chunk, or with the wall (Chunk).
+enum class ContactKind { own, halo, wall };
 
 /// Contacts of one kind, and the free lanes.
 struct ContactPackets {
@@ -51,7 +54,7 @@ struct ContactPackets {
   std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from this list; at 0 its memory is
   /// freed.
-  std::int32_t leaving = 0;
+  std::int32_t copies_left = 0;
 
   /// Reserves memory for `count` packets, including optional histories and curved-wall parameters.
   void reserve(std::size_t count, bool with_history, bool curved) {
@@ -62,8 +65,8 @@ struct ContactPackets {
   }
 };
 
-/// Verlet list of non-touching pairs, binned by gap: at the last sort, pairs of bin k had a gap of
-/// at least k times the width. Only bins that the accumulated displacement can close are tested.
+/// Verlet list of non-touching pairs, binned by gap: at the last binning, pairs of bin k had a gap
+/// of at least k times the width. Only bins that the accumulated displacement can close are tested.
 struct VerletList {
   static constexpr int bins = 16;
   static constexpr double width = 1.0 / 64;  ///< of the skin; the last bin has all larger gaps
@@ -71,9 +74,10 @@ struct VerletList {
   std::array<std::int32_t, bins + 1> end{};  ///< of each bin
   std::vector<NeighbourPair> separated;      ///< contacts that ended since, tested at every step
 
-  /// Number of pairs that may touch if gaps have decreased by up to `bound` [m]; `bin_width` in m.
-  std::size_t due(double bound, double bin_width) const {
-    const double bin = std::clamp(bound / bin_width, 0.0, bins - 1.0);
+  /// Number of pairs that may touch if gaps have decreased by up to `gap_decrease` [m]; `bin_width`
+  /// in m.
+  std::size_t due(double gap_decrease, double bin_width) const {
+    const double bin = std::clamp(gap_decrease / bin_width, 0.0, bins - 1.0);
     return static_cast<std::size_t>(end[static_cast<std::size_t>(bin) + 1]);
   }
   /// Removes pair `at` in O(bins): in each bin from its own on, the last pair moves into the hole,
@@ -89,7 +93,7 @@ struct VerletList {
   }
 };
 
-/// Displacements of a chunk's balls since the list was built. Each lies within `spread` of
+/// Displacements of a chunk's balls since the pairs were last binned. Each lies within `spread` of
 /// `predicted_mean`, the mean extrapolated from earlier steps; `mean` is the true one (dem.34).
 struct ChunkDisplacement {
   Vec3 predicted_mean, mean;  ///< [m]
@@ -99,7 +103,7 @@ struct ChunkDisplacement {
 /// Sums over the steps of a chunk.
 struct ChunkSums {
   ContactWork work;  ///< halo contacts count half: both chunks compute them
-  std::int64_t ball_steps = 0, collisions = 0, lasting = 0;
+  std::int64_t ball_steps = 0, collisions = 0, sustained = 0;
   std::int64_t tests = 0;
 };
 
@@ -116,7 +120,8 @@ struct Chunk {
   std::int32_t first = 0, last = 0;
   ContactPackets own, halo, wall;
   VerletList ball_pairs, wall_pairs;
-  double bound = 0, wall_bound = 0;  ///< [m] bound of the decrease of gaps since the last sort
+  /// [m] Upper bounds of the decrease of gaps since the last binning.
+  double max_gap_decrease = 0, max_wall_gap_decrease = 0;
   std::vector<std::int32_t> neighbour_chunks;  ///< chunks with balls near those of this chunk
   std::int32_t balls_in_contact = 0;           ///< balls with contacts
   ChunkSums sums;

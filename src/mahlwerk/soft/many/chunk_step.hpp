@@ -11,10 +11,11 @@ namespace mahlwerk::soft {
 class ManyContactCallbacks {
  public:
   virtual ~ManyContactCallbacks() = default;
-  /// Contacts of `packets[g]` begin, in the lanes `begun`.
-  virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
-                     const PairMotion& b) = 0;
-  /// Contacts of `packets[g]` end: lanes that touched at the last step and are not in `touching`.
+  /// Contacts of `list.packets[g]` begin, in the lanes ContactPacket::begun.
+  virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g,
+                     const ContactGeometry& geometry, const PairMotion& motion) = 0;
+  /// Contacts of `list.packets[g]` end: lanes that touched at the last step and are not in
+  /// `touching`.
   virtual void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) = 0;
   /// Assigns a lane to a pair that begins to touch.
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
@@ -26,23 +27,26 @@ class ManyContactCallbacks {
 struct alignas(64) ChunkStep {
   const BallRecord* rows = nullptr;
   const SpinRecord* spins = nullptr;
-  BallRecord* next = nullptr;  ///< rows of the next step
+  BallRecord* next_rows = nullptr;  ///< rows of the next step
   SpinRecord* next_spins = nullptr;
-  VectorPair* half = nullptr;  ///< [m/s], [rad/s] velocity and spin, half a step earlier
-  const FloatPosition* list_positions = nullptr;  ///< at which the neighbour list was built
-  const AlignedLanes* kicks =
-      nullptr;  ///< [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
+  /// [m/s], [rad/s] velocity and spin half a step before this step; the step advances them to half
+  /// a step after it.
+  VectorPair* half_step = nullptr;
+  /// Positions when the pairs were last binned.
+  const FloatPosition* reference_positions = nullptr;
+  /// [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
+  const AlignedLanes* half_kick_factors = nullptr;
   const std::int32_t* species = nullptr;
   const PairParameters* parameters = nullptr;  ///< of each species pair, the same in all lanes
   const MovingWall* jar = nullptr;
-  ManyContactCallbacks* events = nullptr;
-  double time = 0;               ///< [s] the mill's clock
-  double bin = 0;                ///< [m] width of the bins of the Verlet list
-  double pull_off_distance = 0;  ///< [m] largest of all pairs
-  DriveSample before, after;     ///< at this step and at the next
-  bool large = false;            ///< the balls exceed the processor's cache
-  bool turning = false;          ///< the jar has a rotor
-  bool has_history = false;      ///< the law or rolling model needs OptionalHistory
+  ManyContactCallbacks* callbacks = nullptr;
+  double time = 0;                ///< [s] the mill's clock
+  double bin = 0;                 ///< [m] width of the bins of the Verlet list
+  double pull_off_distance = 0;   ///< [m] largest of all pairs
+  DriveSample drive, next_drive;  ///< at this step and at the next
+  bool large = false;             ///< the balls exceed the processor's cache
+  bool turning = false;           ///< the jar has a rotor
+  bool has_history = false;       ///< the law or rolling model needs OptionalHistory
   StepConstants constants;
 };
 

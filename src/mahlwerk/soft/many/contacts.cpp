@@ -20,11 +20,11 @@ bool is_wall(const NeighbourPair& pair) {
 void ManyBodySolver::test_walls(Chunk& chunk) {
   VerletList& w = chunk.wall_pairs;
   const auto touches = [&](const NeighbourPair& pair) {
-    const BallRecord& ball = now_[static_cast<std::size_t>(pair.ball)];
+    const BallRecord& ball = rows_[static_cast<std::size_t>(pair.ball)];
     return jar_->gap(~pair.other, ball.position(), mill_time(step_), ball.radius).distance <
            ball.radius;
   };
-  const std::size_t due = w.due(chunk.wall_bound, skin_ * VerletList::width);
+  const std::size_t due = w.due(chunk.max_wall_gap_decrease, skin_ * VerletList::width);
   for (std::size_t k = due; k-- > 0;) {
     if (!touches(w.pairs[k])) continue;
     activate(chunk, w.pairs[k]);
@@ -44,8 +44,8 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
   ContactPackets& list = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.halo;
   const std::int32_t species_pair =
-      is_wall(pair) ? pairs_.wall(mine, ~pair.other)
-                    : pairs_.balls(mine, species_[static_cast<std::size_t>(pair.other)]);
+      is_wall(pair) ? pairs_.wall_pair_index(mine, ~pair.other)
+                    : pairs_.ball_pair_index(mine, species_[static_cast<std::size_t>(pair.other)]);
   const std::int32_t at = free_lane(list, species_pair, pair.ball);
   ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
   const auto l = static_cast<std::size_t>(at % lanes);
@@ -88,13 +88,13 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
         g.one_species_pair &&
         (!g.touches(k) || g.species_pair[static_cast<std::size_t>(k)] == species_pair);
   if (g.one_species_pair) g.species_pair.fill(species_pair);
-  g.pulling &= ~bit(l);
+  g.tensile &= ~bit(l);
   set_lane(g.spring, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_tangential[l] = 0;
   if (has_history_) {
     OptionalHistory& m = list.optional_histories[n];
     for (Lanes& law_history : m.law_history) law_history[l] = 0;
-    set_lane(m.roll, l, {});
+    set_lane(m.rolling_spring_torque, l, {});
     m.stiffness[l] = 0;
   }
   return at;
@@ -108,7 +108,7 @@ void ManyBodySolver::change_contact_count(Chunk& chunk, std::int32_t ball, int m
 }
 
 void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
-                           const ContactGeometry& m, const PairMotion& b) {
+                           const ContactGeometry& geometry, const PairMotion& motion) {
   ContactPacket& g = list.packets[n];
   for (int l = 0; l < lanes; ++l) {
     if ((g.begun & bit(l)) == 0) continue;
@@ -120,11 +120,11 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
     if (own != nullptr) {
       copy_lane(usual, l, *own, l);
       apply_wall_curvature(*own, l, *jar_, g.j[k],
-                           now_[static_cast<std::size_t>(g.i[k])].position(), mill_time(step_),
+                           rows_[static_cast<std::size_t>(g.i[k])].position(), mill_time(step_),
                            pairs_[g.species_pair[k]], *settings_.model.law);
     }
     ContactOnset& onset = list.onsets[n][k];
-    onset = contact_onset(step_, m, b, l);
+    onset = contact_onset(step_, geometry, motion, l);
     if (has_history_)
       begin_law_history(list.optional_histories[n].law_history, own != nullptr ? *own : usual, l,
                         onset.approach, *settings_.model.law);
@@ -154,14 +154,14 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const ContactPacket& g = list.packets[n];
   const bool wall = &list == &chunk.wall;
   const auto k = static_cast<std::size_t>(l);
-  const BallRecord& ball = now_[static_cast<std::size_t>(g.i[k])];
+  const BallRecord& ball = rows_[static_cast<std::size_t>(g.i[k])];
   const ContactOnset& onset = list.onsets[n][k];
   const SpeciesPair& pair = pairs_[g.species_pair[k]];
   const double t = mill_time(step_), duration = time_of(step_ - onset.step);
   const int face = wall ? g.j[k] : -1;
   const Vec3 separation =
       wall ? get_lane(list.wall_normals[n].normal, l)
-           : nearest(now_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
+           : nearest(rows_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
   const Vec3 normal = (1 / norm(separation)) * separation;
   chunk.finished.push_back(
       {step_,
@@ -179,7 +179,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
         .lost_normal = g.lost_normal[l],
         .lost_tangential = g.lost_tangential[l]}});
   ++chunk.sums.collisions;
-  if (is_lasting(duration, onset, pair, *settings_.model.law)) ++chunk.sums.lasting;
+  if (is_sustained(duration, onset, pair, *settings_.model.law)) ++chunk.sums.sustained;
 }
 
 }  // namespace mahlwerk::soft

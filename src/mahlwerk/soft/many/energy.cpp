@@ -31,13 +31,13 @@ ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk)
         if (has_history_)
           for (int a = 0; a < contact::law_history_size; ++a)
             law_history[a] = list.optional_histories[n].law_history[a][l];
-        const Vec3 x = now_[i].position();
+        const Vec3 x = rows_[i].position();
         const double distance =
             parameters.wall[l] != 0
-                ? jar_->gap(g.j[k], x, t, now_[i].radius + pull_off_distance_).distance
-                : norm(nearest(now_[static_cast<std::size_t>(g.j[k])].position() - x));
+                ? jar_->gap(g.j[k], x, t, rows_[i].radius + pull_off_distance_).distance
+                : norm(nearest(rows_[static_cast<std::size_t>(g.j[k])].position() - x));
         const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
-        if (overlap < -now_[i].radius) continue;  // the ball has left this face across an edge
+        if (overlap < -rows_[i].radius) continue;  // the ball has left this face across an edge
         std::visit(
             [&]<class L>(const L& law) {
               energy.normal += weight * law.elastic_energy(coefficients, law_history, overlap);
@@ -78,7 +78,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
       const Species& of = pairs_.species(species_[k]);
       const Vec3 v = velocity(k, change) + frame.velocity;
       sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
-      sum.potential -= of.mass * dot(jar_->gravity(), now_[k].position() + frame.centre);
+      sum.potential -= of.mass * dot(jar_->gravity(), rows_[k].position() + frame.centre);
     }
     sum.elastic_energy = elastic_energy(chunk);
   });
@@ -98,18 +98,18 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
 void ManyBodySolver::check_energy() {
   const scene::EnergyBalance a = energy_balance();
   const double t = mill_time(step_);
-  const double wall = jar_->max_wall_speed(t);
+  const double wall = jar_->max_lab_wall_speed(t);
   const Species& first = pairs_.species(0);
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
-  for (std::size_t k = 1; k < now_.size(); ++k)
+  for (std::size_t k = 1; k < rows_.size(); ++k)
     if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
   stop(fastest, energy_jump_message);
 }
 
-/// Moves the sums of the chunks to the energy balance. Only at fixed steps, because each addition
-/// rounds.
+/// Moves the sums of the chunks to the energy balance. Called only at steps that do not depend on
+/// how advance() divides a run, because each addition rounds.
 void ManyBodySolver::flush_sums() {
   for (Chunk& chunk : chunks_) {
     add_sums(energy_balance_, chunk);
@@ -121,11 +121,11 @@ void ManyBodySolver::add_sums(scene::EnergyBalance& a, const Chunk& chunk) const
   const ChunkSums& d = chunk.sums;
   for (int l = 0; l < lanes; ++l) {
     add_work(a, d.work, l);
-    a.deepest_overlap = std::max(a.deepest_overlap, d.work.deepest[l]);
+    a.deepest_overlap = std::max(a.deepest_overlap, d.work.max_overlap[l]);
   }
   a.contact_time += time_of(d.ball_steps);
   a.collisions += d.collisions;
-  a.lasting_contacts += d.lasting;
+  a.lasting_contacts += d.sustained;
   a.search_steps += d.tests;
 }
 

@@ -7,17 +7,20 @@
 
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Lane allocation after a sort: contacts move with their balls to new rows and chunks.
+// Lane allocation after a rebuild: contacts move with their balls to new rows and chunks.
 namespace mahlwerk::soft {
 namespace {
 
-enum ListKind : std::int32_t { own_list, halo_list, wall_list, list_kinds };
+constexpr std::int32_t contact_kinds = 3;
 
+// List numbers: the lists of all chunks in turn, those of a chunk in the order of ContactKind.
+ContactKind kind_of(std::int32_t list) {
+  return static_cast<ContactKind>(list % contact_kinds);
+}
 ContactPackets& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
-  Chunk& chunk = chunks[static_cast<std::size_t>(list / list_kinds)];
-  return list % list_kinds == own_list    ? chunk.own
-         : list % list_kinds == halo_list ? chunk.halo
-                                          : chunk.wall;
+  Chunk& chunk = chunks[static_cast<std::size_t>(list / contact_kinds)];
+  const ContactKind kind = kind_of(list);
+  return kind == ContactKind::own ? chunk.own : kind == ContactKind::halo ? chunk.halo : chunk.wall;
 }
 
 }  // namespace
@@ -27,16 +30,16 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
     const std::vector<std::int32_t>& to) {
   ContactsByBall all;
   const auto each = [&](const auto& f) {
-    for (std::int32_t number = 0; number < list_kinds * std::ssize(chunks_); ++number) {
+    for (std::int32_t number = 0; number < contact_kinds * std::ssize(chunks_); ++number) {
       const ContactPackets& list = list_of(chunks_, number);
       for (std::int32_t at = 0; at < lanes * std::ssize(list.packets); ++at) {
         const ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(at % lanes)) continue;
-        if (number % list_kinds == halo_list && g.i[l] > g.j[l])
+        if (kind_of(number) == ContactKind::halo && g.i[l] > g.j[l])
           continue;  // the other chunk's copy is listed
         const std::int32_t j =
-            number % list_kinds == wall_list ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
+            kind_of(number) == ContactKind::wall ? g.j[l] : to[static_cast<std::size_t>(g.j[l])];
         f(ContactAddress{to[static_cast<std::size_t>(g.i[l])], j, number, at});
       }
     }
@@ -51,7 +54,7 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
     all.contacts[static_cast<std::size_t>(next++)] = k;
   });
   const auto order = [](const ContactAddress& k) {
-    return std::tuple(k.list % list_kinds == wall_list, k.j);
+    return std::tuple(kind_of(k.list) == ContactKind::wall, k.j);
   };
   for (std::size_t i = 0; i < to.size(); ++i)
     std::sort(
@@ -67,11 +70,11 @@ void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
     const ContactAddress& k = all.contacts[n];
     ContactPackets& from = list_of(old, k.list);
-    ++from.leaving;
-    if (k.list % list_kinds == wall_list) continue;
+    ++from.copies_left;
+    if (kind_of(k.list) == ContactKind::wall) continue;
     const std::int32_t other = chunk_of(k.j);
     if (other == chunk_of(k.i)) continue;
-    ++from.leaving;
+    ++from.copies_left;
     incoming[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
   }
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
@@ -85,7 +88,7 @@ void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<
       const ContactAddress& k = all.contacts[static_cast<std::size_t>(n)];
       ContactPackets& from = list_of(old, k.list);
       place_contact(chunk, k, from);
-      if (std::atomic_ref(from.leaving).fetch_sub(1) == 1) from = {};  // frees its memory
+      if (std::atomic_ref(from.copies_left).fetch_sub(1) == 1) from = {};  // frees its memory
     };
     auto at = arrivals.begin();
     for (; at != arrivals.end() && *at < begin; ++at) give(*at);
@@ -98,15 +101,17 @@ void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<
 /// new ones.
 void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
                                       std::size_t incoming_count) const {
-  std::array<std::size_t, list_kinds> count{0, incoming_count, 0};
+  std::size_t own = 0, halo = incoming_count, wall = 0;
   for (const ContactAddress& k : kept)
-    ++count[k.list % list_kinds == wall_list         ? wall_list
-            : k.j >= chunk.first && k.j < chunk.last ? own_list
-                                                     : halo_list];
-  const auto room = [&](ListKind kind) { return count[kind] / lanes + count[kind] / 64 + 2; };
-  chunk.own.reserve(room(own_list), has_history_, false);
-  chunk.halo.reserve(room(halo_list), has_history_, false);
-  chunk.wall.reserve(room(wall_list), has_history_, settings_.model.curved_walls);
+    ++(kind_of(k.list) == ContactKind::wall     ? wall
+       : k.j >= chunk.first && k.j < chunk.last ? own
+                                                : halo);
+  const auto packet_count = [](std::size_t contacts) {
+    return contacts / lanes + contacts / 64 + 2;
+  };
+  chunk.own.reserve(packet_count(own), has_history_, false);
+  chunk.halo.reserve(packet_count(halo), has_history_, false);
+  chunk.wall.reserve(packet_count(wall), has_history_, settings_.model.curved_walls);
 }
 
 /// Copies a contact to the chunk. Ball i of the copy is the first ball of the contact, or the
@@ -114,14 +119,14 @@ void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddre
 void ManyBodySolver::place_contact(Chunk& chunk, const ContactAddress& k,
                                    const ContactPackets& from) {
   const std::int32_t species = species_[static_cast<std::size_t>(k.i)];
-  if (k.list % list_kinds == wall_list)
-    return copy_contact(chunk.wall, k, from, k.i, k.j, pairs_.wall(species, k.j), 1);
+  if (kind_of(k.list) == ContactKind::wall)
+    return copy_contact(chunk.wall, k, from, k.i, k.j, pairs_.wall_pair_index(species, k.j), 1);
   const std::int32_t other = species_[static_cast<std::size_t>(k.j)];
   const auto has = [&](std::int32_t ball) { return ball >= chunk.first && ball < chunk.last; };
   if (!has(k.i))
-    return copy_contact(chunk.halo, k, from, k.j, k.i, pairs_.balls(other, species), -1);
+    return copy_contact(chunk.halo, k, from, k.j, k.i, pairs_.ball_pair_index(other, species), -1);
   ContactPackets& list = has(k.j) ? chunk.own : chunk.halo;
-  copy_contact(list, k, from, k.i, k.j, pairs_.balls(species, other), 1);
+  copy_contact(list, k, from, k.i, k.j, pairs_.ball_pair_index(species, other), 1);
 }
 
 /// Copies the contact with its history to a free lane, with ball `i` as the first; `sign` is -1
@@ -136,7 +141,7 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
   ContactPacket& g = list.packets[n];
   const ContactPacket& was = from.packets[old];
   g.touching |= bit(l);
-  if ((was.pulling & bit(m)) != 0) g.pulling |= bit(l);
+  if ((was.tensile & bit(m)) != 0) g.tensile |= bit(l);
   g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
   list.onsets[n][static_cast<std::size_t>(l)] = from.onsets[old][static_cast<std::size_t>(m)];
   set_lane(g.spring, l, sign * get_lane(was.spring, m));
@@ -147,7 +152,7 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
     const OptionalHistory& past = from.optional_histories[old];
     for (int a = 0; a < contact::law_history_size; ++a)
       extra.law_history[a][l] = past.law_history[a][m];
-    set_lane(extra.roll, l, sign * get_lane(past.roll, m));
+    set_lane(extra.rolling_spring_torque, l, sign * get_lane(past.rolling_spring_torque, m));
     extra.stiffness[l] = past.stiffness[m];
   }
   if (!list.wall_normals.empty())

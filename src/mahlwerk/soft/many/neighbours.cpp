@@ -48,26 +48,26 @@ void ManyBodySolver::rebuild() {
   });
   grids_.clear();
   used_skin_ = 0;
-  mark_positions();
+  set_reference_positions();
   for (const BallError& w : errors)
     if (w.why != nullptr) stop(w.row, w.why);
 }
 
 /// Stores the positions from which displacements are measured.
-void ManyBodySolver::mark_positions() {
+void ManyBodySolver::set_reference_positions() {
   largest_coordinate_ = 0;
-  for (std::size_t k = 0; k < now_.size(); ++k) {
-    const BallRecord& row = now_[k];
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const BallRecord& row = rows_[k];
     largest_coordinate_ =
         std::max({largest_coordinate_, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
-    list_positions_[k] = {static_cast<float>(row.x), static_cast<float>(row.y),
-                          static_cast<float>(row.z)};
+    reference_positions_[k] = {static_cast<float>(row.x), static_cast<float>(row.y),
+                               static_cast<float>(row.z)};
   }
-  list_step_ = step_;
-  tests_at_sort_ = test_count();
+  reference_step_ = step_;
+  tests_at_rebin_ = test_count();
   displacements_.assign(chunks_.size(), {});
   predicted_means_.assign(chunks_.size(), {});
-  for (Chunk& chunk : chunks_) chunk.bound = chunk.wall_bound = 0;
+  for (Chunk& chunk : chunks_) chunk.max_gap_decrease = chunk.max_wall_gap_decrease = 0;
 }
 
 std::int64_t ManyBodySolver::test_count() const {
@@ -76,20 +76,21 @@ std::int64_t ManyBodySolver::test_count() const {
   return all;
 }
 
-/// Whether the distance tests since the last sort have cost more than a sort, after which fewer
-/// pairs are due. (The factor 7 was found by trial; 4 to 12 make no difference.)
-bool ManyBodySolver::sort_is_due() const {
+/// Whether the distance tests since the last binning have cost more than another one, after which
+/// fewer pairs are due. (The factor 7 was found by trial; 4 to 12 make no difference.)
+bool ManyBodySolver::rebin_is_due() const {
   std::int64_t pairs = 0;
   for (const Chunk& c : chunks_)
     pairs += std::ssize(c.ball_pairs.pairs) + std::ssize(c.ball_pairs.separated) +
              std::ssize(c.wall_pairs.pairs);
-  return test_count() - tests_at_sort_ > 7 * pairs;
+  return test_count() - tests_at_rebin_ > 7 * pairs;
 }
 
-/// Sorts the Verlet lists by gap again.
-void ManyBodySolver::sort_pairs() {
+/// Bins the pairs of the Verlet lists by their present gaps.
+void ManyBodySolver::rebin_pairs() {
   double most = 0;
-  for (const Chunk& c : chunks_) most = std::max({most, c.bound, c.wall_bound});
+  for (const Chunk& c : chunks_)
+    most = std::max({most, c.max_gap_decrease, c.max_wall_gap_decrease});
   used_skin_ += most;
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
@@ -99,7 +100,7 @@ void ManyBodySolver::sort_pairs() {
       pairs.insert(pairs.end(), w->separated.begin(), w->separated.end());
       gaps.resize(pairs.size());
       if (w == &chunk.ball_pairs)
-        find_gaps(now_.data(), pairs, jar_->periods(), gaps);
+        find_gaps(rows_.data(), pairs, jar_->periods(), gaps);
       else
         std::ranges::transform(pairs, gaps.begin(),
                                [&](const NeighbourPair& p) { return wall_gap(p); });
@@ -107,12 +108,12 @@ void ManyBodySolver::sort_pairs() {
     }
   });
   for (const Chunk& c : chunks_)
-    pairs_sorted_ += std::ssize(c.ball_pairs.pairs) + std::ssize(c.wall_pairs.pairs);
-  mark_positions();
+    pairs_rebinned_ += std::ssize(c.ball_pairs.pairs) + std::ssize(c.wall_pairs.pairs);
+  set_reference_positions();
 }
 
 double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
-  const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
+  const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
   return jar_->distance(~pair.other, a.position(), mill_time(step_), a.radius + 2 * skin_) -
          a.radius;
 }
@@ -123,14 +124,14 @@ void ManyBodySolver::tune_skin() {
   const auto steps = static_cast<double>(step_ - tuning_.step);
   tuning_.step = step_;
   if (steps < 2) return;
-  // [ns] distance test of a pair; sort of a pair; search of the neighbours of a ball.
-  constexpr double test_cost = 2, sort_cost = 6, find_cost = 700;
+  // [ns] distance test of a pair; binning of a pair; search of the neighbours of a ball.
+  constexpr double test_cost = 2, rebin_cost = 6, find_cost = 700;
   const auto all = static_cast<double>(energy_balance_.search_steps);
   const double cost =
-      (test_cost * (all - tuning_.tests) + sort_cost * static_cast<double>(pairs_sorted_) +
-       find_cost * static_cast<double>(now_.size())) /
+      (test_cost * (all - tuning_.tests) + rebin_cost * static_cast<double>(pairs_rebinned_) +
+       find_cost * static_cast<double>(rows_.size())) /
       steps;
-  pairs_sorted_ = 0;
+  pairs_rebinned_ = 0;
   if (tuning_.last_cost > 0 && cost > tuning_.last_cost) tuning_.growth = 1 / tuning_.growth;
   tuning_.last_cost = cost;
   tuning_.tests = all;
@@ -139,18 +140,18 @@ void ManyBodySolver::tune_skin() {
   skin_ = std::clamp(skin_ * tuning_.growth, 0.1 * smallest, 2 * smallest);
 }
 
-/// Collects candidates for neighbours of the balls from row `from` on that share a cell, except
-/// earlier balls of the chunk, whose pairs are already found. Returns the end of the balls that
-/// share the cell.
+/// Collects the candidates for neighbours of a run of balls: those from row `from` on that share a
+/// cell. Leaves out earlier balls of the chunk, whose pairs are already found. Returns the end of
+/// the run.
 std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t from,
                                                Candidates& candidates) const {
-  const BallRecord& first = now_[static_cast<std::size_t>(from)];
+  const BallRecord& first = rows_[static_cast<std::size_t>(from)];
   const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
   const std::size_t cell = own.cell(first.position());
   Vec3 low = first.position(), high = low;
   std::int32_t to = from + 1;
   for (; to < chunk.last; ++to) {
-    const Vec3 x = now_[static_cast<std::size_t>(to)].position();
+    const Vec3 x = rows_[static_cast<std::size_t>(to)].position();
     if (own.cell(x) != cell) break;
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
@@ -160,7 +161,7 @@ std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t 
     const double far = own.radius() + grid.radius() + skin_ + pull_off_distance_;
     grid.for_each_near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
                        [&](std::int32_t a, std::int32_t b) {
-                         if (a < chunk.first || b > from) candidates.add(now_.data(), a, b);
+                         if (a < chunk.first || b > from) candidates.add(rows_.data(), a, b);
                        });
   }
   return to;
@@ -188,7 +189,7 @@ void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   for (std::int32_t from = chunk.first, to = from; from < chunk.last; from = to) {
     to = gather_candidates(chunk, from, candidates);
     for (std::int32_t i = from; i < to; ++i) {
-      const BallRecord& ball = now_[static_cast<std::size_t>(i)];
+      const BallRecord& ball = rows_[static_cast<std::size_t>(i)];
       const auto begin = at;
       while (at != touching.end() && at->first == i) ++at;
       const Candidates::Query query{ball.position(), ball.radius + skin_ + pull_off_distance_, i,
@@ -221,7 +222,7 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
   const double t = mill_time(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const BallRecord& ball = now_[static_cast<std::size_t>(i)];
+    const BallRecord& ball = rows_[static_cast<std::size_t>(i)];
     jar_->distances(ball.position(), t, ball.radius + skin_ + pull_off_distance_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
@@ -236,23 +237,25 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   return {};
 }
 
-/// A large overlap at the start would eject the balls at high speed.
+/// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
+/// high speed.
 void ManyBodySolver::refuse_overlaps() const {
   for (const Chunk& chunk : chunks_) {
     for (const VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs})
       for (const NeighbourPair& pair : w->pairs) {
-        const BallRecord& a = now_[static_cast<std::size_t>(pair.ball)];
+        const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
         const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
           const double gap = jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
-          if (overlap > settings_.max_overlap) throw overlap_error(ball, "the jar", overlap);
+          if (overlap > settings_.max_initial_overlap)
+            throw overlap_error(ball, "the jar", overlap);
           continue;
         }
-        const BallRecord& b = now_[static_cast<std::size_t>(pair.other)];
+        const BallRecord& b = rows_[static_cast<std::size_t>(pair.other)];
         const double distance = norm(nearest(b.position() - a.position()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
-        if (overlap > settings_.max_overlap)
+        if (overlap > settings_.max_initial_overlap)
           throw overlap_error(
               ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
       }

@@ -77,8 +77,8 @@ void ManyBodySolver::sort_into_chunks() {
 /// Returns the old row of each new row: sorted by size class, then along the curve.
 std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<std::vector<Vec3>> positions(class_radius_.size());
-  for (std::size_t k = 0; k < now_.size(); ++k) {
-    const Vec3 x = now_[k].position();
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    const Vec3 x = rows_[k].position();
     if (!std::isfinite(squared(x))) stop(k, "its position or velocity is not a finite number");
     positions[class_of(k)].push_back(x);
   }
@@ -91,13 +91,13 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   }
   positions = {};
   std::vector<std::int32_t> from;
-  from.reserve(now_.size());
+  from.reserve(rows_.size());
   std::vector<KeyedRow> order;
   for (std::size_t c = 0; c < grids_.size(); ++c) {
     order.clear();
-    for (std::size_t k = 0; k < now_.size(); ++k)
+    for (std::size_t k = 0; k < rows_.size(); ++k)
       if (class_of(k) == c)
-        order.push_back({grids_[c].key(now_[k].position()), static_cast<std::int32_t>(k)});
+        order.push_back({grids_[c].key(rows_[k].position()), static_cast<std::int32_t>(k)});
     sort_by_key(order);
     for (const KeyedRow& k : order) from.push_back(k.row);
   }
@@ -105,9 +105,9 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
 }
 
 void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
-  permute(now_, from);
+  permute(rows_, from);
   permute(spins_, from);
-  permute(half_size_, from);
+  permute(half_step_, from);
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);
@@ -115,7 +115,7 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
     positions.clear();
     for (std::int32_t row = class_first_[c]; row < class_first_[c + 1]; ++row)
-      positions.push_back(now_[static_cast<std::size_t>(row)].position());
+      positions.push_back(rows_[static_cast<std::size_t>(row)].position());
     grids_[c].fill(positions, class_first_[c]);
   }
 }

@@ -16,8 +16,8 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr std::size_t in_cache = 30000;    // balls that fit in a processor's cache, with contacts
-constexpr std::int64_t block = 64;         // steps between two checks of the energy
+constexpr std::size_t in_cache = 30000;  // balls that fit in a processor's cache, with contacts
+constexpr std::int64_t energy_check_interval = 64;  // steps between two checks of the energy
 constexpr std::size_t max_records = 8192;  // buffered for the observer, to bound the memory
 
 /// Largest useful number of threads.
@@ -58,18 +58,20 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   for (std::int32_t a = 0; a < species; ++a) {
     const Species& s = pairs_.species(a);
     for (std::int32_t b = 0; b < species; ++b) {
-      const std::int32_t k = pairs_.balls(a, b);
+      const std::int32_t k = pairs_.ball_pair_index(a, b);
       parameters_[static_cast<std::size_t>(k)] =
           pair_parameters(pairs_[k], s, &pairs_.species(b), settings_.time_step);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
-      const std::int32_t k = pairs_.wall(a, face);
+      const std::int32_t k = pairs_.wall_pair_index(a, face);
       parameters_[static_cast<std::size_t>(k)] =
           pair_parameters(pairs_[k], s, nullptr, settings_.time_step);
     }
-    const double kick = 0.5 * settings.time_step / s.mass,
-                 turn = 0.5 * settings.time_step / s.inertia;
-    kicks_.push_back({Lanes{kick, kick, kick, 0, turn, turn, turn, 0}});
+    const double half_kick_factor = 0.5 * settings.time_step / s.mass,
+                 half_spin_kick_factor = 0.5 * settings.time_step / s.inertia;
+    half_kick_factors_.push_back(
+        {Lanes{half_kick_factor, half_kick_factor, half_kick_factor, 0, half_spin_kick_factor,
+               half_spin_kick_factor, half_spin_kick_factor, 0}});
     class_of_.push_back(classes[octave(s.radius)]);
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
     widest = std::max(widest, s.radius);
@@ -88,18 +90,18 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Initialises the rows of step 0, and of step 1 without contact forces (dem.26).
 void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   const std::size_t n = balls.size();
-  now_.resize(n), next_.resize(n), list_positions_.resize(n), spins_.resize(n),
+  rows_.resize(n), next_rows_.resize(n), reference_positions_.resize(n), spins_.resize(n),
       next_spins_.resize(n);
-  half_size_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
+  half_step_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<DriveSample> b = drive_samples(0, 1);
   const double dt = settings_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[k];
-    mass_ += pairs_.of(k).mass;
+    mass_ += pairs_.species_of(k).mass;
     id_[k] = static_cast<std::int32_t>(k);
-    species_[k] = pairs_.species_of(k);
+    species_[k] = pairs_.species_index(k);
     const Vec3& x = ball.position;
-    now_[k] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
+    rows_[k] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
   }
   rebuild();
   refuse_overlaps();
@@ -109,8 +111,8 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
                predicted = v + 0.5 * dt * b[1].body_acceleration;
     const Vec3 x = ball.position + dt * v;
     const Vec3& w = ball.spin;
-    half_size_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
-    next_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
+    half_step_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
+    next_rows_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
     next_spins_[k] = {w.x, w.y, w.z, 0};
   }
   for (ChunkDisplacement& d : displacements_)
@@ -141,7 +143,8 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   };
   try {
     while (step_ < until) {
-      const std::int64_t end = std::min(until, (step_ / block + 1) * block);
+      const std::int64_t end =
+          std::min(until, (step_ / energy_check_interval + 1) * energy_check_interval);
       const std::vector<DriveSample> all = drive_samples(step_ + 1, end + 1);
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
         if (stopped()) return hand_over();
@@ -149,7 +152,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
         if (record_count() > max_records) hand_over();
       }
       hand_over();
-      if (step_ % block != 0) continue;
+      if (step_ % energy_check_interval != 0) continue;
       flush_sums();
       check_energy();
     }
@@ -159,38 +162,39 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   }
 }
 
-/// One step: rebuilds or sorts the neighbour lists if due, then computes every chunk.
-void ManyBodySolver::step(const DriveSample& before, const DriveSample& after) {
+/// One step: rebuilds the neighbour lists or bins their pairs again if due, then computes every
+/// chunk.
+void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_drive) {
   ++step_;
-  now_.swap(next_);
+  rows_.swap(next_rows_);
   spins_.swap(next_spins_);
   if (!update_bounds())
     rebuild_neighbour_lists();
-  else if (sort_is_due())
-    sort_pairs();
+  else if (rebin_is_due())
+    rebin_pairs();
   const Lanes zero{};
-  ChunkStep s{.rows = now_.data(),
+  ChunkStep s{.rows = rows_.data(),
               .spins = spins_.data(),
-              .next = next_.data(),
+              .next_rows = next_rows_.data(),
               .next_spins = next_spins_.data(),
-              .half = half_size_.data(),
-              .list_positions = list_positions_.data(),
-              .kicks = kicks_.data(),
+              .half_step = half_step_.data(),
+              .reference_positions = reference_positions_.data(),
+              .half_kick_factors = half_kick_factors_.data(),
               .species = species_.data(),
               .parameters = parameters_.data(),
               .jar = jar_.get(),
-              .events = this,
+              .callbacks = this,
               .time = mill_time(step_),
               .bin = skin_ * VerletList::width,
               .pull_off_distance = pull_off_distance_,
-              .before = before,
-              .after = after,
+              .drive = drive,
+              .next_drive = next_drive,
               .large = large_,
               .turning = jar_->first_rotor_face() < jar_->faces(),
               .has_history = has_history_,
               .constants = step_constants(settings_, jar_->periods())};
-  s.constants.jar_velocity = {zero + before.velocity.x, zero + before.velocity.y,
-                              zero + before.velocity.z};
+  s.constants.jar_velocity = {zero + drive.velocity.x, zero + drive.velocity.y,
+                              zero + drive.velocity.z};
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =
@@ -208,16 +212,16 @@ void ManyBodySolver::rebuild_neighbour_lists() {
   try {
     rebuild();
   } catch (const RunError&) {
-    next_ = now_;  // last valid state of the balls
+    next_rows_ = rows_;  // last valid state of the balls
     next_spins_ = spins_;
     throw;
   }
 }
 
-/// Updates the bounds of the decrease of gaps since the last sort (dem.34). Returns false if a
+/// Updates the bounds of the decrease of gaps since the last binning (dem.34). Returns false if a
 /// bound exceeds the skin.
 bool ManyBodySolver::update_bounds() {
-  const double swept = jar_->max_wall_speed() * time_of(step_ - list_step_);
+  const double swept = jar_->max_wall_speed() * time_of(step_ - reference_step_);
   const double rounding = 3e-7 * largest_coordinate_;  // of two positions stored as floats
   bool good = true;
   for (std::size_t c = 0; c < chunks_.size(); ++c) {
@@ -228,9 +232,10 @@ bool ManyBodySolver::update_bounds() {
       const ChunkDisplacement& its = displacements_[static_cast<std::size_t>(other)];
       most = std::max(most, its.spread + norm(its.predicted_mean - mine.predicted_mean));
     }
-    chunk.bound = mine.spread + most + rounding;
-    chunk.wall_bound = norm(mine.predicted_mean) + mine.spread + swept + rounding;
-    good = good && used_skin_ + chunk.bound < skin_ && used_skin_ + chunk.wall_bound < skin_;
+    chunk.max_gap_decrease = mine.spread + most + rounding;
+    chunk.max_wall_gap_decrease = norm(mine.predicted_mean) + mine.spread + swept + rounding;
+    good = good && used_skin_ + chunk.max_gap_decrease < skin_ &&
+           used_skin_ + chunk.max_wall_gap_decrease < skin_;
   }
   if (good)
     for (std::size_t c = 0; c < chunks_.size(); ++c)
@@ -255,7 +260,7 @@ void ManyBodySolver::collect_records() {
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
   throw unstable_run_error(time_of(step_), static_cast<std::size_t>(id_[row]), why,
-                           now_[row].position(), velocity(row, body_kick_change()));
+                           rows_[row].position(), velocity(row, body_kick_change()));
 }
 
 }  // namespace mahlwerk::soft

@@ -37,7 +37,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
  private:
   // The main loop (solver.cpp).
   void initialize_rows(const std::vector<scene::Ball>& balls);
-  void step(const DriveSample& before, const DriveSample& after);
+  void step(const DriveSample& drive, const DriveSample& next_drive);
   double mill_time(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
@@ -94,10 +94,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   // Neighbour lists (neighbours.cpp).
   void rebuild();
   void tune_skin();
-  void mark_positions();
+  void set_reference_positions();
   std::int64_t test_count() const;
-  bool sort_is_due() const;
-  void sort_pairs();
+  bool rebin_is_due() const;
+  void rebin_pairs();
   double wall_gap(const NeighbourPair& pair) const;
   std::int32_t gather_candidates(const Chunk& chunk, std::int32_t from,
                                  Candidates& candidates) const;
@@ -116,8 +116,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void test_walls(Chunk& chunk) override;
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
   std::int32_t free_lane(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
-  void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& m,
-             const PairMotion& b) override;
+  void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& geometry,
+             const PairMotion& motion) override;
   void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) override;
   void record(Chunk& chunk, const ContactPackets& list, std::size_t g, int lane);
   void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
@@ -128,18 +128,18 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   ChunkStepper step_chunk_;
   double start_, pull_off_distance_ = 0, mass_ = 0;
   bool periodic_, large_, has_history_;
-  std::vector<PairParameters> parameters_;  // of each species pair
-  std::vector<AlignedLanes> kicks_;         // of each species
-  std::vector<int> class_of_;               // size class of each species
-  std::vector<double> class_radius_;        // [m] of the largest ball of each class
+  std::vector<PairParameters> parameters_;       // of each species pair
+  std::vector<AlignedLanes> half_kick_factors_;  // of each species
+  std::vector<int> class_of_;                    // size class of each species
+  std::vector<double> class_radius_;             // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.
   std::int64_t step_ = 0;
-  HugePageVector<BallRecord> now_, next_;         // at this step; at the next
-  HugePageVector<FloatPosition> list_positions_;  // when the neighbour lists were built
+  HugePageVector<BallRecord> rows_, next_rows_;        // at this step; at the next
+  HugePageVector<FloatPosition> reference_positions_;  // when the pairs were last binned
   HugePageVector<SpinRecord> spins_, next_spins_;
-  HugePageVector<VectorPair> half_size_;
+  HugePageVector<VectorPair> half_step_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
 
   std::vector<Chunk> chunks_;
@@ -152,8 +152,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   double skin_ = 0;                // [m]
   double largest_coordinate_ = 0;  // [m] largest absolute coordinate in list_positions_
-  double used_skin_ = 0;           // [m] part of the skin used up at the last sort
-  std::int64_t list_step_ = 0, tests_at_sort_ = 0, pairs_sorted_ = 0;
+  double used_skin_ = 0;           // [m] part of the skin used up at the last binning
+  std::int64_t reference_step_ = 0, tests_at_rebin_ = 0, pairs_rebinned_ = 0;
   struct Tuning {
     std::int64_t step = 0;
     double last_cost = 0, tests = 0, growth = 1.15;

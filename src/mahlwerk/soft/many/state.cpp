@@ -12,13 +12,13 @@ Vec3 ManyBodySolver::body_kick_change() const {
 
 /// Velocity at the present step, from the stored half-step and predicted velocities (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
-  const VectorPair& half = half_size_[row];
-  const BallRecord& predicted = next_[row];
+  const VectorPair& half = half_step_[row];
+  const BallRecord& predicted = next_rows_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{predicted.u, predicted.v, predicted.w} +
          body_kick_change;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
-  const VectorPair& half = half_size_[row];
+  const VectorPair& half = half_step_[row];
   const SpinRecord& predicted = next_spins_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{predicted.x, predicted.y, predicted.z};
 }
@@ -29,7 +29,7 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = pairs_.species(species_[k]);
     all[static_cast<std::size_t>(id_[k])] = {
-        s.radius, s.density, now_[k].position(), velocity(k, change), spin(k), s.kind};
+        s.radius, s.density, rows_[k].position(), velocity(k, change), spin(k), s.kind};
   }
   return all;
 }
@@ -39,33 +39,34 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 /// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
   std::vector<Vec3> all(id_.size());
-  const double half_step = 0.5 * settings_.time_step;
-  const Vec3 pull = half_step * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
+  const double half_dt = 0.5 * settings_.time_step;
+  const Vec3 pull = half_dt * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
   for (std::size_t k = 0; k < id_.size(); ++k) {
-    const VectorPair& half = half_size_[k];
-    const BallRecord& predicted = next_[k];
+    const VectorPair& half = half_step_[k];
+    const BallRecord& predicted = next_rows_[k];
     const Vec3 gained =
         Vec3{predicted.u, predicted.v, predicted.w} - Vec3{half.x, half.y, half.z} - pull;
-    all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_step * gained;
+    all[static_cast<std::size_t>(id_[k])] = pairs_.species(species_[k]).mass / half_dt * gained;
   }
   return all;
 }
 
 void ManyBodySolver::serialize(Archive& archive) {
-  const std::size_t balls = now_.size();
-  archive(step_)(list_step_)(
-      skin_)(largest_coordinate_)(used_skin_)(tests_at_sort_)(pairs_sorted_)(tuning_);
-  archive(now_)(next_)(list_positions_)(spins_)(next_spins_)(half_size_);
-  if (now_.size() != balls) throw Archive::broken();
+  const std::size_t balls = rows_.size();
+  archive(step_)(reference_step_)(
+      skin_)(largest_coordinate_)(used_skin_)(tests_at_rebin_)(pairs_rebinned_)(tuning_);
+  archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
+  if (rows_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);
   if (archive.reading()) {
-    if (count > now_.size() + 1) throw Archive::broken();
+    if (count > rows_.size() + 1) throw Archive::broken();
     chunks_.assign(count, {});
   }
   for (Chunk& c : chunks_) {
-    archive(c.first)(c.last)(c.bound)(c.wall_bound)(c.balls_in_contact)(c.sums)(c.neighbour_chunks);
+    archive(c.first)(c.last)(c.max_gap_decrease)(c.max_wall_gap_decrease)(c.balls_in_contact)(
+        c.sums)(c.neighbour_chunks);
     for (ContactPackets* list : {&c.own, &c.halo, &c.wall})
       archive(list->packets)(list->onsets)(list->optional_histories)(list->parameters)(
           list->wall_normals)(list->free);

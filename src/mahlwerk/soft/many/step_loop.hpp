@@ -37,40 +37,40 @@ template <class Law, bool avx512>
     if (g.touching == 0) continue;
     if (n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
     const LaneMask touched = mask(g.touching);
-    const PairMotion b = gather_pair_motion<avx512>(s, g, touched, kind);
+    const PairMotion motion = gather_pair_motion<avx512>(s, g, touched, kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
     if (!list.parameters.empty())
       parameters = &list.parameters[n];
     else if (!g.one_species_pair)
       gather_parameters(s.parameters, g, gathered), parameters = &gathered;
-    const Lanes squared = dot(b.separation, b.separation),
+    const Lanes squared = dot(motion.separation, motion.separation),
                 near = touch_distance(*parameters, touched);
     const LaneMask touching = less(squared, near * near) & touched;
-    const ContactGeometry m = contact_geometry(*parameters, b, squared);
+    const ContactGeometry geometry = contact_geometry(*parameters, motion, squared);
     const ContactTransitions transitions{mask(g.begun), touching ^ touched};
     const bool ends = any(transitions.ended), changes = ends || g.begun != 0;
     if (g.begun != 0) {
-      s.events->begin(chunk, list, n, m, b);
+      s.callbacks->begin(chunk, list, n, geometry, motion);
       if (!list.parameters.empty()) parameters = &list.parameters[n];
     }
     History past;
     past.spring = g.spring;
-    past.pulls = mask(g.pulling);
+    past.tensile = mask(g.tensile);
     if (s.has_history) {
       const OptionalHistory& k = list.optional_histories[n];
       for (int i = 0; i < contact::law_history_size; ++i) past.law_history[i] = k.law_history[i];
-      past.roll = k.roll, past.stiffness = k.stiffness;
+      past.rolling_spring_torque = k.rolling_spring_torque, past.stiffness = k.stiffness;
     }
     ContactWork d;
     const ContactForce out =
-        contact_force<Law>(*parameters, past, d, s.constants, b, m, touching,
+        contact_force<Law>(*parameters, past, d, s.constants, motion, geometry, touching,
                            changes ? &transitions : nullptr, kind == ContactKind::wall);
     g.spring = past.spring;
-    g.pulling = any(past.pulls) ? bits(past.pulls, lanes) : 0;
+    g.tensile = any(past.tensile) ? bits(past.tensile, lanes) : 0;
     if (s.has_history) {
       OptionalHistory& k = list.optional_histories[n];
       for (int i = 0; i < contact::law_history_size; ++i) k.law_history[i] = past.law_history[i];
-      k.roll = past.roll, k.stiffness = past.stiffness;
+      k.rolling_spring_torque = past.rolling_spring_torque, k.stiffness = past.stiffness;
     }
     g.impulse += d.impulse;
     g.lost_normal += d.normal;
@@ -78,12 +78,12 @@ template <class Law, bool avx512>
     sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
     sums.sliding += d.sliding;
     if (kind == ContactKind::wall) sums.wall += d.wall;
-    sums.deepest = max(sums.deepest, d.deepest * parameters->inverse_radius);
+    sums.max_overlap = max(sums.max_overlap, d.max_overlap * parameters->inverse_radius);
     add_forces<avx512>(ball_forces, chunk.first, g.i, out.force, out.torque_i);
     if (kind == ContactKind::own)
       add_forces<avx512>(ball_forces, chunk.first, g.j, -out.force, out.torque_j);
-    if (ends) s.events->end(chunk, list, n, touching);
-    if (kind == ContactKind::wall) list.wall_normals[n].normal = m.n;
+    if (ends) s.callbacks->end(chunk, list, n, touching);
+    if (kind == ContactKind::wall) list.wall_normals[n].normal = geometry.n;
   }
 }
 
@@ -116,16 +116,16 @@ template <bool avx512>
     }
     chunk.sums.tests += static_cast<std::int64_t>(end);
   };
-  scan(w.pairs, w.due(chunk.bound, s.bin));
+  scan(w.pairs, w.due(chunk.max_gap_decrease, s.bin));
   for (std::size_t n = chunk.new_touches.size(); n-- > 0;) {
     const auto k = static_cast<std::size_t>(chunk.new_touches[n]);
-    s.events->activate(chunk, w.pairs[k]);
+    s.callbacks->activate(chunk, w.pairs[k]);
     w.remove(k);
   }
   scan(w.separated, w.separated.size());
   for (std::size_t n = chunk.new_touches.size(); n-- > 0;) {
     const auto k = static_cast<std::size_t>(chunk.new_touches[n]);
-    s.events->activate(chunk, w.separated[k]);
+    s.callbacks->activate(chunk, w.separated[k]);
     w.separated[k] = w.separated.back();
     w.separated.pop_back();
   }
@@ -137,31 +137,32 @@ template <bool avx512, bool streaming>
                                                    const VectorPair* ball_forces,
                                                    ChunkDisplacement& displacement) {
   const double dt = s.constants.dt;
-  const Vec3 &b0 = s.before.body_acceleration, &b1 = s.after.body_acceleration;
+  const Vec3 &b0 = s.drive.body_acceleration, &b1 = s.next_drive.body_acceleration;
   const Lanes body_kick_before = dt * Lanes{b0.x, b0.y, b0.z},
               body_kick_after = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
   const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
                             displacement.predicted_mean.z};
   Four sum{}, max_deviation{};
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const Lanes kick = s.kicks[s.species[i]].value * load_eight(ball_forces[i - chunk.first]);
-    const Lanes half = load_eight(s.half[i]) + 2.0 * kick + body_kick_before;
-    const Lanes predicted = half + kick + body_kick_after;
-    store_eight(s.half[i], half);
+    const Lanes half_kick =
+        s.half_kick_factors[s.species[i]].value * load_eight(ball_forces[i - chunk.first]);
+    const Lanes half = load_eight(s.half_step[i]) + 2.0 * half_kick + body_kick_before;
+    const Lanes predicted = half + half_kick + body_kick_after;
+    store_eight(s.half_step[i], half);
     const Lanes row = load_eight(s.rows[i]);
     const Lanes position =
         row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
     const Lanes next = __builtin_shufflevector(position, predicted, 0, 1, 2, 3, 8, 9, 10, 15);
     const Four turn = __builtin_shufflevector(predicted, predicted, 4, 5, 6, 15);
     if constexpr (streaming) {
-      stream_store(s.next[i], next);
+      stream_store(s.next_rows[i], next);
       stream_store(s.next_spins[i], turn);
     } else {
-      store_eight(s.next[i], next);
+      store_eight(s.next_rows[i], next);
       store_four(s.next_spins[i], turn);
     }
-    const Four way =
-        __builtin_shufflevector(position, position, 0, 1, 2, 2) - load_four(s.list_positions[i]);
+    const Four way = __builtin_shufflevector(position, position, 0, 1, 2, 2) -
+                     load_four(s.reference_positions[i]);
     const Four deviation = way - predicted_mean;
     sum += way;
     max_deviation = max_deviation > deviation ? max_deviation : deviation;
@@ -185,11 +186,11 @@ template <bool avx512, bool streaming>
   const auto balls = static_cast<std::size_t>(c.last - c.first);
   prefetches.add(&s.rows[c.first], balls);
   prefetches.add(&s.spins[c.first], balls);
-  prefetches.add(c.ball_pairs.pairs.data(), c.ball_pairs.due(c.bound, s.bin));
+  prefetches.add(c.ball_pairs.pairs.data(), c.ball_pairs.due(c.max_gap_decrease, s.bin));
   prefetches.add(c.own.packets.data(), c.own.packets.size());
   prefetches.add(c.halo.packets.data(), c.halo.packets.size());
-  prefetches.add(&s.half[c.first], balls);
-  prefetches.add(&s.list_positions[c.first], balls);
+  prefetches.add(&s.half_step[c.first], balls);
+  prefetches.add(&s.reference_positions[c.first], balls);
   prefetches.divide(chunk.own.packets.size() + chunk.halo.packets.size());
   return prefetches;
 }
@@ -201,7 +202,7 @@ template <class Law, bool avx512>
                                               ChunkDisplacement& displacement) {
   PrefetchQueue prefetches = prefetch_next_chunk(s, chunk, following);
   find_contacts<avx512>(s, chunk);
-  s.events->test_walls(chunk);
+  s.callbacks->test_walls(chunk);
   std::fill_n(ball_forces.begin(), chunk.last - chunk.first, VectorPair{});
   // Not unrolled: otherwise this large body would be compiled three times.
 #pragma GCC unroll 1
@@ -215,7 +216,7 @@ template <class Law, bool avx512>
     all.rolling += part * d.rolling;
     all.sliding += part * d.sliding;
     all.wall += d.wall;
-    all.deepest = max(all.deepest, d.deepest);
+    all.max_overlap = max(all.max_overlap, d.max_overlap);
   }
   chunk.sums.ball_steps += chunk.balls_in_contact;
   if (avx512 && s.large)
@@ -234,7 +235,7 @@ struct ChunkLoop {
 };
 template <class Law>
 ChunkStepper chunk_stepper() {
-  return Compiled<ChunkLoop<Law>, ChunkStepper>::best();
+  return Multiversioned<ChunkLoop<Law>, ChunkStepper>::best();
 }
 
 }  // namespace mahlwerk::soft

@@ -7,12 +7,12 @@
 namespace mahlwerk::soft {
 namespace {
 
-constexpr int spins = 1000;  // polls before a thread sleeps: about ten microseconds
+constexpr int spin_polls = 1000;  // polls before a thread sleeps: about ten microseconds
 
 /// Waits until `value` differs from `old`: spins, then sleeps.
 template <class T>
 void wait_while(const std::atomic<T>& value, T old) {
-  for (int i = 0; i < spins; ++i) {
+  for (int i = 0; i < spin_polls; ++i) {
     if (value.load(std::memory_order_acquire) != old) return;
 #if defined(__x86_64__)
     __builtin_ia32_pause();

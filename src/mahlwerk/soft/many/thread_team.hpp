@@ -12,7 +12,8 @@
 
 namespace mahlwerk::soft {
 
-/// Fork-join thread team with work stealing. Results do not depend on the schedule.
+/// Fork-join thread team with work stealing. Items must be independent, so that results do not
+/// depend on the schedule.
 class ThreadTeam {
  public:
   explicit ThreadTeam(int threads);

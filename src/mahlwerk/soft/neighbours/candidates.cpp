@@ -57,7 +57,7 @@ struct Candidates::Search {
 Candidates::Candidates(const Vec3& periods)
     : periods_(periods),
       periodic_(is_periodic(periods)),
-      find_(Compiled<Search, void (*)(Candidates&, const Query&)>::best()) {}
+      find_(Multiversioned<Search, void (*)(Candidates&, const Query&)>::best()) {}
 
 std::span<const Candidates::Neighbour> Candidates::find_near(const Query& query) {
   find_(*this, query);

@@ -33,7 +33,7 @@ struct GapLoop {
 
 void find_gaps(const BallRecord* rows, std::span<const NeighbourPair> pairs, const Vec3& periods,
                std::span<double> gaps) {
-  Compiled<GapLoop, FindGaps>::best()(rows, pairs, periods, gaps);
+  Multiversioned<GapLoop, FindGaps>::best()(rows, pairs, periods, gaps);
 }
 
 }  // namespace mahlwerk::soft

@@ -118,10 +118,10 @@ class ChamberWall final : public MovingWall {
       if (jar_.shape().can_touch(face, radius))
         least = std::min(least, jar_.safe_time(face, {position, velocity}, t, radius).time);
     for (int face = first_rotor_face_; face < faces_; ++face) {
-      const double room = gap(face, position, t, geometry::never).distance - radius;
+      const double gap_to_wall = gap(face, position, t, geometry::never).distance - radius;
       const double closing = norm(velocity) + max_wall_speed_;
       const double pull = norm(jar_.gravity()) + norm(jar_.motion_bounds().acceleration);
-      least = std::min(least, geometry::plane_safe_time(room, closing, pull));
+      least = std::min(least, geometry::plane_safe_time(gap_to_wall, closing, pull));
     }
     return least;
   }

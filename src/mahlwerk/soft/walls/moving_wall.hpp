@@ -57,8 +57,9 @@ class MovingWall {
   /// Distance and inward normal of a face at `position`. A distance above `within` [m] may be
   /// overestimated.
   virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
-  /// Distances of `position` from every face [m]; beyond `within` any number above `within`. Each
-  /// is a lower bound of the distance of gap() and Lipschitz continuous with constant 1.
+  /// Distances of `position` from every face [m]. Up to `within`, each is a lower bound of the
+  /// distance of gap() and Lipschitz continuous with constant 1; a greater distance may give any
+  /// number above `within`.
   virtual void distances(const Vec3& position, double t, double within,
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
@@ -70,7 +71,7 @@ class MovingWall {
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
                            double t, double beyond, AlignedLanes (&points)[3]) const = 0;
-  /// Safe time [s] of a ball in free flight: a time before which it touches no wall.
+  /// Safe time [s] of a ball in free flight: a duration from `t` in which it touches no face.
   virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
                            double radius) const = 0;
   /// The two principal curvatures of a face at the wall point of a ball at `position` [1/m], larger
@@ -88,7 +89,7 @@ class MovingWall {
   double max_wall_speed() const { return max_wall_speed_; }
   double reach() const { return reach_; }  ///< [m] largest distance of the wall from the centre
   /// Upper bound of the speed of the wall in the laboratory frame [m/s].
-  double max_wall_speed(double t) const {
+  double max_lab_wall_speed(double t) const {
     const double turning = first_rotor_face_ < faces_ ? max_wall_speed_ : 0;
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
