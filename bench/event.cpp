@@ -21,7 +21,7 @@ double speed(int n, double packing) {
   motion.amplitude = 0.005;
   const scene::Chamber mill{geometry::Box{side, side, side}, motion, {}, {0, 0, -9.81}};
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   const auto engine = event::many_balls(mill, lattice(n, packing, diameter, steel, 0.2), rules,
                                         {1, 6, {0.9, 0, 0.3}});
   return collisions_per_second(*engine, 1e-4, 1.5);

@@ -19,7 +19,7 @@ namespace {
 double speed(int n, double packing) {
   const double side = side_of(n, packing, 1);
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::none;
+  rules.sustained_mode = event::SustainedContactMode::none;
   const scene::Chamber box{geometry::PeriodicBox{side, side, side}, kinematics::Still{}, {}, {}};
   const auto engine =
       event::many_balls(box, lattice(n, packing, 1, 1, 2), rules, {1, 0, {1, 1, INFINITY}});

@@ -47,7 +47,7 @@ Speed engine(event::SustainedContactMode lasting, std::uint32_t stream) {
   event::Rules rules;
   rules.bounce = {0.9, 0.9, INFINITY};
   rules.rolling_friction = 0.01;
-  rules.lasting = lasting;
+  rules.sustained_mode = lasting;
   observe::CollisionStatistics tally(0.1);
   const auto running = event::one_ball(mill, ball, rules);
   constexpr double time = 3000;

@@ -60,7 +60,7 @@ inline double side_of(int n, double packing) {
 inline std::unique_ptr<scene::Engine> gas(const std::vector<scene::Ball>& balls, double side,
                                           const contact::BounceRule& rule) {
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::none;
+  rules.sustained_mode = event::SustainedContactMode::none;
   const scene::Chamber box{geometry::PeriodicBox{side, side, side}, kinematics::Still{}, {}, {}};
   return event::many_balls(box, balls, rules, {1, 0, rule});
 }

@@ -18,7 +18,7 @@ inline std::unique_ptr<scene::Engine> lasting_engine(const scene::Chamber& mill,
                                                      const contact::BounceRule& rule,
                                                      double contact_time = t_c) {
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   rules.contact_time = contact_time;
   return event::many_balls(mill, balls, rules, {1, 6, rule});
 }

@@ -100,7 +100,7 @@ std::vector<scene::Ball> charge(int n, double radius) {
 Make many(const scene::Chamber& chamber, int n, double radius) {
   return [=] {
     event::Rules rules;
-    rules.lasting = event::SustainedContactMode::tc;
+    rules.sustained_mode = event::SustainedContactMode::tc;
     const int faces = geometry::faces(*chamber.shape);
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});

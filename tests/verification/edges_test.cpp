@@ -38,7 +38,7 @@ geometry::Box box_of(int n, double diameter) {
 
 event::Rules rules_of(event::SustainedContactMode lasting, double contact_time = 1e-4) {
   event::Rules rules;
-  rules.lasting = lasting;
+  rules.sustained_mode = lasting;
   rules.contact_time = contact_time;
   return rules;
 }

@@ -25,7 +25,7 @@ constexpr double r = 0.004;
 event::Rules staying(double mu, double mu_r = 0) {
   event::Rules rules;
   rules.bounce = {0, 1, mu};
-  rules.lasting_friction = mu;
+  rules.sustained_friction = mu;
   rules.rolling_friction = mu_r;
   return rules;
 }
@@ -187,7 +187,7 @@ TEST(Collapse, a_ball_rolling_along_the_side_of_a_drum_settles_against_its_end) 
                                 {0, 0, -gravity}};
       event::Rules rules;
       rules.bounce = {0.3, 0, mu};
-      rules.lasting_friction = mu;
+      rules.sustained_friction = mu;
       const auto engine =
           event::one_ball(drum, ball_a({0.001, 0.002, -0.001}, {0.3, -0.02, 0.05}), rules);
       Recorder recorder;
@@ -248,7 +248,7 @@ TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
       geometry::Box{side, side, side}, shaken(f, amplitude), {}, {-1, -1, -gravity}};
   event::Rules rules;
   rules.bounce = {0, 0, 0};
-  rules.lasting_friction = 0;
+  rules.sustained_friction = 0;
   const double rest = -0.5 * side + r;
   const auto engine =
       event::one_ball(shaker, ball_a({rest + 1e-12, rest + 1e-12, rest + 1e-12}), rules);
@@ -271,7 +271,7 @@ TEST(Lasting, a_ball_leaves_a_corner_when_a_face_would_have_to_pull) {
 
 TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
   event::Rules rules = rules_a(0.5);
-  rules.lasting = event::SustainedContactMode::none;
+  rules.sustained_mode = event::SustainedContactMode::none;
   const auto engine = event::one_ball(box, ball_a({0, 0, -1 + r + 0.01}), rules);
   Recorder recorder;
   try {
@@ -287,7 +287,7 @@ TEST(Collapse, without_a_remedy_the_guard_stops_the_run_and_says_why) {
 
 TEST(Collapse, tc_rule_keeps_bouncing_without_loss) {
   event::Rules rules = rules_a(0.5);
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   const auto engine = event::one_ball(box, ball_a({0, 0, -1 + r + 0.01}), rules);
   Recorder recorder;
   engine->advance(1, recorder);
@@ -306,7 +306,7 @@ TEST(Collapse, rolling_and_the_tc_rule_agree_on_collisions_per_second_of_flight)
     double hits = 0, flight = 0;
     for (std::uint32_t i = 0; i < 4; ++i) {
       event::Rules rules = rules_a();
-      rules.lasting = lasting;
+      rules.sustained_mode = lasting;
       const auto engine = event::one_ball(
           mill_a(), ball_a({0, 0, 0.003 * i}, {0.03, 0.02 * i, 0.05}, {0.05, 0, 0.01 * i}), rules);
       Recorder recorder;

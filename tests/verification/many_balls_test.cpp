@@ -19,7 +19,7 @@ using namespace tests;
 TEST(ManyBalls, one_of_them_goes_the_way_of_the_engine_for_one) {
   scene::Ball ball = ball_a({0.001, 0, 0.002}, {0.05, 0.02, 0.1}, {3, 2, 1});
   event::Rules rules = rules_a();
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   const auto one = event::one_ball(mill_a(), ball, rules);
   const auto many = event::many_balls(mill_a(), {ball}, rules, {1, 1, rules.bounce});
   Recorder a, b;
@@ -101,7 +101,7 @@ TEST(ManyBalls, wall_that_sweeps_up_a_ball_at_rest_does_not_pass_into_it) {
   const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
   const scene::Ball ball{0.005, 7850, {0.01, 0.0148, 0.004}, {}, {}};
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   for (const bool alone : {true, false}) {
     rules.bounce = {0.5, 0, 0.3};
     const auto run = alone ? event::one_ball(mill, ball, rules)
@@ -119,7 +119,7 @@ TEST(ManyBalls, search_for_a_ball_that_no_wall_reaches_ends) {
   motion.speed = 4e3;
   const scene::Chamber mill{geometry::Box{0.1, 0.04, 0.04}, motion, {}, {}};
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   const auto run = event::many_balls(mill, {{0.005, 7850, {0.01, 0.01, 0}, {}, {}}}, rules,
                                      {1, 6, {0.5, 0, 0.3}});
   Recorder seen;
@@ -138,7 +138,7 @@ TEST(ManyBalls, balls_in_a_shaken_jar_stay_inside_and_apart) {
                      {},
                      {}});
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::tc;
+  rules.sustained_mode = event::SustainedContactMode::tc;
   const auto engine = event::many_balls(mill, balls, rules, {1, 1, {0.9, 0.3, 0.3}});
   Counter counter;
   for (int i = 1; i <= 100; ++i) {

@@ -72,7 +72,7 @@ void hold_side_by_side(const std::string& what, const scene::Chamber& chamber,
   for (std::uint64_t i = 1; i <= 4; ++i) noisy.emplace_back(chamber, balls, rule, noise, i);
 
   event::Rules rules;
-  rules.lasting = event::SustainedContactMode::none;
+  rules.sustained_mode = event::SustainedContactMode::none;
   const auto engine = event::many_balls(chamber, balls, rules, {1, faces, rule});
   Recorder seen;
   double late = 0, fast = 0, worst = 0;

@@ -31,13 +31,15 @@ struct Prediction {
   double collision_time = never;  ///< [s] of the earliest one predicted for it, with `partner`
   std::int32_t partner = -1;
   std::uint32_t partner_revision = 0;  ///< of the partner's trajectory, at the prediction
-  /// [s] if face >= 0: touch of that face; otherwise a safe-time query is due, and until then the
-  /// ball touches no wall and stays in its cell.
-  double safe_until = 0;
+  /// [s] If face >= 0: predicted touch of that face. Otherwise: next safe-time query; until then
+  /// the ball touches no wall and stays in its cell.
+  double wall_check_time = 0;
   std::int32_t face = -1;
   std::int32_t cell = 0;
 
-  double next() const { return collision_time < safe_until ? collision_time : safe_until; }
+  double next() const {
+    return collision_time < wall_check_time ? collision_time : wall_check_time;
+  }
 };
 
 /// Ball data that only collisions need.
@@ -48,7 +50,7 @@ struct CollisionData {
   std::int32_t id = 0;             ///< the user's ball number; the storage index changes
 };
 
-/// Properties of balls of one size, density and set [m, kg, kg m2, kg/m3].
+/// Properties of balls of one size, density and kind [m, kg, kg m2, kg/m3].
 struct Species {
   double radius = 0, mass = 0, inertia = 0, density = 0;
   std::int32_t kind = 0;

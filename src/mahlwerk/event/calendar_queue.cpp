@@ -39,7 +39,7 @@ void CalendarQueue::start_at(double rate, double now) {
     if (slice <= slice_)
       open_.push_back({times_[i], ball, -1});  // sorted below, because there may be many
     else
-      add_to_bucket(slice, times_[i], ball);
+      add_entry(slice, times_[i], ball);
   }
   sort_open();
 }
@@ -76,11 +76,11 @@ std::int64_t CalendarQueue::slice_of(double time) const {
 
 void CalendarQueue::schedule(std::int32_t ball, double time) {
   times_[static_cast<std::size_t>(ball)] = time;
-  add_to_bucket(slice_of(time), time, ball);
+  add_entry(slice_of(time), time, ball);
 }
 
-void CalendarQueue::add_to_bucket(std::int64_t slice, double time, std::int32_t ball) {
-  if (slice <= slice_) return insert(time, ball);
+void CalendarQueue::add_entry(std::int64_t slice, double time, std::int32_t ball) {
+  if (slice <= slice_) return insert_into_open(time, ball);
   if (slice >= slice_ + bucket_count_) {
     if (time < std::numeric_limits<double>::infinity()) overflow_.push_back({time, ball, -1});
     return;
@@ -98,7 +98,7 @@ void CalendarQueue::add_to_bucket(std::int64_t slice, double time, std::int32_t 
   ++bucketed_;
 }
 
-void CalendarQueue::insert(double time, std::int32_t ball) {
+void CalendarQueue::insert_into_open(double time, std::int32_t ball) {
   auto at = open_.size();
   open_.push_back({});
   for (; at > 0; --at) {
@@ -160,7 +160,7 @@ void CalendarQueue::refile_overflow() {
   std::vector<Entry> waiting;
   waiting.swap(overflow_);
   for (const Entry& e : waiting)
-    if (!stale(e)) add_to_bucket(slice_of(e.time), e.time, e.ball);
+    if (!stale(e)) add_entry(slice_of(e.time), e.time, e.ball);
 }
 
 }  // namespace mahlwerk::event

@@ -50,8 +50,8 @@ class CalendarQueue {
   double rate() const;
   void start_at(double rate, double now);
   void retune();
-  void add_to_bucket(std::int64_t slice, double time, std::int32_t ball);
-  void insert(double time, std::int32_t ball);
+  void add_entry(std::int64_t slice, double time, std::int32_t ball);
+  void insert_into_open(double time, std::int32_t ball);
   void open_next();
   void sort_open();
   void start_at_earliest();

@@ -19,8 +19,8 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, double slack,
              double most)
     : low_(low), slack_(slack), periodic_(periodic) {
-  const double room = size.x * size.y * size.z;
-  const double wide = std::max(side, std::cbrt(room / std::max(most, 1.0)));
+  const double volume = size.x * size.y * size.z;
+  const double wide = std::max(side, std::cbrt(volume / std::max(most, 1.0)));
   const auto count = [&](double width) {
     const double several = std::min(5.0, std::floor(width / side));  // see needs_all_images()
     const double least = std::max(several, periodic ? 2.0 : 1.0);
@@ -34,8 +34,8 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
     const std::int32_t n = counts_[axis];
     for (std::int32_t i = 0; i < n; ++i) {
       const bool round = periodic && n > 1;
-      before_[axis].push_back(i > 0 ? i - 1 : round && n > 2 ? n - 1 : -1);
-      after_[axis].push_back(i < n - 1 ? i + 1 : round && n > 2 ? 0 : -1);
+      lower_neighbour_[axis].push_back(i > 0 ? i - 1 : round && n > 2 ? n - 1 : -1);
+      upper_neighbour_[axis].push_back(i < n - 1 ? i + 1 : round && n > 2 ? 0 : -1);
     }
   }
   filled_.assign(as_index(this->count() + 1), 0);
@@ -90,8 +90,10 @@ int Cells::copy(std::int32_t place, std::int32_t* out, int n) const {
 
 void Cells::prefetch(Cell cell) const {
   const auto [x, y, z] = split(cell);
-  for (const std::int32_t layer : {before_[2][as_index(z)], z, after_[2][as_index(z)]})
-    for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
+  for (const std::int32_t layer :
+       {lower_neighbour_[2][as_index(z)], z, upper_neighbour_[2][as_index(z)]})
+    for (const std::int32_t row :
+         {lower_neighbour_[1][as_index(y)], y, upper_neighbour_[1][as_index(y)]}) {
       if (layer < 0 || row < 0) continue;
       const std::int32_t middle = cell_index(x, row, layer);
       __builtin_prefetch(&filled_[as_index(middle)]);
@@ -101,11 +103,14 @@ void Cells::prefetch(Cell cell) const {
 
 int Cells::near(Cell cell, std::int32_t* out) const {
   const auto [x, y, z] = split(cell);
-  const std::int32_t left = before_[0][as_index(x)], right = after_[0][as_index(x)];
+  const std::int32_t left = lower_neighbour_[0][as_index(x)],
+                     right = upper_neighbour_[0][as_index(x)];
   int n = 0;
-  for (const std::int32_t layer : {before_[2][as_index(z)], z, after_[2][as_index(z)]}) {
+  for (const std::int32_t layer :
+       {lower_neighbour_[2][as_index(z)], z, upper_neighbour_[2][as_index(z)]}) {
     if (layer < 0) continue;
-    for (const std::int32_t row : {before_[1][as_index(y)], y, after_[1][as_index(y)]}) {
+    for (const std::int32_t row :
+         {lower_neighbour_[1][as_index(y)], y, upper_neighbour_[1][as_index(y)]}) {
       if (row < 0) continue;
       const std::int32_t first = cell_index(0, row, layer);
       n = copy(left < 0 ? 0 : first + left, out, n);
@@ -121,8 +126,8 @@ int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   std::array<std::array<std::int32_t, 3>, 3> along{};
   int moves = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int32_t down = before_[axis][as_index(now[axis])],
-                       up = after_[axis][as_index(now[axis])];
+    const std::int32_t down = lower_neighbour_[axis][as_index(now[axis])],
+                       up = upper_neighbour_[axis][as_index(now[axis])];
     along[axis] = {down, now[axis], up};
     if (now[axis] == was[axis]) continue;
     ++moves;

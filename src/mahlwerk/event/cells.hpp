@@ -17,7 +17,8 @@ namespace mahlwerk::event {
 using Cell = std::int32_t;
 
 /// Cell list: a grid of cells at rest in the jar frame. Balls that can touch are in the same cell
-/// or in neighbouring cells. A ball belongs to its cell until it is `slack` [m] beyond the border.
+/// or in neighbouring cells. A ball may stay in its cell's list until it is `slack` [m] beyond the
+/// border.
 class Cells {
  public:
   /// A grid over the box that begins at `low` [m] and is `size` [m] wide, periodic along all axes
@@ -81,10 +82,11 @@ class Cells {
   double slack_;
   bool periodic_;
   std::array<std::int32_t, 3> counts_{};
-  std::array<std::vector<std::int32_t>, 3> before_, after_;  // neighbours along each axis, or -1
-  int capacity_ = 4;                                         // balls a cell can hold
-  HugePageVector<std::int32_t> filled_;                      // number of balls by cell
-  HugePageVector<std::int32_t> slots_;                       // balls, `capacity_` slots a cell
+  std::array<std::vector<std::int32_t>, 3> lower_neighbour_,
+      upper_neighbour_;                  // neighbours along each axis, or -1
+  int capacity_ = 4;                     // balls a cell can hold
+  HugePageVector<std::int32_t> filled_;  // number of balls by cell
+  HugePageVector<std::int32_t> slots_;   // balls, `capacity_` slots a cell
 };
 
 }  // namespace mahlwerk::event

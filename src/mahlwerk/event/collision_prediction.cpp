@@ -36,9 +36,9 @@ using Rows = Four[lanes];
 }
 
 [[gnu::always_inline]] inline void fold(Four& x, double period) {
-  const Four zero{}, one = zero + period;
-  x -= x > 0.5 * period ? one : zero;
-  x += x < -0.5 * period ? one : zero;
+  const Four zero{}, shift = zero + period;
+  x -= x > 0.5 * period ? shift : zero;
+  x += x < -0.5 * period ? shift : zero;
 }
 
 /// The earliest collision of each of four SIMD lanes, with its time since now.
@@ -48,11 +48,9 @@ struct EarliestLanes {
 };
 
 template <bool periodic, bool one_size>
-[[gnu::always_inline]] inline PredictedCollision first(const CollisionQuery& me,
-                                                       const Trajectory* trajectories,
-                                                       std::span<const std::int32_t> others,
-                                                       const double* radii, const Vec3& periods,
-                                                       const PredictedCollision& best) {
+[[gnu::always_inline]] inline PredictedCollision earliest_in_lanes(
+    const CollisionQuery& me, const Trajectory* trajectories, std::span<const std::int32_t> others,
+    const double* radii, const Vec3& periods, const PredictedCollision& best) {
   const Four zero{};
   EarliestLanes earliest{zero + (best.time - me.time), FourIndices{} + best.partner};
   Four touch_distance = zero + (me.radius + radii[0]);
@@ -71,9 +69,9 @@ template <bool periodic, bool one_size>
     std::memcpy(&partner, index, sizeof partner);
     transpose(p);
     transpose(v);
-    const Four passed = me.time - p[3];
-    Four x = me.position.x - (p[0] + passed * v[0]), y = me.position.y - (p[1] + passed * v[1]),
-         z = me.position.z - (p[2] + passed * v[2]);
+    const Four elapsed = me.time - p[3];
+    Four x = me.position.x - (p[0] + elapsed * v[0]), y = me.position.y - (p[1] + elapsed * v[1]),
+         z = me.position.z - (p[2] + elapsed * v[2]);
     if constexpr (periodic) {
       fold(x, periods.x);
       fold(y, periods.y);
@@ -81,13 +79,13 @@ template <bool periodic, bool one_size>
     }
     const Four ux = me.velocity.x - v[0], uy = me.velocity.y - v[1], uz = me.velocity.z - v[2];
     const Four b = x * ux + y * uy + z * uz, u2 = ux * ux + uy * uy + uz * uz;
-    const Four gap = x * x + y * y + z * z - touch_distance * touch_distance;
-    Four d = b * b - u2 * gap;
+    const Four c = x * x + y * y + z * z - touch_distance * touch_distance;
+    Four d = b * b - u2 * c;
     const FourIndices collides = (b < zero) & (d > zero);
     d = d > zero ? d : zero;
     Four root;
     for (std::size_t l = 0; l < lanes; ++l) root[l] = std::sqrt(d[l]);
-    const Four time = (gap > zero ? gap : zero) / (root - b);
+    const Four time = (c > zero ? c : zero) / (root - b);
     const FourIndices earlier = collides & (time < earliest.time);
     earliest.time = earlier ? time : earliest.time;
     earliest.partner = earlier ? partner : earliest.partner;
@@ -112,12 +110,16 @@ MAHLWERK_CLONES PredictedCollision earliest_collision(const CollisionQuery& me,
                                                       const PredictedCollision& best) {
   const bool periodic = periods.x < never, one_size = radii.size() == 1;
   if (periodic && one_size)
-    return first<true, true>(me, trajectories.data(), others, radii.data(), periods, best);
+    return earliest_in_lanes<true, true>(me, trajectories.data(), others, radii.data(), periods,
+                                         best);
   if (periodic)
-    return first<true, false>(me, trajectories.data(), others, radii.data(), periods, best);
+    return earliest_in_lanes<true, false>(me, trajectories.data(), others, radii.data(), periods,
+                                          best);
   if (one_size)
-    return first<false, true>(me, trajectories.data(), others, radii.data(), periods, best);
-  return first<false, false>(me, trajectories.data(), others, radii.data(), periods, best);
+    return earliest_in_lanes<false, true>(me, trajectories.data(), others, radii.data(), periods,
+                                          best);
+  return earliest_in_lanes<false, false>(me, trajectories.data(), others, radii.data(), periods,
+                                         best);
 }
 
 }  // namespace mahlwerk::event

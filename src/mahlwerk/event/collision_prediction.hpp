@@ -31,8 +31,8 @@ PredictedCollision earliest_collision(const CollisionQuery& query,
                                       std::span<const double> radii, const Vec3& periods,
                                       const PredictedCollision& best);
 
-/// Minimum image convention: the difference `a` [m] of two positions, each component taken to
-/// within half a period (geo.8).
+/// Minimum image convention (geo.8): the difference `a` [m] of two positions at most 1.5 periods
+/// apart, each component taken to within half a period.
 inline Vec3 nearest_image(Vec3 a, const Vec3& periods) {
   const auto fold = [](double x, double period) {
     if (x > 0.5 * period) return x - period;

@@ -7,8 +7,8 @@
 namespace mahlwerk::event {
 namespace {
 
-const char* remedy(SustainedContactMode lasting) {
-  switch (lasting) {
+const char* remedy(SustainedContactMode sustained_mode) {
+  switch (sustained_mode) {
     case SustainedContactMode::none:
       return "Nothing ends them, since [contact] lasting = \"none\". Leave it out: one ball then "
              "rolls and slides, several are carried by the TC rule";
@@ -24,11 +24,12 @@ const char* remedy(SustainedContactMode lasting) {
 
 }  // namespace
 
-RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting) {
+RunError zeno_error(double time, double within, std::int64_t events,
+                    SustainedContactMode sustained_mode) {
   std::ostringstream text;
   text << "at " << time << " s " << events << " events took place within " << within
        << " s: bounces have collapsed (inelastic collapse) and time no longer advances. "
-       << remedy(lasting) << "; see docs/errors.md#inelastic-collapse";
+       << remedy(sustained_mode) << "; see docs/errors.md#inelastic-collapse";
   return RunError(text.str());
 }
 

@@ -12,8 +12,9 @@ namespace mahlwerk::event {
 
 /// Returns the error of the Zeno guard (inelastic collapse): at `time` [s] since the start of the
 /// run `events` events took place within `within` [s]. The remedy in the text depends on
-/// `lasting`, the treatment of sustained contacts in force.
-RunError zeno_error(double time, double within, std::int64_t events, SustainedContactMode lasting);
+/// `sustained_mode`, the treatment of sustained contacts in force.
+RunError zeno_error(double time, double within, std::int64_t events,
+                    SustainedContactMode sustained_mode);
 
 /// Throws RunError if a collision gained energy. No rule of the engine does that, so it is an error
 /// of the program. `mass` [kg] is the effective mass, `approach` and `slip` [m/s] are those of the

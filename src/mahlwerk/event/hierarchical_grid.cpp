@@ -13,8 +13,9 @@ HierarchicalGrid::HierarchicalGrid(const Vec3& low, const Vec3& size, bool perio
   const double most = 32.0 * static_cast<double>(balls) + 512;  // cells of one grid
   for (const double d : std::set<double, std::greater<>>(diameters.begin(), diameters.end())) {
     if (!levels_.empty() && d > 0.5 * levels_.back().widest) continue;
-    const double room = slack * d;
-    levels_.push_back({d, room, Cells(low, size, periodic, d + 2 * room, room, most)});
+    const double slack_length = slack * d;
+    levels_.push_back(
+        {d, slack_length, Cells(low, size, periodic, d + 2 * slack_length, slack_length, most)});
     needs_all_images_ = needs_all_images_ || levels_.back().cells.needs_all_images();
   }
   for (const double d : diameters) {
@@ -39,14 +40,14 @@ std::int64_t HierarchicalGrid::ball_count() const {
 }
 
 std::span<const std::int32_t> HierarchicalGrid::near(int level, Cell cell) {
-  const auto room = static_cast<std::size_t>(cells(level).max_neighbours());
-  if (found_.size() < room) found_.resize(room);
+  const auto max_count = static_cast<std::size_t>(cells(level).max_neighbours());
+  if (found_.size() < max_count) found_.resize(max_count);
   return with_other_levels(level, cell, cells(level).near(cell, found_.data()));
 }
 
 std::span<const std::int32_t> HierarchicalGrid::newly_near(int level, Cell cell, Cell before) {
-  const auto room = static_cast<std::size_t>(cells(level).max_neighbours());
-  if (found_.size() < room) found_.resize(room);
+  const auto max_count = static_cast<std::size_t>(cells(level).max_neighbours());
+  if (found_.size() < max_count) found_.resize(max_count);
   return with_other_levels(level, cell, cells(level).newly_near(cell, before, found_.data()));
 }
 

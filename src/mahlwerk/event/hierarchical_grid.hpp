@@ -16,8 +16,8 @@ namespace mahlwerk::event {
 class HierarchicalGrid {
  public:
   /// Grid for `balls` balls of these `diameters` [m] (by species) in the box that begins at `low`
-  /// [m] and is `size` [m] wide. A ball belongs to its cell until it is `slack` diameters beyond
-  /// the border.
+  /// [m] and is `size` [m] wide. A ball may stay in its cell's list until it is `slack`
+  /// diameters beyond the border.
   HierarchicalGrid(const Vec3& low, const Vec3& size, bool periodic,
                    std::span<const double> diameters, double slack, std::size_t balls);
 

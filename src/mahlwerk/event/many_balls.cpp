@@ -11,7 +11,7 @@
 namespace mahlwerk::event {
 namespace {
 
-constexpr std::size_t chunk = 1024;             // records per call of the observer
+constexpr std::size_t max_records = 1024;       // records per call of the observer
 constexpr std::int64_t collisions_between = 2;  // per ball, between two reorganisations
 constexpr std::int64_t collisions_at_least = 500;
 constexpr double longest_clock = 1;  // [s] later positions in the falling frame lose digits
@@ -32,8 +32,8 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
       now_ = due.time;
       prefetch_next_events();
       process_event(due.ball);
-      guard();
-      if (finished_.size() >= chunk) hand_over(observer);
+      check_zeno();
+      if (finished_.size() >= max_records) hand_over(observer);
       const auto many = collisions_between * std::ssize(trajectories_) + collisions_at_least;
       const auto since = energy_balance_.collisions - collisions_at_reorganisation_;
       if (since > many || (since > 0 && now_ - reorganised_ > longest_clock)) reorganise();
@@ -71,7 +71,7 @@ void ManyBalls::prefetch_next_events() const {
 void ManyBalls::process_event(std::int32_t ball) {
   ++events_;
   const Prediction& p = prediction_of(ball);
-  if (p.safe_until <= p.collision_time)
+  if (p.wall_check_time <= p.collision_time)
     check_wall_and_cell(ball);
   else
     process_collision(ball);
@@ -85,24 +85,28 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   if (periodic_) advance_to_now(ball);  // it may have left the box
   const BallState where = ball_state(ball);
   if (has_left(ball, where)) change_cell(ball, where);
-  const double left = now_ + cell_safe_time(ball, where);
-  p.safe_until = left;
+  const double cell_exit_time = now_ + cell_safe_time(ball, where);
+  p.wall_check_time = cell_exit_time;
   if (walls_) {
     queue_.schedule(ball, never);
-    constexpr double ahead = 0.01;  // [s] bounds the search for a ball at rest that nothing reaches
-    const double next = queue_.next().time;
-    const double alone = std::min({p.collision_time, left, next, now_ + ahead});
+    constexpr double max_lookahead =
+        0.01;  // [s] bounds the search for a ball at rest that nothing reaches
+    const double next_other_event = queue_.next().time;
+    const double search_end =
+        std::min({p.collision_time, cell_exit_time, next_other_event, now_ + max_lookahead});
     const WallPrediction predicted = jar_->predict_touch(
-        where, motion_time(now_), motion_time(alone), tolerances_[trajectory(ball).species]);
+        where, motion_time(now_), motion_time(search_end), tolerances_[trajectory(ball).species]);
     ++energy_balance_.search_steps;
-    if (predicted.face < 0 && predicted.time < motion_time(alone)) events_ += max_search_steps / 16;
-    const double then = std::max(now_, predicted.time - motion_time(0));
-    if (predicted.face >= 0 && then < alone && then < horizon_) {
-      now_ = then;
+    // For the Zeno guard, sixteen search steps count as an event.
+    if (predicted.face < 0 && predicted.time < motion_time(search_end))
+      events_ += max_search_steps / 16;
+    const double wall_time = std::max(now_, predicted.time - motion_time(0));
+    if (predicted.face >= 0 && wall_time < search_end && wall_time < horizon_) {
+      now_ = wall_time;
       return hit_wall(ball, predicted.face);
     }
-    if (predicted.face >= 0 || then < left) {
-      p.safe_until = then;
+    if (predicted.face >= 0 || wall_time < cell_exit_time) {
+      p.wall_check_time = wall_time;
       p.face = predicted.face;
     }
   }
@@ -131,16 +135,16 @@ void ManyBalls::reorganise() {
 }
 
 /// Zeno guard: stops a run whose events accumulate in almost no time, with the reason.
-void ManyBalls::guard() {
+void ManyBalls::check_zeno() {
   // A ball at rest has some thirty events in t_c; deep in a bed, several times as many.
   constexpr std::int64_t many = 100'000, each = 2'000;
   constexpr double soon = 1e-4;  // [s]
-  const std::int64_t events = events_ - guarded_;
+  const std::int64_t events = events_ - zeno_first_event_;
   if (events < many + each * std::ssize(trajectories_)) return;
-  const double within = mill_time() - guarded_since_;
-  if (within < soon) throw zeno_error(mill_time() - start_, within, events, rules_.lasting);
-  guarded_ = events_;
-  guarded_since_ = mill_time();
+  const double within = mill_time() - zeno_since_;
+  if (within < soon) throw zeno_error(mill_time() - start_, within, events, rules_.sustained_mode);
+  zeno_first_event_ = events_;
+  zeno_since_ = mill_time();
 }
 
 void ManyBalls::serialize(Archive& archive) {
@@ -148,7 +152,7 @@ void ManyBalls::serialize(Archive& archive) {
   archive(trajectories_)(predictions_)(collision_data_);
   archive(now_)(clock_origin_)(
       epoch_)(reached_)(events_)(collisions_at_reorganisation_)(reorganised_);
-  archive(guarded_)(guarded_since_)(energy_balance_);
+  archive(zeno_first_event_)(zeno_since_)(energy_balance_);
   grid_->serialize(archive);
   if (!archive.reading()) return;
   if (!is_consistent(count)) throw Archive::broken();

@@ -20,8 +20,8 @@ namespace mahlwerk::event {
 
 /// The event engine for many balls (event-driven molecular dynamics). Every ball keeps its own
 /// earliest event; a calendar queue orders these events. Balls move on straight lines in the
-/// falling frame, in which collision times have a closed form. Walls and cells are tested in the
-/// jar frame.
+/// falling frame, which falls freely from the jar frame's position and velocity at clock 0 (man.1).
+/// There collision times have a closed form. Walls and cells are tested in the jar frame.
 class ManyBalls final : public scene::Engine {
  public:
   ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
@@ -44,19 +44,19 @@ class ManyBalls final : public scene::Engine {
     Vec3 tangential_velocity,
         slip_velocity;  ///< [m/s] tangential velocity of the centres and of the surfaces
     double mass, approach, slip;
-    double field;  ///< [m/s2] the largest that presses them together
+    double pressing_acceleration;  ///< [m/s2] largest acceleration that presses the two together
 
-    /// `glide` [m/s] is the relative velocity of the centres, `rolling` [m/s] the sum of the spins
+    /// `relative_velocity` [m/s] is that of the centres, `rolling` [m/s] the sum of the spins
     /// times their radii.
-    CollisionKinematics(const Vec3& n, double mass_, const Vec3& glide, const Vec3& rolling,
-                        double field_)
+    CollisionKinematics(const Vec3& n, double mass_, const Vec3& relative_velocity,
+                        const Vec3& rolling, double pressing_acceleration_)
         : normal(n),
-          tangential_velocity(tangential_part(glide, n)),
+          tangential_velocity(tangential_part(relative_velocity, n)),
           slip_velocity(tangential_velocity + cross(rolling, n)),
           mass(mass_),
-          approach(dot(glide, n)),
+          approach(dot(relative_velocity, n)),
           slip(norm(slip_velocity)),
-          field(field_) {}
+          pressing_acceleration(pressing_acceleration_) {}
 
     Vec3 impulse(const contact::Impulse& j) const {  ///< [N s] on the ball
       return -j.normal * normal - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
@@ -71,7 +71,7 @@ class ManyBalls final : public scene::Engine {
   void reorganise();
   bool is_consistent(std::size_t count);
   void rebuild_queue();
-  void guard();
+  void check_zeno();
   void hand_over(scene::Observer& observer);
 
   // many_predictions.cpp: predictions and ball positions
@@ -102,7 +102,7 @@ class ManyBalls final : public scene::Engine {
                 StoredEnergy stored);
   void apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
   bool slow(const CollisionKinematics& touch) const {
-    return touch.approach < tc_rule_.slowest_rebound(0, touch.field);
+    return touch.approach < tc_rule_.min_rebound_speed(0, touch.pressing_acceleration);
   }
   void add_contact_time(CollisionData& ball, bool slow);
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
@@ -111,6 +111,8 @@ class ManyBalls final : public scene::Engine {
               const Vec3& point, double impulse, const contact::Loss& loss);
   double kinetic(std::int32_t ball, double t) const;
 
+  /// Time argument for the jar's motion [s]. With static geometry it is the clock itself, which
+  /// differs from the mill time by whole periods, or by any time if the motion is steady.
   double motion_time(double clock) const {
     return jar_->static_geometry() ? clock : clock_origin_ + clock;
   }
@@ -142,7 +144,8 @@ class ManyBalls final : public scene::Engine {
   Vec3 gravity_, periods_;
   bool walls_, periodic_;
   geometry::AccelerationBound max_acceleration_;
-  double field_;  // [m/s2] the largest that the mill presses a ball with (man.4)
+  // [m/s2] largest acceleration with which the mill presses a ball to its wall (man.4)
+  double pressing_acceleration_;
 
   HugePageVector<Trajectory> trajectories_;
   HugePageVector<Prediction> predictions_;
@@ -161,9 +164,9 @@ class ManyBalls final : public scene::Engine {
   JarOffset jar_offset_;
   double reached_ = 0;  // [s] since the start
   std::int64_t events_ = 0, collisions_at_reorganisation_ = 0;
-  double reorganised_ = 0;  // [s] clock
-  std::int64_t guarded_ = 0;
-  double guarded_since_ = 0;  // [s] mill time
+  double reorganised_ = 0;             // [s] clock
+  std::int64_t zeno_first_event_ = 0;  // events_ when the present count of the Zeno guard began
+  double zeno_since_ = 0;              // [s] mill time of that
   scene::EnergyBalance energy_balance_;
   std::vector<scene::Collision> finished_;
 };

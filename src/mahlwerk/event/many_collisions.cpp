@@ -16,13 +16,16 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const double t = motion_time(now_);
   const BallState where = ball_state(ball);
   const Wall wall = jar_->wall(face, where.position, t, s.radius);
-  const Vec3 n = -wall.inward, glide = where.velocity - wall.velocity;
+  const Vec3 n = -wall.inward, relative_velocity = where.velocity - wall.velocity;
   energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap, -wall.gap / s.radius);
-  const double round = squared(tangential_part(where.velocity, n)) * std::max(wall.curvature, 0.0);
-  const CollisionKinematics touch(n, s.mass, glide, s.radius * data.spin, field_ + round);
+  const double centripetal_acceleration =
+      squared(tangential_part(where.velocity, n)) * std::max(wall.curvature, 0.0);
+  const CollisionKinematics touch(n, s.mass, relative_velocity, s.radius * data.spin,
+                                  pressing_acceleration_ + centripetal_acceleration);
 
-  const Bounce b = bounce(bounces_.wall(s.kind, face), touch, now_ - data.last_collision,
-                          {data.stored_energy, tc_rule_.storage_capacity(s.mass, field_)});
+  const Bounce b =
+      bounce(bounces_.wall(s.kind, face), touch, now_ - data.last_collision,
+             {data.stored_energy, tc_rule_.storage_capacity(s.mass, pressing_acceleration_)});
   const Vec3 impulse = touch.impulse(b.impulse);
   const double before = kinetic(ball, now_);
   apply_impulse(ball, impulse, s.radius * n);
@@ -41,28 +44,30 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   if (collision_data(other).id < collision_data(ball).id) std::swap(ball, other);
   const Trajectory &a = trajectory(ball), &b = trajectory(other);
   const Species &sa = species(a), &sb = species(b);
-  CollisionData &ta = collision_data(ball), &tb = collision_data(other);
+  CollisionData &data_a = collision_data(ball), &data_b = collision_data(other);
   const Vec3 apart = nearest_image(b.position - a.position, periods_);
   const double distance = norm(apart), reach = sa.radius + sb.radius;
-  const Vec3 n = apart / distance, glide = a.velocity - b.velocity;
+  const Vec3 n = apart / distance, relative_velocity = a.velocity - b.velocity;
   energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap,
                                              (reach - distance) / std::min(sa.radius, sb.radius));
-  const CollisionKinematics touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), glide,
-                                  sa.radius * ta.spin + sb.radius * tb.spin, field_);
+  const CollisionKinematics touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), relative_velocity,
+                                  sa.radius * data_a.spin + sb.radius * data_b.spin,
+                                  pressing_acceleration_);
 
-  const double since = now_ - std::max(ta.last_collision, tb.last_collision);
-  const Bounce bounced = bounce(bounces_.balls(sa.kind, sb.kind), touch, since,
-                                {ta.stored_energy, tc_rule_.storage_capacity(sa.mass, field_),
-                                 tb.stored_energy, tc_rule_.storage_capacity(sb.mass, field_)});
+  const double since = now_ - std::max(data_a.last_collision, data_b.last_collision);
+  const Bounce bounced =
+      bounce(bounces_.balls(sa.kind, sb.kind), touch, since,
+             {data_a.stored_energy, tc_rule_.storage_capacity(sa.mass, pressing_acceleration_),
+              data_b.stored_energy, tc_rule_.storage_capacity(sb.mass, pressing_acceleration_)});
   const Vec3 impulse = touch.impulse(bounced.impulse);
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   apply_impulse(ball, impulse, sa.radius * n);
   apply_impulse(other, -impulse, -sb.radius * n);
   update_energy_balance(touch, bounced, kinetic(ball, now_) + kinetic(other, now_) - before, 0,
                         before);
-  add_contact_time(ta, slow(touch));
-  add_contact_time(tb, slow(touch));
-  record(ball, tb.id, touch, ball_state(ball).position + sa.radius * n, bounced.impulse.normal,
+  add_contact_time(data_a, slow(touch));
+  add_contact_time(data_b, slow(touch));
+  record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced.impulse.normal,
          bounced.loss);
   predict_and_schedule(ball);
   predict_and_schedule(other);
@@ -72,7 +77,7 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
 /// bounce is as slow as those of a sustained contact (man.7).
 void ManyBalls::add_contact_time(CollisionData& ball, bool slow) {
   const double flight = now_ - ball.last_collision;
-  if (rules_.lasting == SustainedContactMode::tc && slow && flight < 5 * rules_.contact_time)
+  if (rules_.sustained_mode == SustainedContactMode::tc && slow && flight < 5 * rules_.contact_time)
     energy_balance_.contact_time += flight;
   ball.last_collision = now_;
 }
@@ -85,12 +90,12 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
   ++energy_balance_.collisions;
   // Bodies without relative normal speed may collide again at zero speed, or less by rounding.
   const double approach = std::max(touch.approach, 1e-200);
-  if (rules_.lasting != SustainedContactMode::tc) {
+  if (rules_.sustained_mode != SustainedContactMode::tc) {
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
     return {j, contact::loss(j, touch.mass, approach, touch.slip)};
   }
-  Bounce b =
-      tc_rule_.collide(rule, {touch.mass, approach, touch.slip, since, touch.field, stored.sum()});
+  Bounce b = tc_rule_.collide(
+      rule, {touch.mass, approach, touch.slip, since, touch.pressing_acceleration, stored.sum()});
   stored.update(b);
   if (b.raised) ++energy_balance_.tc_collisions;
   energy_balance_.withheld += b.withheld;
@@ -103,10 +108,10 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
 
 /// Applies `impulse` [N s] at `arm` [m] from the centre, and invalidates predictions for the ball.
 void ManyBalls::apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3& arm) {
-  Trajectory& l = trajectory(ball);
-  const Species& s = species(l);
-  l.velocity += impulse / s.mass;
-  ++l.revision;
+  Trajectory& path = trajectory(ball);
+  const Species& s = species(path);
+  path.velocity += impulse / s.mass;
+  ++path.revision;
   collision_data(ball).spin += cross(arm, impulse) / s.inertia;
 }
 
@@ -114,10 +119,10 @@ void ManyBalls::update_energy_balance(const CollisionKinematics& touch, const Bo
                                       double gained, double work, double scale) {
   const contact::Loss& loss = bounce.loss;
   reject_energy_gain(loss, touch.mass, touch.approach, touch.slip, mill_time() - start_);
-  energy_balance_.elastic += bounce.kept;
+  energy_balance_.elastic += bounce.stored_change;
   energy_balance_.lost_normal += loss.normal;
   energy_balance_.lost_tangential += loss.tangential;
-  const double lost = loss.normal + loss.tangential + bounce.kept;
+  const double lost = loss.normal + loss.tangential + bounce.stored_change;
   const double residual =
       std::abs(gained - work + lost) / (scale + std::abs(work) + std::abs(lost) + 1e-300);
   if (!(residual <= energy_balance_.worst_collision)) energy_balance_.worst_collision = residual;
@@ -154,10 +159,10 @@ scene::EnergyBalance ManyBalls::energy_balance() const {
   a.time = reached_;
   a.kinetic = a.potential = 0;
   for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
-    const Trajectory& l = trajectories_[static_cast<std::size_t>(ball)];
+    const Trajectory& path = trajectories_[static_cast<std::size_t>(ball)];
     a.kinetic += kinetic(ball, t);
-    const Vec3 position = l.at(t) + epoch_.centre + t * (epoch_.velocity + 0.5 * t * gravity_);
-    a.potential -= species(l).mass * dot(gravity_, position);
+    const Vec3 position = path.at(t) + epoch_.centre + t * (epoch_.velocity + 0.5 * t * gravity_);
+    a.potential -= species(path).mass * dot(gravity_, position);
   }
   return a;
 }
@@ -167,11 +172,14 @@ std::vector<scene::Ball> ManyBalls::balls() const {
   const JarOffset d = jar_offset_at(t);
   std::vector<scene::Ball> list(trajectories_.size());
   for (std::size_t i = 0; i < trajectories_.size(); ++i) {
-    const Trajectory& l = trajectories_[i];
-    const Species& s = species(l);
-    list[static_cast<std::size_t>(collision_data_[i].id)] = {
-        s.radius, s.density, l.at(t) - d.position, l.velocity - d.velocity, collision_data_[i].spin,
-        s.kind};
+    const Trajectory& path = trajectories_[i];
+    const Species& s = species(path);
+    list[static_cast<std::size_t>(collision_data_[i].id)] = {s.radius,
+                                                             s.density,
+                                                             path.at(t) - d.position,
+                                                             path.velocity - d.velocity,
+                                                             collision_data_[i].spin,
+                                                             s.kind};
   }
   return list;
 }

@@ -48,16 +48,16 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
                      const Rules& rules, const contact::BounceTable& bounces, double start)
     : jar_(std::move(jar)),
       rules_(rules),
-      tc_rule_{rules.contact_time, rules.lasting_friction},
+      tc_rule_{rules.contact_time, rules.sustained_friction},
       bounces_(bounces),
       gravity_(jar_->gravity()),
       periods_(jar_->periods()),
       walls_(jar_->faces() > 0),
       periodic_(periods_.x < never),
       max_acceleration_(jar_->motion_bounds().acceleration + componentwise_abs(gravity_)),
-      field_(kinematics::strongest_field(gravity_, jar_->motion_bounds().acceleration,
-                                         jar_->period(),
-                                         [&](double t) { return jar_->frame_motion(t); })),
+      pressing_acceleration_(
+          kinematics::strongest_field(gravity_, jar_->motion_bounds().acceleration, jar_->period(),
+                                      [&](double t) { return jar_->frame_motion(t); })),
       start_(start) {
   const double period = jar_->static_geometry() ? jar_->period() : never;
   clock_origin_ = std::isfinite(period) ? std::floor(start / period) * period : start;
@@ -109,12 +109,12 @@ void ManyBalls::predict(std::int32_t ball) {
   predict_collisions(ball);
   const BallState where = ball_state(ball);
   p.face = -1;
-  p.safe_until = now_ + cell_safe_time(ball, where);
+  p.wall_check_time = now_ + cell_safe_time(ball, where);
   if (walls_) {
     const double t = motion_time(now_);
     const WallPrediction predicted =
         jar_->predict_touch(where, t, t, tolerances_[trajectory(ball).species]);
-    p.safe_until = std::min(p.safe_until, predicted.time - motion_time(0));
+    p.wall_check_time = std::min(p.wall_check_time, predicted.time - motion_time(0));
     if (predicted.face >= 0) p.face = predicted.face;
   }
 }
@@ -135,8 +135,8 @@ void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::
           ? first_of_images(query, others, known)
           : earliest_collision(query, trajectories_, others, radii_, periods_, known);
   if (found.time < p.collision_time)
-    p = {found.time,   found.partner, trajectory(found.partner).revision,
-         p.safe_until, p.face,        p.cell};
+    p = {found.time,        found.partner, trajectory(found.partner).revision,
+         p.wall_check_time, p.face,        p.cell};
 }
 
 /// Tests all images that can collide while both balls are in the box: in a box of few cells the
@@ -201,25 +201,25 @@ void ManyBalls::change_cell(std::int32_t ball, const BallState& where) {
 
 /// Restarts the ball's trajectory at the present time, with its position folded into the box.
 void ManyBalls::advance_to_now(std::int32_t ball) {
-  Trajectory& l = trajectory(ball);
-  l.position = nearest_image(l.at(now_), periods_);
-  l.since = now_;
+  Trajectory& path = trajectory(ball);
+  path.position = nearest_image(path.at(now_), periods_);
+  path.since = now_;
 }
 
 /// Turns the clock back by `shift` [s]. The falling frame starts again from the jar frame of that
 /// time (man.3).
 void ManyBalls::move_frame(double shift) {
   const JarOffset d = jar_offset_at(shift);
-  for (Trajectory& l : trajectories_) {
-    l.since -= shift;
-    l.position -= d.position + l.since * d.velocity;
-    l.velocity -= d.velocity;
+  for (Trajectory& path : trajectories_) {
+    path.since -= shift;
+    path.position -= d.position + path.since * d.velocity;
+    path.velocity -= d.velocity;
   }
   for (Prediction& p : predictions_) {
     p.collision_time -= shift;
-    p.safe_until -= shift;
+    p.wall_check_time -= shift;
   }
-  for (CollisionData& t : collision_data_) t.last_collision -= shift;
+  for (CollisionData& data : collision_data_) data.last_collision -= shift;
   clock_origin_ += shift;
   now_ -= shift;
   epoch_ = jar_->frame_motion(motion_time(0));
@@ -275,9 +275,9 @@ const ManyBalls::JarOffset& ManyBalls::jar_offset() {
 
 /// Present state of a ball in the jar frame.
 BallState ManyBalls::ball_state(std::int32_t ball) {
-  const Trajectory& l = trajectory(ball);
-  return {nearest_image(l.at(now_) - jar_offset().position, periods_),
-          l.velocity - jar_offset().velocity};
+  const Trajectory& path = trajectory(ball);
+  return {nearest_image(path.at(now_) - jar_offset().position, periods_),
+          path.velocity - jar_offset().velocity};
 }
 
 }  // namespace mahlwerk::event

@@ -17,8 +17,8 @@
 namespace mahlwerk::event {
 
 /// The event engine for one ball: flight, touch, bounce, and sustained contact where bounces
-/// collapse. The clock stays within one period of the mill, so accuracy does not decrease with
-/// time.
+/// collapse. In a periodic mill of static geometry the clock stays within one period, so accuracy
+/// does not decrease with time.
 template <class S, class M>
 class OneBall final : public scene::Engine {
  public:
@@ -29,7 +29,7 @@ class OneBall final : public scene::Engine {
         tolerance_(tolerance(jar_, ball.radius)),
         integrator_(jar_, body_, rules, tolerance_),
         spin_(ball.spin),
-        field_(kinematics::strongest_field(
+        pressing_acceleration_(kinematics::strongest_field(
             jar_.gravity(), jar_.motion_bounds().acceleration, jar_.motion().period(),
             [&](double t) { return jar_.motion().frame_motion(t); })),
         start_(start) {
@@ -42,7 +42,7 @@ class OneBall final : public scene::Engine {
     energy_balance_.kinetic = kinetic(flight_.velocity);
     energy_balance_.potential = potential(flight_.position);
     energy_balance_.initial_energy = energy_balance_.kinetic + energy_balance_.potential;
-    finished_.reserve(chunk);
+    finished_.reserve(max_records);
   }
 
   void advance(double time, scene::Observer& observer) override {
@@ -63,15 +63,16 @@ class OneBall final : public scene::Engine {
         now_ = touch.when;
         if (touch.face < 0) {
           if (!(now_.time < until - clock_origin_)) break;
-          guarded_ += static_cast<int>(touch.steps / 16);
-          guard();
+          // For the Zeno guard, sixteen search steps count as an event.
+          zeno_count_ += static_cast<int>(touch.steps / 16);
+          check_zeno();
           continue;
         }
         collide(touch.face);  // (evt.6) to (evt.8)
         if (collapses(touch.face)) begin_contact(touch.face);
-        guard();
+        check_zeno();
         wrap_clock();
-        if (finished_.size() >= chunk) hand_over(observer);
+        if (finished_.size() >= max_records) hand_over(observer);
       }
     } catch (...) {
       reached_ = mill_time() - start_;
@@ -90,10 +91,10 @@ class OneBall final : public scene::Engine {
     const kinematics::FrameMotion frame = jar_.motion().frame_motion(at);
     const Vec3& g = jar_.gravity();
     const Vec3 position =
-        in_contact_ ? integrator_.now().position + frame.centre : flight_.lab_position(at, g);
-    const Vec3 speed =
-        in_contact_ ? integrator_.now().velocity + frame.velocity : flight_.lab_velocity(at, g);
-    a.kinetic = kinetic(speed);
+        in_contact_ ? integrator_.state().position + frame.centre : flight_.lab_position(at, g);
+    const Vec3 velocity =
+        in_contact_ ? integrator_.state().velocity + frame.velocity : flight_.lab_velocity(at, g);
+    a.kinetic = kinetic(velocity);
     a.potential = potential(position);
     return a;
   }
@@ -101,21 +102,22 @@ class OneBall final : public scene::Engine {
   std::vector<scene::Ball> balls() const override {
     const double at = in_contact_ ? now_.time : reached_ + start_ - clock_origin_;
     const BallState p =
-        in_contact_ ? BallState{integrator_.now().position, integrator_.now().velocity}
+        in_contact_ ? BallState{integrator_.state().position, integrator_.state().velocity}
                     : flight_.ball_state(at, jar_.gravity(), jar_.motion().frame_motion(at));
     const double density = body_.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(body_.radius, 3));
     return {{body_.radius, density, p.position, p.velocity,
-             in_contact_ ? integrator_.now().spin : spin_}};
+             in_contact_ ? integrator_.state().spin : spin_}};
   }
 
   void serialize(Archive& archive) override {
-    archive(flight_)(spin_)(in_contact_)(now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_);
-    archive(guarded_)(guarded_since_)(energy_balance_);
+    archive(flight_)(spin_)(
+        in_contact_)(now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_contact_time_);
+    archive(zeno_count_)(zeno_since_)(energy_balance_);
     integrator_.serialize(archive);
   }
 
  private:
-  static constexpr std::size_t chunk = 256;
+  static constexpr std::size_t max_records = 256;
 
   static TouchTolerance tolerance(const TypedChamber<S, M>& jar, double radius) {
     const auto& bounds = jar.motion_bounds();
@@ -128,7 +130,7 @@ class OneBall final : public scene::Engine {
 
   double kinetic(const Vec3& lab_velocity) const {
     return 0.5 * body_.mass * squared(lab_velocity) +
-           0.5 * body_.inertia * squared(in_contact_ ? integrator_.now().spin : spin_);
+           0.5 * body_.inertia * squared(in_contact_ ? integrator_.state().spin : spin_);
   }
   double potential(const Vec3& lab_position) const {
     return -body_.mass * dot(jar_.gravity(), lab_position);
@@ -151,14 +153,14 @@ class OneBall final : public scene::Engine {
   [[gnu::flatten]] void collide(int face) {
     const double m = body_.mass, r = body_.radius;
     const Wall wall = jar_.wall(face, now_.ball.position, now_.time, r);
-    const Vec3 n = -wall.inward, glide = now_.ball.velocity - wall.velocity;
-    const double approach = dot(glide, n);
+    const Vec3 n = -wall.inward, relative_velocity = now_.ball.velocity - wall.velocity;
+    const double approach = dot(relative_velocity, n);
     energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap, -wall.gap / r);
-    const Vec3 tangential_velocity = glide - approach * n,
+    const Vec3 tangential_velocity = relative_velocity - approach * n,
                slip_velocity = tangential_velocity + r * cross(spin_, n);
     const double slip = norm(slip_velocity);
 
-    const auto [j, loss, kept] = bounce(face, wall, approach, slip);
+    const auto [j, loss, stored_change] = bounce(face, wall, approach, slip);
     reject_energy_gain(loss, m, approach, slip, mill_time() - start_);
     const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
 
@@ -166,38 +168,39 @@ class OneBall final : public scene::Engine {
     const double before = kinetic(after.velocity + now_.frame.velocity);
     const double work = apply_impulse(impulse, wall, after);
     const double gained = kinetic(after.velocity + now_.frame.velocity) - before;
-    check_balance(gained, work, loss.normal + loss.tangential + kept, before);
+    check_balance(gained, work, loss.normal + loss.tangential + stored_change, before);
 
     energy_balance_.wall_work += work;
     energy_balance_.lost_normal += loss.normal;
     energy_balance_.lost_tangential += loss.tangential;
-    energy_balance_.elastic += kept;
+    energy_balance_.elastic += stored_change;
     ++energy_balance_.collisions;
     record(face, wall, n, approach, slip, norm(tangential_velocity), j.normal, loss);
     rebound_ = j.normal / m - approach;
-    last_ = mill_time();
+    last_contact_time_ = mill_time();
     start_flight(after);
   }
 
   struct Bounce {
     contact::Impulse impulse;
     contact::Loss loss;
-    double kept = 0;  ///< [J] change of the stored energy (man.6)
+    double stored_change = 0;  ///< [J] change of the stored energy (man.6)
   };
   /// Collision by the wall's rule (evt.6 to evt.8), or by the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
     const contact::BounceRule& rule = rules_.wall(face);
-    if (rules_.lasting != SustainedContactMode::tc) {
+    if (rules_.sustained_mode != SustainedContactMode::tc) {
       const contact::Impulse j = contact::bounce(rule, body_.mass, approach, slip);
       return {j, contact::loss(j, body_.mass, approach, slip)};
     }
-    const double since = mill_time() - last_;
-    const double round =
+    const double since = mill_time() - last_contact_time_;
+    const double centripetal_acceleration =
         squared(tangential_part(now_.ball.velocity, wall.inward)) * std::max(wall.curvature, 0.0);
-    const TcRule tc_rule{rules_.contact_time, rules_.lasting_friction};
-    StoredEnergy stored(stored_, tc_rule.storage_capacity(body_.mass, field_));
+    const TcRule tc_rule{rules_.contact_time, rules_.sustained_friction};
+    StoredEnergy stored(stored_, tc_rule.storage_capacity(body_.mass, pressing_acceleration_));
     auto b =
-        tc_rule.collide(rule, {body_.mass, approach, slip, since, field_ + round, stored.sum()});
+        tc_rule.collide(rule, {body_.mass, approach, slip, since,
+                               pressing_acceleration_ + centripetal_acceleration, stored.sum()});
     stored.update(b);
     if (b.raised) ++energy_balance_.tc_collisions;
     energy_balance_.withheld += b.withheld;
@@ -205,7 +208,7 @@ class OneBall final : public scene::Engine {
       energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
       if (approach >= rules_.threshold) ++energy_balance_.hits_within;
     }
-    return {b.impulse, b.loss, b.kept};
+    return {b.impulse, b.loss, b.stored_change};
   }
 
   void check_balance(double gained, double work, double lost, double scale) {
@@ -235,17 +238,18 @@ class OneBall final : public scene::Engine {
   /// Whether the coming bounces, an infinite series, end before the normal force can halve
   /// (inelastic collapse). Then a sustained contact begins (evt.19).
   bool collapses(int face) const {
-    if (rules_.lasting != SustainedContactMode::roll || rebound_ >= rules_.lasting_speed)
+    if (rules_.sustained_mode != SustainedContactMode::roll || rebound_ >= rules_.sustained_speed)
       return false;
     const BallState& p = now_.ball;
-    const double normal_force =
+    const double normal_acceleration =
         integrator_.contact().normal_acceleration(face, now_.time, p.position, p.velocity);
-    if (normal_force <= 0) return false;
+    if (normal_acceleration <= 0) return false;
     const double e = rules_.wall(face).restitution.at(rebound_);
-    const double over_in = 2 * rebound_ / (normal_force * (1 - e));  // [s]
-    const double change = jar_.motion_bounds().jerk + jar_.motion_bounds().spin * normal_force +
-                          normal_force * norm(p.velocity) / body_.radius;
-    return over_in * change < 0.5 * normal_force;
+    const double collapse_time = 2 * rebound_ / (normal_acceleration * (1 - e));  // [s]
+    const double rate_bound = jar_.motion_bounds().jerk +
+                              jar_.motion_bounds().spin * normal_acceleration +
+                              normal_acceleration * norm(p.velocity) / body_.radius;
+    return collapse_time * rate_bound < 0.5 * normal_acceleration;
   }
 
   /// Begins a sustained contact; the remaining normal speed is lost.
@@ -260,8 +264,8 @@ class OneBall final : public scene::Engine {
     double work = 0;
     for (std::size_t i = 0; i < support.count; ++i) {
       const Wall wall = jar_.wall(support.face[i], p.position, now_.time, body_.radius);
-      const Vec3 n = -wall.inward, glide = p.velocity - wall.velocity;
-      work += apply_impulse(-body_.mass * dot(glide, n) * n, wall, p);
+      const Vec3 n = -wall.inward, relative_velocity = p.velocity - wall.velocity;
+      work += apply_impulse(-body_.mass * dot(relative_velocity, n) * n, wall, p);
     }
     energy_balance_.wall_work += work;
     energy_balance_.lost_lasting += before + work - kinetic(p.velocity + now_.frame.velocity);
@@ -275,7 +279,7 @@ class OneBall final : public scene::Engine {
   bool rests_on(int face, const BallState& p) const {
     const Wall wall = jar_.wall(face, p.position, now_.time, body_.radius);
     return wall.gap <= 8 * tolerance_.margin &&
-           std::abs(dot(p.velocity - wall.velocity, wall.inward)) < rules_.lasting_speed &&
+           std::abs(dot(p.velocity - wall.velocity, wall.inward)) < rules_.sustained_speed &&
            integrator_.contact().normal_acceleration(face, now_.time, p.position, p.velocity) > 0;
   }
 
@@ -284,17 +288,17 @@ class OneBall final : public scene::Engine {
     using Status = typename SustainedContactIntegrator<TypedChamber<S, M>>::Status;
     const Status status = integrator_.advance(now_.time);
     energy_balance_.contact_time += now_.time - from;
-    energy_balance_.wall_work += integrator_.now().work;
-    energy_balance_.lost_lasting += integrator_.now().lost;
-    integrator_.now().work = integrator_.now().lost = 0;
+    energy_balance_.wall_work += integrator_.state().work;
+    energy_balance_.lost_lasting += integrator_.state().lost;
+    integrator_.state().work = integrator_.state().lost = 0;
     if (status != Status::in_contact) {
       in_contact_ = false;
-      spin_ = integrator_.now().spin;
+      spin_ = integrator_.state().spin;
       now_.frame = jar_.motion().frame_motion(now_.time);
-      start_flight({integrator_.now().position, integrator_.now().velocity});
-      last_ = mill_time();
+      start_flight({integrator_.state().position, integrator_.state().velocity});
+      last_contact_time_ = mill_time();
     }
-    guard();
+    check_zeno();
     wrap_clock();
   }
 
@@ -307,14 +311,15 @@ class OneBall final : public scene::Engine {
   double mill_time() const { return clock_origin_ + now_.time; }
 
   /// Zeno guard: stops a run whose events accumulate in almost no time, with the reason.
-  void guard() {
+  void check_zeno() {
     constexpr int many = 100000;
     constexpr double min_span = 0.01;  // [s]
-    if (++guarded_ < many) return;
-    if (mill_time() - guarded_since_ < min_span)
-      throw zeno_error(mill_time() - start_, mill_time() - guarded_since_, many, rules_.lasting);
-    guarded_ = 0;
-    guarded_since_ = mill_time();
+    if (++zeno_count_ < many) return;
+    if (mill_time() - zeno_since_ < min_span)
+      throw zeno_error(mill_time() - start_, mill_time() - zeno_since_, many,
+                       rules_.sustained_mode);
+    zeno_count_ = 0;
+    zeno_since_ = mill_time();
   }
 
   void hand_over(scene::Observer& observer) {
@@ -330,17 +335,18 @@ class OneBall final : public scene::Engine {
   Flight flight_;
   Vec3 spin_;
   bool in_contact_ = false;
-  double field_;                                // [m/s2] the mill's largest (man.4)
-  double start_;                                // [s] mill time at which the run began
-  Instant now_;                                 // its time is on the engine's clock
-  double clock_origin_ = 0;                     // [s] mill time = clock_origin_ + clock
-  double clock_range_ = kinematics::no_period;  // [s] the clock's range
-  double reached_ = 0;                          // [s] since the start
-  double stored_ = 0;                           // [J] of earlier losses, for the TC rule (man.6)
-  double rebound_ = 0;                          // [m/s] after the last collision
-  double last_ = -geometry::never;              // [s] mill time of the last event
-  int guarded_ = 0;
-  double guarded_since_ = 0;
+  // [m/s2] largest acceleration with which the mill presses a ball to its wall (man.4)
+  double pressing_acceleration_;
+  double start_;                                 // [s] mill time at which the run began
+  Instant now_;                                  // its time is on the engine's clock
+  double clock_origin_ = 0;                      // [s] mill time = clock_origin_ + clock
+  double clock_range_ = kinematics::no_period;   // [s] the clock's range
+  double reached_ = 0;                           // [s] since the start
+  double stored_ = 0;                            // [J] of earlier losses, for the TC rule (man.6)
+  double rebound_ = 0;                           // [m/s] after the last collision
+  double last_contact_time_ = -geometry::never;  // [s] mill time of the last collision or release
+  int zeno_count_ = 0;
+  double zeno_since_ = 0;
   scene::EnergyBalance energy_balance_;
   std::vector<scene::Collision> finished_;
 };

@@ -12,18 +12,19 @@ namespace mahlwerk::event {
 /// (docs/theory/event.md, "Collapse"): begin a sustained contact, apply the TC rule, or do nothing.
 enum class SustainedContactMode { roll, tc, none };
 
-/// Collision rule of one ball and its jar, and the treatment of inelastic collapse.
+/// Collision rules of one ball and its jar, and the treatment of inelastic collapse. The engine for
+/// many balls reads only the latter and `threshold`; its collision rules are in a BounceTable.
 struct Rules {
   contact::BounceRule bounce;
   std::vector<contact::BounceRule> faces;  ///< by face of the jar; empty: all as `bounce`
   /// Coulomb's mu in sustained contacts, also where the collision rule has no Coulomb limit
   /// (evt.15).
-  double lasting_friction = 0.3;
+  double sustained_friction = 0.3;
   double rolling_friction = 0;  ///< mu_r of sustained contacts
-  SustainedContactMode lasting = SustainedContactMode::roll;
+  SustainedContactMode sustained_mode = SustainedContactMode::roll;
   /// [m/s] a ball that is pressed to the wall and rebounds more slowly begins a sustained contact
   /// (evt.19).
-  double lasting_speed = 1e-4;
+  double sustained_speed = 1e-4;
   double contact_time = 1e-4;  ///< [s] t_c of the TC rule
   double threshold = 0;        ///< [m/s] slower collisions are not counted in hits_within
 

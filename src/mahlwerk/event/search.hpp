@@ -64,9 +64,9 @@ double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now
   return dot(wall.velocity - now.ball.velocity, wall.inward);
 }
 
-/// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it. Computed for a
-/// radius smaller by a thousand margins, so the ball may sink in that far, still negligible; else
-/// it would advance by one margin a step. No gain for a ball that is deeper already.
+/// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it. With its true
+/// radius it would advance by one margin a step. So the radius is reduced by a thousand margins:
+/// the ball may sink in by that negligible depth. A ball that is already deeper gains nothing.
 template <class S, class M>
 double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant& now,
                          const TouchTolerance& ball) {

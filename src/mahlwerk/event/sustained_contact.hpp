@@ -30,7 +30,8 @@ inline ContactState operator*(double s, const ContactState& a) {
 /// (evt.17).
 enum class FrictionState { rolling, sliding, creeping };
 
-/// The one to three faces that support a ball, and the friction state: creeping on several faces.
+/// The one to three faces that support a ball, and the friction state: creeping on several faces,
+/// and on the last of them until the others are clear.
 struct SupportFaces {
   static constexpr std::size_t max_count = 3;
   std::size_t count = 0;
@@ -106,17 +107,17 @@ class SustainedContact {
                                                     const ContactState& y,
                                                     ContactForces& forces) const {
     const kinematics::FrameMotion frame = jar_->motion().frame_motion(t);
-    const Vec3 field = jar_->gravity() - frame.acceleration;  // (evt.1)
+    const Vec3 body_acceleration = jar_->gravity() - frame.acceleration;  // (evt.1)
     return support.friction_state == FrictionState::creeping
-               ? in_edge(support, t, y, frame.velocity, field, forces)
-               : on_face(support, t, y, frame.velocity, field, forces);
+               ? in_edge(support, t, y, frame.velocity, body_acceleration, forces)
+               : on_face(support, t, y, frame.velocity, body_acceleration, forces);
   }
 
   /// Normal force of the wall per mass [m/s2], < 0 if the ball leaves (evt.12).
   double normal_acceleration(int face, double t, const Vec3& position, const Vec3& velocity) const {
     const auto constraint = jar_->wall_constraint(face, {position, velocity}, t);
-    const Vec3 field = jar_->gravity() - jar_->motion().frame_motion(t).acceleration;
-    return constraint.inward_acceleration - dot(field, constraint.inward);
+    const Vec3 body_acceleration = jar_->gravity() - jar_->motion().frame_motion(t).acceleration;
+    return constraint.inward_acceleration - dot(body_acceleration, constraint.inward);
   }
 
   /// Slip of the touching surfaces [m/s].
@@ -134,7 +135,7 @@ class SustainedContact {
       y.position -= wall.gap * wall.inward;
       y.velocity -= dot(y.velocity - wall.velocity, wall.inward) * wall.inward;
     }
-    if (support.friction_state == FrictionState::rolling && rules_.lasting_friction > 0) {
+    if (support.friction_state == FrictionState::rolling && rules_.sustained_friction > 0) {
       const Wall wall = jar_->wall(support.face[0], y.position, t, ball_.radius);
       const Vec3 u = y.velocity - wall.velocity;
       // R w x n = u has the solution w = n x u / R across n; the spin about n is free.
@@ -170,8 +171,8 @@ class SustainedContact {
     return slip / std::sqrt(squared(slip) + slow * slow);
   }
 
-  /// Rolling resistance of type A, torque over mass [m2/s2]; regularised where the ball hardly
-  /// turns (evt.16).
+  /// Rolling resistance by a constant directional torque (type A), torque over mass [m2/s2];
+  /// regularised where the ball hardly turns (evt.16).
   Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
     constexpr double spin_regularisation = 0.1;  // [rad/s]
     const Vec3 w = tangential_part(turning, inward);
@@ -180,13 +181,14 @@ class SustainedContact {
   }
 
   ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
-                       const Vec3& centre_velocity, const Vec3& field,
+                       const Vec3& centre_velocity, const Vec3& body_acceleration,
                        ContactForces& forces) const {
     const double r = ball_.radius;
     const auto constraint = jar_->wall_constraint(support.face[0], {y.position, y.velocity}, t);
     const Vec3 n = constraint.inward, w = jar_->motion().spin(t), point = y.position - r * n;
     const Vec3 wall = cross(w, point);
-    const double normal_force = constraint.inward_acceleration - dot(field, n);  // (evt.12)
+    const double normal_force =
+        constraint.inward_acceleration - dot(body_acceleration, n);  // (evt.12)
     const Vec3 slip = tangential_part(y.velocity - wall - r * cross(y.spin, n), n);
     const Vec3 torque = rolling_torque(y.spin - w, n, normal_force);
 
@@ -195,16 +197,17 @@ class SustainedContact {
                            cross(w, y.velocity - r * constraint.inward_rate);
     const Vec3 sticking_friction =
         2.0 / 7.0 *
-        tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) - field +
+        tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) - body_acceleration +
                             2.5 / r * cross(torque, n),
                         n);
     Vec3 friction = sticking_friction;
     if (support.friction_state == FrictionState::sliding)  // (evt.14)
-      friction = -(rules_.lasting_friction * std::max(normal_force, 0.0)) *
+      friction = -(rules_.sustained_friction * std::max(normal_force, 0.0)) *
                  along(slip, slip_regularisation);
     forces = {{normal_force}, sticking_friction, friction, slip};
     const Vec3 wall_force = normal_force * n + friction;  // per mass
-    return {y.velocity, field + wall_force, 2.5 / (r * r) * (torque - r * cross(n, friction)),
+    return {y.velocity, body_acceleration + wall_force,
+            2.5 / (r * r) * (torque - r * cross(n, friction)),
             ball_.mass * (dot(wall_force, centre_velocity + wall) + dot(torque, w)),
             -ball_.mass * (dot(friction, slip) + dot(torque, y.spin - w))};
   }
@@ -213,11 +216,11 @@ class SustainedContact {
   /// normal force, and one equation, no acceleration relative to the face along its normal.
   /// Friction is viscous below the creeping speed (evt.17).
   ContactState in_edge(const SupportFaces& support, double t, const ContactState& y,
-                       const Vec3& centre_velocity, const Vec3& field,
+                       const Vec3& centre_velocity, const Vec3& body_acceleration,
                        ContactForces& forces) const {
     constexpr double creeping_speed = 1e-3;  // [m/s] below it friction is viscous
     constexpr double max_friction = 0.7;     // above it normal forces are not unique (evt.23)
-    const double r = ball_.radius, mu = std::min(rules_.lasting_friction, max_friction);
+    const double r = ball_.radius, mu = std::min(rules_.sustained_friction, max_friction);
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, SupportFaces::max_count> n, wall, slip,
         friction_ratio;  // friction per normal force
@@ -226,7 +229,7 @@ class SustainedContact {
     for (std::size_t i = 0; i < support.count; ++i) {
       const auto constraint = jar_->wall_constraint(support.face[i], {y.position, y.velocity}, t);
       n[i] = constraint.inward;
-      p.rhs[i] = constraint.inward_acceleration - dot(field, n[i]);
+      p.rhs[i] = constraint.inward_acceleration - dot(body_acceleration, n[i]);
       wall[i] = cross(w, y.position - r * n[i]);
       slip[i] = tangential_part(y.velocity - wall[i] - r * cross(y.spin, n[i]), n[i]);
       friction_ratio[i] = -mu * along(slip[i], creeping_speed);
@@ -236,7 +239,7 @@ class SustainedContact {
         p.matrix[i][j] = i == j ? 1 : dot(n[i], n[j] + friction_ratio[j]);
     forces.normal_force = p.solve();
     forces.slip = slip[0];
-    ContactState d{y.velocity, field, {}, 0, 0};
+    ContactState d{y.velocity, body_acceleration, {}, 0, 0};
     for (std::size_t i = 0; i < support.count; ++i) {
       const double normal_force = forces.normal_force[i];
       const Vec3 friction = std::max(normal_force, 0.0) * friction_ratio[i];

@@ -22,31 +22,34 @@ struct IntegrationStep {
 template <class Rate>
 IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactState& y,
                                     const ContactState& first, double h, double radius) {
-  const ContactState& a = first;
+  const ContactState& k1 = first;
   ContactForces forces;
-  const ContactState b = rate(t + h / 5, y + h / 5 * a, forces);
-  const ContactState c = rate(t + 3 * h / 10, y + h * (3.0 / 40 * a + 9.0 / 40 * b), forces);
-  const ContactState d =
-      rate(t + 4 * h / 5, y + h * (44.0 / 45 * a + -56.0 / 15 * b + 32.0 / 9 * c), forces);
-  const ContactState e = rate(
-      t + 8 * h / 9,
-      y + h * (19372.0 / 6561 * a + -25360.0 / 2187 * b + 64448.0 / 6561 * c + -212.0 / 729 * d),
-      forces);
-  const ContactState f = rate(t + h,
-                              y + h * (9017.0 / 3168 * a + -355.0 / 33 * b + 46732.0 / 5247 * c +
-                                       49.0 / 176 * d + -5103.0 / 18656 * e),
-                              forces);
-  const ContactState end = y + h * (35.0 / 384 * a + 500.0 / 1113 * c + 125.0 / 192 * d +
-                                    -2187.0 / 6784 * e + 11.0 / 84 * f);
-  const ContactState last = rate(t + h, end, forces);
-  const ContactState wrong = h * (71.0 / 57600 * a + -71.0 / 16695 * c + 71.0 / 1920 * d +
-                                  -17253.0 / 339200 * e + 22.0 / 525 * f + -1.0 / 40 * last);
-  constexpr double relative = 1e-8;
+  const ContactState k2 = rate(t + h / 5, y + h / 5 * k1, forces);
+  const ContactState k3 = rate(t + 3 * h / 10, y + h * (3.0 / 40 * k1 + 9.0 / 40 * k2), forces);
+  const ContactState k4 =
+      rate(t + 4 * h / 5, y + h * (44.0 / 45 * k1 + -56.0 / 15 * k2 + 32.0 / 9 * k3), forces);
+  const ContactState k5 = rate(t + 8 * h / 9,
+                               y + h * (19372.0 / 6561 * k1 + -25360.0 / 2187 * k2 +
+                                        64448.0 / 6561 * k3 + -212.0 / 729 * k4),
+                               forces);
+  const ContactState k6 =
+      rate(t + h,
+           y + h * (9017.0 / 3168 * k1 + -355.0 / 33 * k2 + 46732.0 / 5247 * k3 + 49.0 / 176 * k4 +
+                    -5103.0 / 18656 * k5),
+           forces);
+  const ContactState end = y + h * (35.0 / 384 * k1 + 500.0 / 1113 * k3 + 125.0 / 192 * k4 +
+                                    -2187.0 / 6784 * k5 + 11.0 / 84 * k6);
+  const ContactState k7 = rate(t + h, end, forces);
+  const ContactState error_estimate =
+      h * (71.0 / 57600 * k1 + -71.0 / 16695 * k3 + 71.0 / 1920 * k4 + -17253.0 / 339200 * k5 +
+           22.0 / 525 * k6 + -1.0 / 40 * k7);
+  constexpr double relative_tolerance = 1e-8;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
-  const double error = std::max({norm(wrong.position) / (relative * radius),
-                                 norm(wrong.velocity) / (relative * speed),
-                                 radius * norm(wrong.spin) / (relative * speed)});
-  return {end, last, forces, error};
+  const double error =
+      std::max({norm(error_estimate.position) / (relative_tolerance * radius),
+                norm(error_estimate.velocity) / (relative_tolerance * speed),
+                radius * norm(error_estimate.spin) / (relative_tolerance * speed)});
+  return {end, k7, forces, error};
 }
 
 /// Integrates the motion of a ball in sustained contact with the wall.
@@ -63,13 +66,13 @@ class SustainedContactIntegrator {
   /// slides, depending on its slip.
   void begin(SupportFaces support, double t, const ContactState& y) {
     support_ = support;
-    now_ = y;
+    state_ = y;
     step_ = 1e-5;
     rate_known_ = false;
     if (support_.count == 1) choose_friction_state(t);
   }
 
-  /// Takes one step from `t` [s] and sets `t` to its end. `now()` is the state after the step.
+  /// Takes one step from `t` [s] and sets `t` to its end. `state()` is the state after the step.
   /// Returns whether the ball is still in contact, was released by the wall, or touched another
   /// face fast enough to bounce.
   Status advance(double& t) {
@@ -78,64 +81,66 @@ class SustainedContactIntegrator {
     };
     if (support_.count == 1 && support_.friction_state == FrictionState::creeping &&
         clear_of_others(t))
-      begin(support_, t, now_);
-    if (!rate_known_) rate_ = rate(t, now_, forces_);
+      begin(support_, t, state_);
+    if (!rate_known_) rate_ = rate(t, state_, forces_);
     if (support_.friction_state != FrictionState::creeping && update_friction_state(t))
-      rate_ = rate(t, now_, forces_);
+      rate_ = rate(t, state_, forces_);
     if (release_pulling_faces(t)) return Status::released;
 
-    const double crease = time_to_curvature_jump(t);
-    const double wanted = std::min({step_, slide_limit(), safe_time_of_others(t), crease});
+    const double curvature_jump_time = time_to_curvature_jump(t);
+    const double wanted =
+        std::min({step_, slide_limit(), safe_time_of_others(t), curvature_jump_time});
     double h = wanted;
-    IntegrationStep s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+    IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
     while (!(s.error <= 1)) {
       h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
-      s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
     }
     // A step shortened for other reasons says nothing about the error.
     if (h < wanted || wanted == step_)
       step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (leaves_wall(t + h, s)) {
       h = bisect_release_time(rate, t, h);
-      s = dormand_prince_step(rate, t, now_, rate_, h, ball_.radius);
+      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
     }
     t += h;
-    now_ = s.end;
+    state_ = s.end;
     rate_ = s.rate;
     forces_ = s.forces;
-    rate_known_ = h < crease;  // beyond it the derivative differs
-    contact_.project_onto_wall(support_, t, now_);
-    return bounces_off_other(t) ? Status::touched : Status::in_contact;
+    rate_known_ = h < curvature_jump_time;  // beyond it the derivative differs
+    contact_.project_onto_wall(support_, t, state_);
+    return resolve_other_touches(t) ? Status::touched : Status::in_contact;
   }
 
   void serialize(Archive& archive) {
-    archive(support_)(now_)(rate_)(forces_)(rate_known_)(step_);
+    archive(support_)(state_)(rate_)(forces_)(rate_known_)(step_);
     if (support_.count > SupportFaces::max_count) throw Archive::broken();
   }
 
-  const ContactState& now() const { return now_; }
-  ContactState& now() { return now_; }
+  const ContactState& state() const { return state_; }
+  ContactState& state() { return state_; }
   const SupportFaces& support() const { return support_; }
   const SustainedContact<J>& contact() const { return contact_; }
 
  private:
-  static constexpr double sticking_speed = 1e-4;      // [m/s] a slower slip may come to rest
-  static constexpr double insignificant_time = 3e-5;  // [s] no mill's field changes much in it
+  static constexpr double sticking_speed = 1e-4;  // [m/s] a slower slip may come to rest
+  static constexpr double insignificant_time =
+      3e-5;  // [s] the body acceleration of no mill changes much in it
 
   void choose_friction_state(double t) {
-    const double mu = rules_.lasting_friction;
-    const bool slips = norm(contact_.slip(support_.face[0], t, now_)) > sticking_speed;
+    const double mu = rules_.sustained_friction;
+    const bool slips = norm(contact_.slip(support_.face[0], t, state_)) > sticking_speed;
     support_.friction_state =
         mu == 0 || (slips && std::isfinite(mu)) ? FrictionState::sliding : FrictionState::rolling;
     if (support_.friction_state == FrictionState::rolling)
-      contact_.stick(support_.face[0], t, now_);
-    contact_.project_onto_wall(support_, t, now_);
+      contact_.stick(support_.face[0], t, state_);
+    contact_.project_onto_wall(support_, t, state_);
   }
 
   /// A rolling ball that needs more friction than the Coulomb limit begins to slide. A sliding ball
   /// whose slip has come to rest begins to roll. Returns whether the state changed.
   bool update_friction_state(double t) {
-    const double mu = rules_.lasting_friction;
+    const double mu = rules_.sustained_friction;
     if (mu == 0 || std::isinf(mu)) return false;
     const double most = mu * std::max(forces_.normal_force[0], 0.0),
                  needed = norm(forces_.sticking_friction);
@@ -146,8 +151,8 @@ class SustainedContactIntegrator {
     if (support_.friction_state == FrictionState::sliding && needed <= most &&
         norm(forces_.slip) <= sticking_speed) {
       support_.friction_state = FrictionState::rolling;
-      contact_.stick(support_.face[0], t, now_);
-      contact_.project_onto_wall(support_, t, now_);
+      contact_.stick(support_.face[0], t, state_);
+      contact_.project_onto_wall(support_, t, state_);
       return true;
     }
     return false;
@@ -171,17 +176,17 @@ class SustainedContactIntegrator {
     double earliest = geometry::never;
     for (std::size_t i = 0; i < support_.count; ++i) {
       const int face = support_.face[i];
-      double time = jar_->time_to_curvature_jump(face, {now_.position, now_.velocity}, t);
+      double time = jar_->time_to_curvature_jump(face, {state_.position, state_.velocity}, t);
       if (time < step_)  // again with the mean velocity on the way
         time = jar_->time_to_curvature_jump(
-            face, {now_.position, now_.velocity + 0.5 * time * rate_.velocity}, t);
+            face, {state_.position, state_.velocity + 0.5 * time * rate_.velocity}, t);
       earliest = std::min(earliest, time > short_way ? 0.9 * time : time + min_step());
     }
     return std::max(earliest, min_step());
   }
 
   double min_step() const {
-    return tolerance_.min_step(norm(now_.velocity) + jar_->max_wall_speed());
+    return tolerance_.min_step(norm(state_.velocity) + jar_->max_wall_speed());
   }
 
   /// Calls `visit(face)` for every face that the ball could touch but does not rest on.
@@ -197,38 +202,38 @@ class SustainedContactIntegrator {
   double safe_time_of_others(double t) const {
     double clear = geometry::never;
     for_each_other([&](int face) {
-      double time = std::max(safe_time(face, t, now_).time, min_step());
+      double time = std::max(safe_time(face, t, state_).time, min_step());
       if (time < insignificant_time) time = std::max(time, slow_approach_time(face, t));
       clear = std::min(clear, time);
     });
     return clear;
   }
 
-  /// Time [s] in which the ball gains less than `lasting_speed` towards a face at twice its present
-  /// acceleration relative to the face.
+  /// Time [s] in which the ball gains less than `sustained_speed` towards a face at twice its
+  /// present acceleration relative to the face, at most insignificant_time.
   double slow_approach_time(int face, double t) const {
-    const auto constraint = jar_->wall_constraint(face, {now_.position, now_.velocity}, t);
+    const auto constraint = jar_->wall_constraint(face, {state_.position, state_.velocity}, t);
     const double relative_acceleration =
         std::abs(dot(rate_.velocity, constraint.inward) - constraint.inward_acceleration);
-    return rules_.lasting_speed /
-           (2 * relative_acceleration + rules_.lasting_speed / insignificant_time);
+    return rules_.sustained_speed /
+           (2 * relative_acceleration + rules_.sustained_speed / insignificant_time);
   }
 
   /// Whether the ball is so far from all other faces that it no longer has to creep.
   bool clear_of_others(double t) const {
     bool apart = true;
     for_each_other(
-        [&](int face) { apart = apart && safe_time(face, t, now_).gap > 1e-3 * ball_.radius; });
+        [&](int face) { apart = apart && safe_time(face, t, state_).gap > 1e-3 * ball_.radius; });
     return apart;
   }
 
   /// Whether another face is touched fast enough to bounce. A face that is touched more slowly
   /// joins the support. It is released again as soon as its normal force turns out to be negative.
-  bool bounces_off_other(double t) {
+  bool resolve_other_touches(double t) {
     bool bounces = false;
     for_each_other([&](int face) {
-      const geometry::SafeTime safe = safe_time(face, t, now_);
-      if (safe.gap <= 2 * tolerance_.margin && safe.closing > 0 && !joins_support(face, t))
+      const geometry::SafeTime safe = safe_time(face, t, state_);
+      if (safe.gap <= 2 * tolerance_.margin && safe.closing > 0 && !try_join_support(face, t))
         bounces = true;
     });
     return bounces;
@@ -236,17 +241,18 @@ class SustainedContactIntegrator {
 
   /// Adds a touched face to the support if the ball approaches it slowly; the remaining normal
   /// speed is lost. Returns whether the face joined.
-  bool joins_support(int face, double t) {
-    const Wall wall = jar_->wall(face, now_.position, t, ball_.radius);
-    const double closing = dot(wall.velocity - now_.velocity, wall.inward);
-    if (closing >= rules_.lasting_speed || support_.count == SupportFaces::max_count) return false;
+  bool try_join_support(int face, double t) {
+    const Wall wall = jar_->wall(face, state_.position, t, ball_.radius);
+    const double closing = dot(wall.velocity - state_.velocity, wall.inward);
+    if (closing >= rules_.sustained_speed || support_.count == SupportFaces::max_count)
+      return false;
     const Vec3 change = closing * wall.inward;
-    const double before = contact_.energy(t, now_);
+    const double before = contact_.energy(t, state_);
     const double work =
         ball_.mass * dot(change, jar_->motion().frame_motion(t).velocity + wall.velocity);
-    now_.velocity += change;
-    now_.work += work;
-    now_.lost += before + work - contact_.energy(t, now_);
+    state_.velocity += change;
+    state_.work += work;
+    state_.lost += before + work - contact_.energy(t, state_);
     support_.add(face);
     rate_known_ = false;
     return true;
@@ -261,7 +267,7 @@ class SustainedContactIntegrator {
     while (forces_.pulls(support_)) {
       if (support_.count == 1) return true;
       support_.remove(forces_.least(support_));
-      rate_ = contact_.rate(support_, t, now_, forces_);
+      rate_ = contact_.rate(support_, t, state_, forces_);
     }
     return false;
   }
@@ -283,7 +289,7 @@ class SustainedContactIntegrator {
     double holds = 0, leaves = h;
     for (int i = 0; i < 60 && leaves - holds > min_step(); ++i) {
       const double middle = 0.5 * (holds + leaves);
-      const IntegrationStep s = dormand_prince_step(rate, t, now_, rate_, middle, ball_.radius);
+      const IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, middle, ball_.radius);
       (leaves_wall(t + middle, s) ? leaves : holds) = middle;
     }
     return leaves;
@@ -295,7 +301,7 @@ class SustainedContactIntegrator {
   Rules rules_;
   TouchTolerance tolerance_;
   SupportFaces support_;
-  ContactState now_;
+  ContactState state_;
   ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
   ContactForces forces_;
   bool rate_known_ = false;

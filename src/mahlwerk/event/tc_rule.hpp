@@ -18,54 +18,58 @@ struct TcRule {
   double friction = 0;      ///< Coulomb's mu where the pair's rule has no limit
 
   /// Two bodies that collide.
-  struct Approach {
-    double mass, normal, slip;  ///< [kg] effective, [m/s] u_n > 0 and |u_t|
-    double since;               ///< [s] since the last collision of either body
-    double field;               ///< [m/s2] a, the largest that presses the two together
-    double stored = 0;          ///< [J] by both bodies together
+  struct CollisionInput {
+    double mass, approach, slip;   ///< [kg] effective, [m/s] u_n > 0 and |u_t|
+    double since;                  ///< [s] since the last collision of either body
+    double pressing_acceleration;  ///< [m/s2] a, largest acceleration that presses the two together
+    double stored = 0;             ///< [J] by both bodies together
   };
   struct Result {
     contact::Impulse impulse;
     contact::Loss loss;
-    double drawn = 0;     ///< [J] taken from the store; the loss is less by it
-    double kept = 0;      ///< [J] change of the stored energy (StoredEnergy::update)
-    double withheld = 0;  ///< [J] that the pair's restitution would have dissipated, too
-    bool raised = false;  ///< more elastic than the pair's restitution
+    double drawn = 0;          ///< [J] taken from the store; the loss is less by it
+    double stored_change = 0;  ///< [J] change of the stored energy (StoredEnergy::update)
+    double withheld = 0;       ///< [J] that the pair's restitution would have dissipated, too
+    bool raised = false;       ///< more elastic than the pair's restitution
   };
 
   /// Lower limit of the rebound speed [m/s], not reached if energy is lacking (man.4). It falls
   /// linearly from 10 a t_c right after a collision to 0.5 a t_c after t_c. `since` [s] is the time
-  /// since the last collision of either body, `field` [m/s2] is a, as in Approach.
-  double slowest_rebound(double since, double field) const {
+  /// since the last collision of either body, `pressing_acceleration` [m/s2] is a, as in
+  /// CollisionInput.
+  double min_rebound_speed(double since, double pressing_acceleration) const {
     constexpr double alone = 0.5, crowded = 10;
     const double crowding = std::max(0.0, 1 - since / contact_time);
-    return (alone + (crowded - alone) * crowding) * field * contact_time;
+    return (alone + (crowded - alone) * crowding) * pressing_acceleration * contact_time;
   }
   /// Energy that a body of `mass` [kg] stores at most [J].
-  double storage_capacity(double mass, double field) const {
-    const double speed = slowest_rebound(0, field);
+  double storage_capacity(double mass, double pressing_acceleration) const {
+    const double speed = min_rebound_speed(0, pressing_acceleration);
     return 0.5 * mass * speed * speed;
   }
 
-  Result collide(const contact::BounceRule& rule, const Approach& in) const {
-    const double slowest = slowest_rebound(in.since, in.field), u = in.normal;
+  Result collide(const contact::BounceRule& rule, const CollisionInput& in) const {
+    const double min_rebound = min_rebound_speed(in.since, in.pressing_acceleration),
+                 u = in.approach;
     const double e = rule.restitution.at(u);
     const double withheld = 0.5 * in.mass * u * u * (1 - e * e);
-    if (u >= slowest) {
-      const double raised = std::max(e, slowest / u);
-      Result result = bounce(rule, in, raised);
+    if (u >= min_rebound) {
+      const double restitution = std::max(e, min_rebound / u);
+      Result result = bounce(rule, in, restitution);
       result.withheld = withheld - result.loss.normal;
-      result.raised = raised > e;
+      result.raised = restitution > e;
       return result;
     }
     const double mu = rule.tangential_restitution == 1 ? 0  // smooth (evt.15)
                       : std::isfinite(rule.friction)   ? rule.friction
                                                        : friction;
-    const double wanted = slowest / u;
-    const double paid = std::max(1.0, std::min(wanted, neutral_restitution(mu, u, in.slip)));
-    Result result = bounce({1, -1, mu}, in, paid);
-    const double enough = 0.5 * slowest;  // `slowest` itself would agitate beds too much
-    if (paid * u < enough && in.stored > 0) draw(result, in, paid * u, enough);
+    const double wanted_restitution = min_rebound / u;
+    const double affordable_restitution =
+        std::max(1.0, std::min(wanted_restitution, neutral_restitution(mu, u, in.slip)));
+    Result result = bounce({1, -1, mu}, in, affordable_restitution);
+    const double enough = 0.5 * min_rebound;  // `min_rebound` itself would agitate beds too much
+    if (affordable_restitution * u < enough && in.stored > 0)
+      draw(result, in, affordable_restitution * u, enough);
     result.withheld = withheld;
     result.raised = true;
     return result;
@@ -81,18 +85,19 @@ struct TcRule {
 
   /// Raises the rebound from `speed` towards `enough` [m/s] with stored energy. The tangential
   /// impulse is unchanged.
-  static void draw(Result& result, const Approach& in, double speed, double enough) {
+  static void draw(Result& result, const CollisionInput& in, double speed, double enough) {
     const double half = 0.5 * in.mass;
     const double drawn = std::min(in.stored, half * (enough * enough - speed * speed));
     const double rebound = std::sqrt(speed * speed + drawn / half);
-    result.impulse.normal = in.mass * (in.normal + rebound);
+    result.impulse.normal = in.mass * (in.approach + rebound);
     result.loss.normal -= drawn;
     result.drawn = drawn;
   }
 
-  static Result bounce(const contact::BounceRule& rule, const Approach& in, double restitution) {
-    const contact::Impulse j = contact::bounce(rule, in.mass, in.normal, in.slip, restitution);
-    return {j, contact::loss(j, in.mass, in.normal, in.slip)};
+  static Result bounce(const contact::BounceRule& rule, const CollisionInput& in,
+                       double restitution) {
+    const contact::Impulse j = contact::bounce(rule, in.mass, in.approach, in.slip, restitution);
+    return {j, contact::loss(j, in.mass, in.approach, in.slip)};
   }
 };
 
@@ -100,9 +105,9 @@ struct TcRule {
 /// bodies may be the wall, which stores nothing. Sustained contacts draw on this energy (man.6).
 class StoredEnergy {
  public:
-  StoredEnergy(double& one, double room) : one_(&one), one_room_(room) {}
-  StoredEnergy(double& one, double room, double& other, double other_room)
-      : one_(&one), other_(&other), one_room_(room), other_room_(other_room) {}
+  StoredEnergy(double& one, double capacity) : one_(&one), one_capacity_(capacity) {}
+  StoredEnergy(double& one, double capacity, double& other, double other_capacity)
+      : one_(&one), other_(&other), one_capacity_(capacity), other_capacity_(other_capacity) {}
 
   double sum() const { return *one_ + (other_ != nullptr ? *other_ : 0.0); }
   /// Withdraws the drawn energy, or stores the loss as far as the capacity allows. Afterwards the
@@ -120,7 +125,7 @@ class StoredEnergy {
       loss.normal *= left;
       loss.tangential *= left;
     }
-    collision.kept = sum() - before;
+    collision.stored_change = sum() - before;
   }
 
  private:
@@ -131,15 +136,15 @@ class StoredEnergy {
   }
   void put(double energy) {
     if (other_ == nullptr) {
-      *one_ = std::min(one_room_, *one_ + energy);
+      *one_ = std::min(one_capacity_, *one_ + energy);
       return;
     }
-    *one_ = std::min(one_room_, *one_ + 0.5 * energy);
-    *other_ = std::min(other_room_, *other_ + 0.5 * energy);
+    *one_ = std::min(one_capacity_, *one_ + 0.5 * energy);
+    *other_ = std::min(other_capacity_, *other_ + 0.5 * energy);
   }
 
   double *one_, *other_ = nullptr;
-  double one_room_, other_room_ = 0;
+  double one_capacity_, other_capacity_ = 0;
 };
 
 }  // namespace mahlwerk::event

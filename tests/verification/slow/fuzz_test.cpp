@@ -157,8 +157,8 @@ Case drawn(std::uint32_t n) {
   c.rules.bounce = {restitutions[static_cast<std::size_t>(of(random, 6))], random.uniform(-1, 1),
                     frictions[static_cast<std::size_t>(of(random, 5))]};
   c.one_ball = !periodic && c.balls.size() == 1 && random.uniform() < 0.5;
-  c.rules.lasting = c.one_ball && random.uniform() < 0.5 ? event::SustainedContactMode::roll
-                                                         : event::SustainedContactMode::tc;
+  c.rules.sustained_mode = c.one_ball && random.uniform() < 0.5 ? event::SustainedContactMode::roll
+                                                                : event::SustainedContactMode::tc;
   c.rules.rolling_friction = 0.01;
   // Time for a few passages across the jar, or for three turns of the jar.
   const kinematics::Bounds limits = kinematics::bounds(*c.chamber.motion);

@@ -80,7 +80,7 @@ void every_run_ends(const geometry::AnyShape& jar) {
     for (const Bounce& bounce : bounces()) {
       event::Rules rules;
       rules.bounce = bounce.rule;
-      rules.lasting_friction = bounce.lasting_friction;
+      rules.sustained_friction = bounce.lasting_friction;
       rules.rolling_friction = 0.01;
       const scene::Chamber chamber{
           jar, mill.motion, scene::mounted_along(mill.axis), {0, 0, -gravity}};

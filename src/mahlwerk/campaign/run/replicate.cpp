@@ -23,18 +23,18 @@ namespace mahlwerk::campaign {
 namespace {
 
 event::Rules rules(const cases::Contact& c) {
-  const auto lasting =
+  const auto sustained_mode =
       c.lasting == cases::SustainedContactModel::roll ? event::SustainedContactMode::roll
       : c.lasting == cases::SustainedContactModel::tc ? event::SustainedContactMode::tc
                                                       : event::SustainedContactMode::none;
-  return {
-      .bounce = c.rule,
-      .faces = {},
-      .lasting_friction = c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
-      .rolling_friction = c.rolling_friction,
-      .lasting = lasting,
-      .lasting_speed = c.lasting_speed,
-      .contact_time = c.contact_time};
+  return {.bounce = c.rule,
+          .faces = {},
+          .sustained_friction =
+              c.rule.tangential_restitution == 1 ? 0 : c.lasting_friction,  // (evt.15)
+          .rolling_friction = c.rolling_friction,
+          .sustained_mode = sustained_mode,
+          .sustained_speed = c.lasting_speed,
+          .contact_time = c.contact_time};
 }
 
 /// Differences between the start and the end of a window, as one row of the time series.
