@@ -151,7 +151,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<Grid> grids_;                // of each size class, while the lists are built
 
   double skin_ = 0;                // [m]
-  double largest_coordinate_ = 0;  // [m] largest absolute coordinate in list_positions_
+  double largest_coordinate_ = 0;  // [m] largest absolute coordinate in reference_positions_
   double used_skin_ = 0;           // [m] part of the skin used up at the last binning
   std::int64_t reference_step_ = 0, tests_at_rebin_ = 0, pairs_rebinned_ = 0;
   struct Tuning {
