@@ -11,14 +11,16 @@ RunError unstable_run_error(double time, std::size_t ball, const char* why, cons
   return RunError(fmt::format(
       "the run became unstable at {:.9g} s, at ball {}: {}. The ball's position relative to the "
       "jar's centre is ({:.4g}, {:.4g}, {:.4g}) m, its velocity ({:.4g}, {:.4g}, {:.4g}) m/s. Use "
-      "a shorter run.time_step or a stiffer contact",
+      "a shorter run.time_step, or a stiffer contact if balls are pressed through each other or "
+      "the wall",
       time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z));
 }
 
-InputError overlap_error(std::size_t ball, const std::string& with, double overlap) {
+InputError overlap_error(std::size_t ball, const std::string& with, double overlap,
+                         const char* length) {
   return InputError(Fault{"balls",
-                          fmt::format("ball {} overlaps {} by {:.2g} of its radius at the start",
-                                      ball + 1, with, overlap),
+                          fmt::format("ball {} overlaps {} by {:.2g} of {} at the start", ball + 1,
+                                      with, overlap, length),
                           "give positions at which no ball overlaps another ball or the jar",
                           "overlapping-balls"});
 }

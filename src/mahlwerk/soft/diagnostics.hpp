@@ -17,7 +17,8 @@ constexpr const char* energy_jump_message =
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
                             const Vec3& velocity);
 /// The error of an initial state in which `ball`, counted from 0, overlaps `with` by `overlap`
-/// times its radius.
-InputError overlap_error(std::size_t ball, const std::string& with, double overlap);
+/// times `length`, a phrase for the smaller radius of the two.
+InputError overlap_error(std::size_t ball, const std::string& with, double overlap,
+                         const char* length);
 
 }  // namespace mahlwerk::soft

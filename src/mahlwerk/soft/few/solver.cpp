@@ -76,14 +76,16 @@ void FewBodySolver::refuse_overlaps() const {
     const Vec3 x = particles_.position.get(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
-      if (overlap > settings_.max_initial_overlap) throw overlap_error(i, "the jar", overlap);
+      if (overlap > settings_.max_initial_overlap)
+        throw overlap_error(i, "the jar", overlap, "its radius");
       continue;
     }
     const auto j = static_cast<std::size_t>(c.j);
-    const double touch = radius + initial_balls_[j].radius;
-    const double overlap = (touch - norm(nearest(particles_.position.get(j) - x))) / radius;
+    const double other_radius = initial_balls_[j].radius;
+    const double overlap = (radius + other_radius - norm(nearest(particles_.position.get(j) - x))) /
+                           std::min(radius, other_radius);
     if (overlap > settings_.max_initial_overlap)
-      throw overlap_error(i, fmt::format("ball {}", j + 1), overlap);
+      throw overlap_error(i, fmt::format("ball {}", j + 1), overlap, "the smaller radius");
   }
 }
 

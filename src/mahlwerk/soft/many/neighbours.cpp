@@ -249,15 +249,16 @@ void ManyBodySolver::refuse_overlaps() const {
           const double gap = jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance;
           const double overlap = (a.radius - gap) / a.radius;
           if (overlap > settings_.max_initial_overlap)
-            throw overlap_error(ball, "the jar", overlap);
+            throw overlap_error(ball, "the jar", overlap, "its radius");
           continue;
         }
         const BallRecord& b = rows_[static_cast<std::size_t>(pair.other)];
         const double distance = norm(nearest(b.position() - a.position()));
         const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
         if (overlap > settings_.max_initial_overlap)
-          throw overlap_error(
-              ball, fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1), overlap);
+          throw overlap_error(ball,
+                              fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1),
+                              overlap, "the smaller radius");
       }
   }
 }
