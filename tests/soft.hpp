@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -114,7 +115,8 @@ inline Impact impact(std::vector<scene::Ball> balls, const contact::Pair& pair,
   found.energy_balance = engine->energy_balance();
   if (!recorder.all.empty()) found.record = recorder.all.front();
   found.restitution = -closing(found.after) / speed;
-  found.deepest = found.energy_balance.deepest_overlap * balls[0].radius;
+  found.deepest =
+      found.energy_balance.deepest_overlap * std::min(balls.front().radius, balls.back().radius);
   found.duration =
       found.energy_balance.time - apart / speed + gap(found.after) / closing(found.after);
   return found;

@@ -92,6 +92,29 @@ std::vector<World> worlds() {
   };
 }
 
+TEST(ManyBodySolver, states_overlaps_in_the_radius_of_the_smaller_ball_as_with_few_balls) {
+  const contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 1);
+  const scene::Ball large{0.01, 7850, {-0.011, 0, 0}, {1, 0, 0}, {}},
+      small{0.002, 7850, {0.002, 0, 0}, {}, {}};
+  const double expected = contact::hertz_overlap(touching(pair, {large, small}), 1) / small.radius;
+  for (const bool large_first : {true, false})
+    for (const std::size_t few : {std::size_t{0}, std::size_t{32}}) {
+      std::vector<scene::Ball> balls{large, small};
+      if (!large_first) std::swap(balls[0], balls[1]);
+      const auto engine =
+          soft::make_engine(still_box(0.1), balls, {of_law(HertzMindlin{}), 1e-7, false, few},
+                            contact::PairTable(1, geometry::faces(*still_box(0.1).shape), pair), 0);
+      Recorder recorder;
+      engine->advance(0.002, recorder);
+      // The errors of the integrator and of the sampling are of the order (pi dt/t_H)^2 = 1e-6; ten
+      // times that.
+      states(fmt::format("{} balls, {} first", few == 0 ? "many" : "few",
+                         large_first ? "large" : "small"),
+             engine->energy_balance().deepest_overlap, expected, 1e-5 * expected,
+             "Hertz, elastic (dem.8)");
+    }
+}
+
 TEST(ManyBodySolver, moves_as_few_balls_do) {
   // Same laws and same steps, but sums in another order: rounding errors grow with each collision.
   // The tolerance of positions follows from a third run whose start is displaced by 1e-13 m.

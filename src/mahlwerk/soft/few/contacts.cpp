@@ -89,7 +89,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
 void FewBodySolver::flush_work(PairPacket& p, int lane) {
   ContactWork& d = p.work;
   add_work(energy_balance_, d, lane);
-  const double radius = p.radius_i[lane];
+  const double radius = min_radius(p, lane);
   if (radius > 0)
     energy_balance_.deepest_overlap =
         std::max(energy_balance_.deepest_overlap, d.max_overlap[lane] / radius);

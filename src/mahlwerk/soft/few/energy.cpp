@@ -54,7 +54,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
       if (!p.used[static_cast<std::size_t>(l)]) continue;
       add_work(a, p.work, l);
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
-      a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / p.radius_i[l]);
+      a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / min_radius(p, l));
     }
   a.lost_normal -= kept.normal;  // stored, not dissipated
   a.lost_tangential -= kept.tangential;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "mahlwerk/base/lanes.hpp"
@@ -18,7 +19,7 @@ struct alignas(64) ContactWork {
   Lanes rolling{};      ///< [J] work done against rolling resistance
   Lanes sliding{};      ///< [J] part of `tangential`: sliding at the Coulomb limit
   Lanes wall{};         ///< [J] work done by the wall, in the laboratory frame
-  Lanes max_overlap{};  ///< [m] largest overlap; ChunkSums::work holds it over the radius [1]
+  Lanes max_overlap{};  ///< [m] largest overlap; ChunkSums::work holds it over min_radius() [1]
 };
 
 /// Onset of a contact: step and speeds of first touch.
@@ -32,7 +33,7 @@ struct ContactOnset {
 struct alignas(64) PairParameters {
   LaneMask wall{};               ///< where j is a wall point
   Lanes radius_i{}, radius_j{};  ///< [m] 0 for a wall point
-  Lanes inverse_radius{};        ///< [1/m] 1 / radius_i
+  Lanes inverse_radius{};        ///< [1/m] 1 / min_radius()
   Lanes overlap_share{};         ///< fraction of the overlap in i: 0.5, or 1 at a wall
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
@@ -44,6 +45,11 @@ struct alignas(64) PairParameters {
   Lanes inertia{};               ///< [kg m2] reduced moment of inertia
   Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
 };
+
+/// Radius [m] of the smaller ball; that of the ball at a wall. Overlaps are stated in it.
+inline double min_radius(const PairParameters& p, int lane) {
+  return p.wall[lane] != 0 ? p.radius_i[lane] : std::min(p.radius_i[lane], p.radius_j[lane]);
+}
 
 inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {
   return {a.x[lane], a.y[lane], a.z[lane]};
