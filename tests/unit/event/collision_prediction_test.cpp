@@ -148,7 +148,8 @@ TEST(Meetings, of_a_pair_are_those_of_the_plain_formula_with_more_digits) {
     const Wide off = std::abs(found.time - (s.me.time + expected.since_now));
     worst = max_or_nan(worst, off / (expected.tolerance + clock));
   }
-  std::printf("    %d of %d pairs meet, %d are undecided in double precision\n", met, pairs, unclear);
+  std::printf("    %d of %d pairs meet, %d are undecided in double precision\n", met, pairs,
+              unclear);
   EXPECT_GT(met, pairs / 3);
   EXPECT_LT(unclear, pairs / 10);
   EXPECT_EQ(wrong, 0) << "meeting or not";
