@@ -138,11 +138,12 @@ void ManyBalls::reorganise() {
 void ManyBalls::check_zeno() {
   // A ball at rest has some thirty events in t_c; deep in a bed, several times as many.
   constexpr std::int64_t many = 100'000, each = 2'000;
-  constexpr double soon = 1e-4;  // [s]
+  constexpr double min_span = 1e-4;  // [s]
   const std::int64_t events = events_ - zeno_first_event_;
   if (events < many + each * std::ssize(trajectories_)) return;
   const double within = mill_time() - zeno_since_;
-  if (within < soon) throw zeno_error(mill_time() - start_, within, events, rules_.sustained_mode);
+  if (within < min_span)
+    throw zeno_error(mill_time() - start_, within, events, rules_.sustained_mode);
   zeno_first_event_ = events_;
   zeno_since_ = mill_time();
 }

@@ -106,7 +106,7 @@ class ManyBalls final : public scene::Engine {
   }
   void add_contact_time(CollisionData& ball, bool slow);
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
-                             double work, double scale);
+                             double work, double before);
   void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
               const Vec3& point, double impulse, const contact::Loss& loss);
   double kinetic(std::int32_t ball, double t) const;

@@ -116,16 +116,14 @@ void ManyBalls::apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3
 }
 
 void ManyBalls::update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce,
-                                      double gained, double work, double scale) {
+                                      double gained, double work, double before) {
   const contact::Loss& loss = bounce.loss;
   reject_energy_gain(loss, touch.mass, touch.approach, touch.slip, mill_time() - start_);
   energy_balance_.elastic += bounce.stored_change;
   energy_balance_.lost_normal += loss.normal;
   energy_balance_.lost_tangential += loss.tangential;
   const double lost = loss.normal + loss.tangential + bounce.stored_change;
-  const double residual =
-      std::abs(gained - work + lost) / (scale + std::abs(work) + std::abs(lost) + 1e-300);
-  if (!(residual <= energy_balance_.worst_collision)) energy_balance_.worst_collision = residual;
+  check_balance(energy_balance_, gained, work, lost, before);
 }
 
 void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,

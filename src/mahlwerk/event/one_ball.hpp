@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -168,7 +167,8 @@ class OneBall final : public scene::Engine {
     const double before = kinetic(after.velocity + now_.frame.velocity);
     const double work = apply_impulse(impulse, wall, after);
     const double gained = kinetic(after.velocity + now_.frame.velocity) - before;
-    check_balance(gained, work, loss.normal + loss.tangential + stored_change, before);
+    check_balance(energy_balance_, gained, work, loss.normal + loss.tangential + stored_change,
+                  before);
 
     energy_balance_.wall_work += work;
     energy_balance_.lost_normal += loss.normal;
@@ -209,12 +209,6 @@ class OneBall final : public scene::Engine {
       if (approach >= rules_.threshold) ++energy_balance_.hits_within;
     }
     return {b.impulse, b.loss, b.stored_change};
-  }
-
-  void check_balance(double gained, double work, double lost, double scale) {
-    const double residual =
-        std::abs(gained - work + lost) / (scale + std::abs(work) + std::abs(lost) + 1e-300);
-    if (!(residual <= energy_balance_.worst_collision)) energy_balance_.worst_collision = residual;
   }
 
   void record(int face, const Wall& wall, const Vec3& n, double approach, double slip, double glide,

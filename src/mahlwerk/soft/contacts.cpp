@@ -16,7 +16,7 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   parameters.wall = LaneMask{} - (b == nullptr ? 1 : 0);
   parameters.radius_i = zero + a.radius;
   parameters.radius_j = zero + (b != nullptr ? b->radius : 0.0);
-  parameters.inverse_radius = zero + 1 / (b != nullptr ? std::min(a.radius, b->radius) : a.radius);
+  parameters.inverse_radius = zero + 1 / min_radius(parameters, 0);
   parameters.overlap_share = zero + (b != nullptr ? 0.5 : 1.0);
   parameters.pull_off_distance = zero + pair.pull_off_distance;
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)

@@ -95,7 +95,8 @@ std::vector<World> worlds() {
 TEST(ManyBodySolver, states_overlaps_in_the_radius_of_the_smaller_ball_as_with_few_balls) {
   const contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 1);
   const scene::Ball large{0.01, 7850, {-0.011, 0, 0}, {1, 0, 0}, {}},
-      small{0.002, 7850, {0.002, 0, 0}, {}, {}};
+      small{0.008, 7850, {0.008, 0, 0}, {}, {}};  // of one size class: one chunk has both
+  const scene::Chamber box = still_box(0.1);
   const double expected = contact::hertz_overlap(touching(pair, {large, small}), 1) / small.radius;
   for (const bool large_first : {true, false})
     for (const std::size_t few : {std::size_t{0}, std::size_t{32}}) {
@@ -106,8 +107,8 @@ TEST(ManyBodySolver, states_overlaps_in_the_radius_of_the_smaller_ball_as_with_f
         for (scene::Ball& b : balls) b.position = -b.position, b.velocity = -b.velocity;
       }
       const auto engine =
-          soft::make_engine(still_box(0.1), balls, {of_law(HertzMindlin{}), 1e-7, false, few},
-                            contact::PairTable(1, geometry::faces(*still_box(0.1).shape), pair), 0);
+          soft::make_engine(box, balls, {of_law(HertzMindlin{}), 1e-7, false, few},
+                            contact::PairTable(1, geometry::faces(*box.shape), pair), 0);
       Recorder recorder;
       engine->advance(0.002, recorder);
       // The errors of the integrator and of the sampling are of the order (pi dt/t_H)^2 = 1e-6; ten
