@@ -11,6 +11,7 @@
 
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/isa.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -39,7 +40,7 @@ class CommandLine {
  public:
   explicit CommandLine(const std::vector<Command>& all) {
     app_.name("mahlwerk");
-    app_.set_version_flag("--version", "mahlwerk " + std::string(version()));
+    app_.set_version_flag("--version", fmt::format("mahlwerk {} ({})", version(), name_of(isa())));
     app_.require_subcommand(1);
     app_.footer(
         "Exit codes: 0 success, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 "

@@ -33,25 +33,25 @@ template <class V>
   return select(b < a, 0.5 * std::numbers::pi - angle, angle);
 }
 
-[[gnu::always_inline]] inline Lanes read(const Column<double>& c, std::size_t at) {
-  Lanes v;
-  std::memcpy(&v, c.values + at, sizeof v);
-  return v;
+template <class V>
+[[gnu::always_inline]] inline V read(const Column<double>& c, std::size_t at) {
+  return load<V>(c.values + at);
 }
 template <class T, class V>
 [[gnu::always_inline]] inline void write(Column<T>& c, std::size_t at, V v) {
-  static_assert(sizeof(V) == lanes * sizeof(T));
+  static_assert(sizeof(T) == sizeof(double));
   std::memcpy(c.values + at, &v, sizeof v);
 }
 
 /// LogHistogram::bin_of() of each lane.
-[[gnu::always_inline]] inline LaneMask bins_of(Lanes value) {
+template <class V>
+[[gnu::always_inline]] inline MaskOf<V> bins_of(V value) {
   using H = LogHistogram;
-  using Words = std::uint64_t __attribute__((vector_size(sizeof(Lanes))));
-  const Lanes none{};
+  using Words = typename RegisterOf<width_of<V>>::Words;
+  const V none{};
   const Words bits = (Words)min(max(value, none + H::least), none + H::most);
-  const Lanes m = (Lanes)((bits & 0xfffffffffffff) | 0x3ff0000000000000);  // 1 <= m < 2
-  const LaneMask octave = (LaneMask)(bits >> 52) - (1023 + H::lowest_octave);
+  const V m = (V)((bits & 0xfffffffffffff) | 0x3ff0000000000000);  // 1 <= m < 2
+  const MaskOf<V> octave = (MaskOf<V>)(bits >> 52) - (1023 + H::lowest_octave);
   return (octave << 2) + 3 + less(m, none + H::edges[1]) + less(m, none + H::edges[2]) +
          less(m, none + H::edges[3]);
 }
@@ -76,9 +76,10 @@ template <class V>
 }
 
 /// Converts small whole numbers to integers.
-[[gnu::always_inline]] inline LaneMask whole(Lanes a) {
+template <class V>
+[[gnu::always_inline]] inline MaskOf<V> whole(V a) {
   constexpr double shift = 0x1p52;
-  return (LaneMask)(a + shift) & ((std::int64_t{1} << 32) - 1);
+  return (MaskOf<V>)(a + shift) & ((std::int64_t{1} << 32) - 1);
 }
 
 /// Indices of WallGrid cells, as floating-point whole numbers.
@@ -121,33 +122,45 @@ void CollisionBatch::load(std::span<const scene::Collision> records, const WallG
     z.values[i] = c.where.z;
     axial.values[i] = c.normal.z;
   }
-  compute_derived(wall);
+  derive_(*this, wall);
 }
 
-MAHLWERK_CLONES void CollisionBatch::compute_derived(const WallGrid& wall) {
-  for (std::size_t i = 0; i < count; i += lanes) {
-    const Lanes half = 0.5 * read(mass, i), u = read(approach, i), v = read(slip, i);
-    const Lanes w = read(glide, i), n = u * u, t = v * v;
-    const Lanes normal = half * u * u, tangential = half * t, point = half * (n + t);
-    const Lanes centre = half * (n + w * w), ln = read(lost_normal, i),
-                lt = read(lost_tangential, i);
+struct CollisionBatch::Derive {
+  template <int width>
+  [[gnu::always_inline]] static void run(CollisionBatch& batch, const WallGrid& wall) {
+    batch.derive<Register<width>>(wall);
+  }
+};
+
+CollisionBatch::CollisionBatch()
+    : derive_(Multiversioned<Derive, void (*)(CollisionBatch&, const WallGrid&)>::best()) {}
+
+template <class V>
+[[gnu::always_inline]] inline void CollisionBatch::derive(const WallGrid& wall) {
+  for (std::size_t i = 0; i < count; i += width_of<V>) {
+    const V half = 0.5 * read<V>(mass, i), u = read<V>(approach, i), v = read<V>(slip, i);
+    const V w = read<V>(glide, i), n = u * u, t = v * v;
+    const V normal = half * u * u, tangential = half * t, point = half * (n + t);
+    const V centre = half * (n + w * w), ln = read<V>(lost_normal, i),
+            lt = read<V>(lost_tangential, i);
     write(energy_normal, i, normal);
     write(energy_tangential, i, tangential);
     write(energy_contact_point, i, point);
     write(energy_centre, i, centre);
     write(lost, i, ln + lt);
     write(angle, i, angle_between(v, u));
-    const Lanes grazing = 2.0 * u * v - 3.0 * n;
-    write(erosion, i, read(mass, i) * select(less(v, 3.0 * u), t * (1.0 / 3), grazing));
+    const V grazing = 2.0 * u * v - 3.0 * n;
+    write(erosion, i, read<V>(mass, i) * select<V>(less<V>(v, 3.0 * u), t * (1.0 / 3), grazing));
     write(bin_normal, i, bins_of(normal));
     write(bin_tangential, i, bins_of(tangential));
     write(bin_contact_point, i, bins_of(point));
     write(bin_centre, i, bins_of(centre));
-    write(bin_lost, i, bins_of(ln + lt));
+    write(bin_lost, i, bins_of<V>(ln + lt));
     write(bin_lost_normal, i, bins_of(ln));
     write(bin_lost_tangential, i, bins_of(lt));
     write(bin_approach, i, bins_of(u));
-    write(cell, i, whole(cells_of(wall, read(x, i), read(y, i), read(z, i), read(axial, i))));
+    write(cell, i,
+          whole(cells_of(wall, read<V>(x, i), read<V>(y, i), read<V>(z, i), read<V>(axial, i))));
   }
 }
 

@@ -27,10 +27,12 @@ struct alignas(64) Column {
   T operator[](std::size_t i) const { return values[i]; }
 };
 
-/// Collision records as a structure of arrays, and numbers derived from them by SIMD, eight at a
-/// time. This is most of the work of collision statistics.
+/// Collision records as a structure of arrays, and numbers derived from them by SIMD. This is most
+/// of the work of collision statistics.
 struct CollisionBatch {
   static constexpr std::size_t most = Column<double>::most;
+
+  CollisionBatch();
 
   std::size_t count = 0;
   Column<double> mass, approach, slip, glide, lost_normal, lost_tangential, duration;
@@ -49,7 +51,11 @@ struct CollisionBatch {
   void load(std::span<const scene::Collision> records, const WallGrid& wall);
 
  private:
-  void compute_derived(const WallGrid& wall);
+  struct Derive;
+  template <class V>
+  void derive(const WallGrid& wall);
+
+  void (*derive_)(CollisionBatch&, const WallGrid&);  // compiled for the instruction set
 };
 
 }  // namespace mahlwerk::observe

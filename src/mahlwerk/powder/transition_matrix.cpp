@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "mahlwerk/base/lanes.hpp"
 
@@ -11,8 +12,23 @@ namespace mahlwerk::powder {
 namespace {
 
 /// c += a_k b, element by element.
-MAHLWERK_CLONES void add_scaled(double* c, const double* a, double b, int count) {
-  for (int i = 0; i < count; ++i) c[i] += a[i] * b;
+struct AddScaled {
+  template <int width>
+  [[gnu::always_inline]] static void run(double* c, const double* a, double b, int count) {
+    using V = Register<width>;
+    int i = 0;
+    for (; i + width <= count; i += width) {
+      V sum, part;  // not aligned
+      std::memcpy(&sum, c + i, sizeof sum);
+      std::memcpy(&part, a + i, sizeof part);
+      sum += part * b;
+      std::memcpy(c + i, &sum, sizeof sum);
+    }
+    for (; i < count; ++i) c[i] += a[i] * b;
+  }
+};
+auto add_scaled() {
+  return Multiversioned<AddScaled, void (*)(double*, const double*, double, int)>::best();
 }
 
 /// Matrix P = 1 + A/q of uniformization, with q = `pace` [1/s] at least the largest total rate out
@@ -45,23 +61,25 @@ double uniformization_rate(const RateMatrix& rates) {
 Matrix product(const Matrix& a, const Matrix& b) {
   const int n = a.size;
   Matrix c(n, a.block);
+  const auto add = add_scaled();
   for (int j = 0; j < n; ++j)
     for (int k = b.first_row(j); k < n; ++k) {
       const double factor = b.at(k, j);
       if (factor == 0) continue;
       const int from = a.first_row(k);
-      add_scaled(c.column(j) + from, a.column(k) + from, factor, n - from);
+      add(c.column(j) + from, a.column(k) + from, factor, n - from);
     }
   return c;
 }
 
 std::vector<double> product(const Matrix& a, const std::vector<double>& x) {
   std::vector<double> y(x.size());
+  const auto add = add_scaled();
   for (int j = 0; j < a.size; ++j) {
     const double factor = x[static_cast<std::size_t>(j)];
     if (factor == 0) continue;
     const int from = a.first_row(j);
-    add_scaled(y.data() + from, a.column(j) + from, factor, a.size - from);
+    add(y.data() + from, a.column(j) + from, factor, a.size - from);
   }
   return y;
 }

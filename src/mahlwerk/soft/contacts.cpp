@@ -12,27 +12,27 @@ namespace mahlwerk::soft {
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
                                double time_step) {
   PairParameters parameters;
-  const Lanes zero{};
-  parameters.wall = LaneMask{} - (b == nullptr ? 1 : 0);
-  parameters.radius_i = zero + a.radius;
-  parameters.radius_j = zero + (b != nullptr ? b->radius : 0.0);
-  parameters.inverse_radius = zero + 1 / min_radius(parameters, 0);
-  parameters.overlap_share = zero + (b != nullptr ? 0.5 : 1.0);
-  parameters.pull_off_distance = zero + pair.pull_off_distance;
+  const std::int64_t wall = b == nullptr ? -1 : 0;
+  parameters.wall = {wall, wall, wall, wall, wall, wall, wall, wall};
+  parameters.radius_i = broadcast(a.radius);
+  parameters.radius_j = broadcast(b != nullptr ? b->radius : 0.0);
+  parameters.inverse_radius = broadcast(1 / min_radius(parameters, 0));
+  parameters.overlap_share = broadcast(b != nullptr ? 0.5 : 1.0);
+  parameters.pull_off_distance = broadcast(pair.pull_off_distance);
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
-    parameters.coefficients[n] = zero + pair.coefficients[n];
-  parameters.friction = zero + pair.effective.pair.friction;
+    parameters.coefficients[n] = broadcast(pair.coefficients[n]);
+  parameters.friction = broadcast(pair.effective.pair.friction);
   const double arm = pair.effective.pair.rolling_friction * pair.effective.radius;
-  parameters.rolling_coefficient = zero + arm;
-  parameters.rolling_stiffness_ratio = zero + 2.25 * arm * arm * pair.stiffness_ratio;
-  parameters.stiffness_correction = zero + pair.stiffness_correction(time_step);
+  parameters.rolling_coefficient = broadcast(arm);
+  parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
+  parameters.stiffness_correction = broadcast(pair.stiffness_correction(time_step));
   parameters.inertia =
-      zero + (b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
+      broadcast(b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return parameters;
 }
 
-void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
-                          const Vec3& position, double t, const SpeciesPair& pair,
+void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
+                          int face, const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::AnyLaw& law) {
   const auto [max_curvature, min_curvature] = jar.curvatures(face, position, t);
   const double ball_curvature = 1 / parameters.radius_i[lane];
@@ -51,18 +51,15 @@ void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall
   parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
 }
 
-ContactOnset contact_onset(std::int64_t step, const ContactGeometry& geometry,
-                           const PairMotion& motion, int lane) {
-  const Vec3 n = get_lane(geometry.n, lane),
-             relative_velocity = get_lane(motion.relative_velocity, lane);
+ContactOnset contact_onset(std::int64_t step, const OnsetSpeeds& speeds, std::size_t lane) {
   return {.step = step,
-          .approach = std::max(geometry.overlap_rate[lane], 0.0),
-          .slip = norm(get_lane(geometry.slip, lane)),
-          .glide = norm(relative_velocity - dot(relative_velocity, n) * n)};
+          .approach = std::max(speeds.approach[lane], 0.0),
+          .slip = speeds.slip[lane],
+          .glide = speeds.glide[lane]};
 }
 
 void begin_law_history(Lanes (&law_history)[contact::law_history_size],
-                       const PairParameters& parameters, int lane, double approach,
+                       const PairParameters& parameters, std::size_t lane, double approach,
                        const contact::AnyLaw& law) {
   double begun[contact::law_history_size] = {};
   std::visit([&](const auto& l) { l.begin(coefficients_of(parameters, lane), begun, approach); },
@@ -70,7 +67,7 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
   for (int i = 0; i < contact::law_history_size; ++i) law_history[i][lane] = begun[i];
 }
 
-void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int lane) {
+void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane) {
   energy_balance.lost_normal += work.normal[lane];
   energy_balance.lost_tangential += work.tangential[lane];
   energy_balance.lost_rolling += work.rolling[lane];
@@ -90,7 +87,6 @@ bool is_sustained(double duration, const ContactOnset& onset, const SpeciesPair&
 }
 
 StepConstants step_constants(const Settings& settings, const Vec3& periods) {
-  const Lanes zero{};
   return StepConstants{.dt = settings.time_step,
                        .inverse_dt = 1 / settings.time_step,
                        .jar_velocity = {},
@@ -98,7 +94,7 @@ StepConstants step_constants(const Settings& settings, const Vec3& periods) {
                        .rolling_damping = settings.model.rolling_damping,
                        .rescaled = settings.model.rescaled_unloading,
                        .periodic = is_periodic(periods),
-                       .periods = {zero + periods.x, zero + periods.y, zero + periods.z}};
+                       .periods = periods};
 }
 
 }  // namespace mahlwerk::soft

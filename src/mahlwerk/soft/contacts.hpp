@@ -18,20 +18,19 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
 
 /// Replaces the coefficients of a lane by those with R* from both principal curvatures of the face
 /// (dem.4), for a ball at `position` [m].
-void apply_wall_curvature(PairParameters& parameters, int lane, const MovingWall& jar, int face,
-                          const Vec3& position, double t, const SpeciesPair& pair,
+void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
+                          int face, const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::AnyLaw& law);
 
 /// The onset data of a contact that begins at `step`.
-ContactOnset contact_onset(std::int64_t step, const ContactGeometry& geometry,
-                           const PairMotion& motion, int lane);
+ContactOnset contact_onset(std::int64_t step, const OnsetSpeeds& speeds, std::size_t lane);
 /// Sets the law's history variables of a contact that begins; `approach` in m/s.
 void begin_law_history(Lanes (&law_history)[contact::law_history_size],
-                       const PairParameters& parameters, int lane, double approach,
+                       const PairParameters& parameters, std::size_t lane, double approach,
                        const contact::AnyLaw& law);
 
 /// Adds the work of a lane to the energy balance.
-void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, int lane);
+void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane);
 
 /// Whether a contact is a sustained one: its `duration` [s] exceeds five times the duration of a
 /// collision.

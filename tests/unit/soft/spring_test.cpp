@@ -13,11 +13,12 @@ namespace {
 using tests::states;
 using tests::stays_below;
 
-Vec<Lanes> alike(const Vec3& a) {
-  const Lanes none{};
-  return {none + a.x, none + a.y, none + a.z};
+using V = Register<2>;
+
+Vec<V> alike(const Vec3& a) {
+  return in_all_lanes<V>(a);
 }
-Vec3 first(const Vec<Lanes>& a) {
+Vec3 first(const Vec<V>& a) {
   return {a.x[0], a.y[0], a.z[0]};
 }
 Vec3 normal(double angle) {
@@ -33,7 +34,7 @@ Turned turned(double lean, double angle, int steps) {
   const auto at = [&](double a) {
     return Vec3{-std::cos(lean) * std::sin(a), std::cos(lean) * std::cos(a), std::sin(lean)};
   };
-  Vec<Lanes> spring = alike(at(0));
+  Vec<V> spring = alike(at(0));
   for (int k = 1; k <= steps; ++k)
     spring = rotate_to_tangent_plane(spring, alike(normal(angle * k / steps)));
   return {first(spring), at(angle)};

@@ -11,6 +11,7 @@
 #include <functional>
 #include <string>
 
+#include "isas.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/random.hpp"
@@ -220,11 +221,10 @@ TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_register
   EXPECT_GT(by_one.all.size(), 1000U);
   expect_same(by_one, by_three);
   expect_same(*one, *three);
-  for (const char* registers : {"avx2", "plain"}) {
-    SCOPED_TRACE(registers);
-    setenv("MAHLWERK_SIMD", registers, 1);
+  for (const Isa isa : tests::supported_isas()) {
+    SCOPED_TRACE(name_of(isa));
+    const tests::ChosenIsa chosen(isa);
     const auto narrow = crowd(w, 2);
-    unsetenv("MAHLWERK_SIMD");
     Recorder by_narrow;
     narrow->advance(0.006, by_narrow);
     expect_same(by_one, by_narrow);

@@ -130,7 +130,7 @@ double hurwitz(double x) {
 TEST(TimeStep, the_first_push_counts_as_the_sum_of_euler_and_maclaurin_says) {
   for (int i = 0; i <= 10; ++i) {
     const double since = 0.1 * i;
-    states(fmt::format("since {:.1f}", since), soft::fourth_root_weight(Lanes{} + since)[0],
+    states(fmt::format("since {:.1f}", since), soft::fourth_root_weight(Register<2>{} + since)[0],
            -hurwitz(since), 1.2e-4, "-zeta(-1/4, 1 + x)");
   }
 }

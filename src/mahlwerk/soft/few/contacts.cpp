@@ -10,15 +10,21 @@
 // Contacts that begin and end, and their collision records.
 namespace mahlwerk::soft {
 
-void FewBodySolver::begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& geometry,
-                          const PairMotion& motion) {
-  for (int l = 0; l < lanes; ++l)
-    if (begun[l] != 0) begin(p, l, geometry, motion);
-  p.touching |= begun;
+void FewBodySolver::begin(PairPacket& p, std::uint32_t begun) {
+  for (std::size_t l = 0; l < lanes; ++l)
+    if ((begun >> l & 1) != 0) begin_lane(p, l);
 }
-void FewBodySolver::end(PairPacket& p, const LaneMask& ended) {
-  for (int l = 0; l < lanes; ++l)
-    if (ended[l] != 0) end(p, l);
+void FewBodySolver::end(PairPacket& p, std::uint32_t ended) {
+  for (std::size_t l = 0; l < lanes; ++l)
+    if ((ended >> l & 1) != 0) end_lane(p, l);
+}
+
+void FewBodySolver::record_onset(PairPacket& p, std::uint32_t begun, const OnsetSpeeds& speeds) {
+  for (std::size_t l = 0; l < lanes; ++l) {
+    if ((begun >> l & 1) == 0) continue;
+    p.onset[l] = contact_onset(particles_.step, speeds, l);
+    begin_law_history(p.law_history, p, l, p.onset[l].approach, *settings_.model.law);
+  }
 }
 
 void FewBodySolver::change_contact_count(std::int64_t body, int more) {
@@ -32,33 +38,29 @@ void FewBodySolver::change_contact_count(std::int64_t body, int more) {
   balls_in_contact_ += count > 0 ? 1 : -1;
 }
 
-void FewBodySolver::begin(PairPacket& p, int lane, const ContactGeometry& geometry,
-                          const PairMotion& motion) {
-  const auto k = static_cast<std::size_t>(lane);
+void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
   if (p.wall[lane] != 0 && settings_.model.curved_walls)
     apply_wall_curvature(
-        p, lane, *jar_, p.face[k], particles_.position.get(static_cast<std::size_t>(p.i[lane])),
-        mill_time(particles_.step), pairs_[p.species_pair[k]], *settings_.model.law);
-  p.onset[k] = contact_onset(particles_.step, geometry, motion, lane);
+        p, lane, *jar_, p.face[lane], particles_.position.get(static_cast<std::size_t>(p.i[lane])),
+        mill_time(particles_.step), pairs_[p.species_pair[lane]], *settings_.model.law);
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
   p.stiffness[lane] = 0;
   p.tensile[lane] = 0;
-  begin_law_history(p.law_history, p, lane, p.onset[k].approach, *settings_.model.law);
+  p.touching[lane] = -1;
 }
 
-void FewBodySolver::end(PairPacket& p, int lane) {
-  const auto k = static_cast<std::size_t>(lane);
+void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
   change_contact_count(p.i[lane], -1);
   const bool wall = p.wall[lane] != 0;
   if (!wall) change_contact_count(p.j[lane], -1);
-  const ContactOnset& onset = p.onset[k];
-  const SpeciesPair& pair = pairs_[p.species_pair[k]];
+  const ContactOnset& onset = p.onset[lane];
+  const SpeciesPair& pair = pairs_[p.species_pair[lane]];
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const double t = mill_time(particles_.step);
-  const int face = wall ? p.face[k] : -1;
+  const int face = wall ? p.face[lane] : -1;
   const Vec3 x = particles_.position.get(ball);
   const Vec3 separation =
       wall ? get_lane(p.normal, lane)
@@ -70,7 +72,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
   finished_.push_back({.time = time_of(onset.step),
                        .duration = duration,
                        .ball = static_cast<std::int32_t>(p.i[lane]),
-                       .other = wall ? ~p.face[k] : static_cast<std::int32_t>(p.j[lane]),
+                       .other = wall ? ~p.face[lane] : static_cast<std::int32_t>(p.j[lane]),
                        .where = jar_->to_face_axes(where, t, face),
                        .normal = jar_->to_face_axes(n, t, face),
                        .mass = pair.effective.mass,
@@ -86,7 +88,7 @@ void FewBodySolver::end(PairPacket& p, int lane) {
   flush_work(p, lane);
 }
 
-void FewBodySolver::flush_work(PairPacket& p, int lane) {
+void FewBodySolver::flush_work(PairPacket& p, std::size_t lane) {
   ContactWork& d = p.work;
   add_work(energy_balance_, d, lane);
   const double radius = min_radius(p, lane);

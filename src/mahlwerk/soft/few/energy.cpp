@@ -12,7 +12,7 @@ namespace mahlwerk::soft {
 FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
   ElasticEnergy energy;
   for (const PairPacket& p : particles_.packets)
-    for (int l = 0; l < lanes; ++l) {
+    for (std::size_t l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
       const double law_history[contact::law_history_size] = {p.law_history[0][l],
                                                              p.law_history[1][l]};
@@ -50,8 +50,8 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   const ElasticEnergy kept = elastic_energy();
   a.elastic = kept.normal + kept.tangential;
   for (const PairPacket& p : particles_.packets)
-    for (int l = 0; l < lanes; ++l) {
-      if (!p.used[static_cast<std::size_t>(l)]) continue;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if (!p.used[l]) continue;
       add_work(a, p.work, l);
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / min_radius(p, l));

@@ -28,10 +28,10 @@ void each_column(PairPacket& p, const F& f) {
 }
 
 /// Frees a lane. Both bodies become ball 0 with radii 0, which never touch.
-void clear_lane(PairPacket& p, int lane) {
+void clear_lane(PairPacket& p, std::size_t lane) {
   each_column(p, [&](auto& column) {
     using One = std::remove_reference_t<decltype(column[0])>;
-    column[static_cast<std::size_t>(lane)] = std::remove_cvref_t<One>{};
+    column[lane] = std::remove_cvref_t<One>{};
   });
 }
 
@@ -46,16 +46,15 @@ void each_column_of_both(PairPacket& a, PairPacket& b, const F& f) {
   });
 }
 
-void swap_lanes(PairPacket& a, int lane, PairPacket& b, int other_lane) {
+void swap_lanes(PairPacket& a, std::size_t lane, PairPacket& b, std::size_t other_lane) {
   each_column_of_both(a, b, [&](auto& one, auto& other) {
-    const auto i = static_cast<std::size_t>(lane), j = static_cast<std::size_t>(other_lane);
-    const auto kept = one[i];
-    one[i] = other[j];
-    other[j] = kept;
+    const auto kept = one[lane];
+    one[lane] = other[other_lane];
+    other[other_lane] = kept;
   });
 }
 
-void move_lane(PairPacket& from, int lane, PairPacket& to, int other_lane) {
+void move_lane(PairPacket& from, std::size_t lane, PairPacket& to, std::size_t other_lane) {
   swap_lanes(from, lane, to, other_lane);
   clear_lane(from, lane);
 }
@@ -67,8 +66,7 @@ void move_lane(PairPacket& from, int lane, PairPacket& to, int other_lane) {
 bool FewBodySolver::sort_touching_first() {
   std::vector<PairPacket>& packets = particles_.packets;
   bool moved = false;
-  std::size_t from = packets.size(), to = 0;
-  int lane = 0, other_lane = 0;
+  std::size_t from = packets.size(), to = 0, lane = 0, other_lane = 0;
   const auto next_waiting = [&] {  // the first lane without contact
     for (; to < packets.size(); ++to, other_lane = 0)
       for (; other_lane < lanes; ++other_lane)
@@ -92,27 +90,25 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
   std::vector<PairPacket>& packets = particles_.packets;
   std::vector<bool> listed(wanted.size());
   for (PairPacket& p : packets)
-    for (int l = 0; l < lanes; ++l) {
-      const auto k = static_cast<std::size_t>(l);
-      if (!p.used[k]) continue;
-      const bool wall = p.face[k] >= 0;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if (!p.used[l]) continue;
+      const bool wall = p.face[l] >= 0;
       const NearPair c{static_cast<std::int32_t>(p.i[l]),
-                       wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[k]};
+                       wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[l]};
       const auto at = std::ranges::lower_bound(wanted, c);
       if (at != wanted.end() && *at == c) {
         listed[static_cast<std::size_t>(at - wanted.begin())] = true;
         continue;
       }
-      if (p.touching[l] != 0) end(p, l);
+      if (p.touching[l] != 0) end_lane(p, l);
       flush_work(p, l);
       clear_lane(p, l);
     }
-  std::size_t at = 0;
-  int lane = 0;
+  std::size_t at = 0, lane = 0;
   const auto next_free = [&] {
     for (; at < packets.size(); ++at, lane = 0)
       for (; lane < lanes; ++lane)
-        if (!packets[at].used[static_cast<std::size_t>(lane)]) return;
+        if (!packets[at].used[lane]) return;
     packets.emplace_back();
     lane = 0;
   };
@@ -130,27 +126,26 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
     }
     next_free();
     if (at + 1 >= packets.size()) break;
-    move_lane(last, static_cast<int>(used - last.used.begin()), packets[at], lane);
+    move_lane(last, static_cast<std::size_t>(used - last.used.begin()), packets[at], lane);
   }
   while (!packets.empty() &&
          std::ranges::find(packets.back().used, true) == packets.back().used.end())
     packets.pop_back();
 }
 
-void FewBodySolver::assign_lane(PairPacket& p, int lane, const NearPair& c) {
+void FewBodySolver::assign_lane(PairPacket& p, std::size_t lane, const NearPair& c) {
   clear_lane(p, lane);
-  const auto k = static_cast<std::size_t>(lane);
   const auto i = static_cast<std::size_t>(c.i);
   const bool wall = c.face >= 0;
   const std::int32_t mine = pairs_.species_index(i);
-  p.species_pair[k] =
+  p.species_pair[lane] =
       wall ? pairs_.wall_pair_index(mine, c.face)
            : pairs_.ball_pair_index(mine, pairs_.species_index(static_cast<std::size_t>(c.j)));
-  p.used[k] = true;
-  p.face[k] = c.face;
+  p.used[lane] = true;
+  p.face[lane] = c.face;
   p.i[lane] = c.i;
   p.j[lane] = wall ? 0 : c.j;
-  copy_lane(pair_parameters(pairs_[p.species_pair[k]], pairs_.species_of(i),
+  copy_lane(pair_parameters(pairs_[p.species_pair[lane]], pairs_.species_of(i),
                             wall ? nullptr : &pairs_.species_of(static_cast<std::size_t>(c.j)),
                             settings_.time_step),
             0, p, lane);
@@ -163,11 +158,10 @@ void FewBodySolver::allocate_wall_points() {
   ParticleData& w = particles_;
   w.wall_neighbours.clear();
   for (PairPacket& p : w.packets)
-    for (int l = 0; l < lanes; ++l) {
-      const auto k = static_cast<std::size_t>(l);
-      if (!p.used[k] || p.face[k] < 0) continue;
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if (!p.used[l] || p.face[l] < 0) continue;
       p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.wall_neighbours.size());
-      w.wall_neighbours.push_back({static_cast<std::int32_t>(p.i[l]), p.face[k],
+      w.wall_neighbours.push_back({static_cast<std::int32_t>(p.i[l]), p.face[l],
                                    (1 + past_touch) * p.radius_i[l] + pull_off_distance_});
     }
   const std::size_t blocks =
@@ -184,12 +178,13 @@ void FewBodySolver::build_gather_maps() {
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
     std::array<int, lanes> count{};
-    for (int l = 0; l < lanes; ++l) {
-      if (!p.used[static_cast<std::size_t>(l)]) continue;
-      const auto give = [&](std::int64_t ball, int from) {
+    for (std::size_t l = 0; l < lanes; ++l) {
+      if (!p.used[l]) continue;
+      const auto give = [&](std::int64_t body, std::size_t from) {
         GatherMap& o = w.gather_maps[n];
-        const auto k = static_cast<std::size_t>(count[static_cast<std::size_t>(ball)]++);
-        o.source[k][ball] = from;
+        const auto ball = static_cast<std::size_t>(body);
+        const auto k = static_cast<std::size_t>(count[ball]++);
+        o.source[k][ball] = static_cast<std::int64_t>(from);
         o.active[k][ball] = -1;
         o.max_contacts = std::max(o.max_contacts, static_cast<int>(k) + 1);
       };

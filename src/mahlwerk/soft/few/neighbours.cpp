@@ -16,8 +16,8 @@ constexpr std::size_t all_pairs_limit = 8;  // up to this many balls, all pairs 
 }  // namespace
 
 void FewBodySolver::rebuild_neighbour_list() {
-  for (std::size_t b = 0; b < particles_.blocks; ++b)
-    particles_.list_positions.put(b, particles_.position.at(b));
+  for (std::size_t b = 0; b < particles_.blocks * lanes; ++b)
+    particles_.list_positions.set(b, particles_.position.get(b));
   list_step_ = particles_.step;
   particles_.wall_points_due = true;
   found_pairs_.clear();

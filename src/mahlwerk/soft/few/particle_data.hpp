@@ -11,31 +11,34 @@ namespace mahlwerk::soft {
 
 /// 3-vectors of bodies as a structure of arrays, in blocks of eight bodies.
 struct VectorColumns {
-  std::vector<AlignedLanes> x, y, z;
+  std::vector<Lanes> x, y, z;
 
   void resize(std::size_t blocks) { x.resize(blocks), y.resize(blocks), z.resize(blocks); }
-  Vec<Lanes> at(std::size_t block) const {
-    return {x[block].value, y[block].value, z[block].value};
-  }
-  void put(std::size_t block, const Vec<Lanes>& a) {
-    x[block].value = a.x, y[block].value = a.y, z[block].value = a.z;
-  }
   Vec3 get(std::size_t body) const {
     const std::size_t b = body / lanes, l = body % lanes;
-    return {x[b].value[l], y[b].value[l], z[b].value[l]};
+    return {x[b][l], y[b][l], z[b][l]};
   }
   void set(std::size_t body, const Vec3& a) {
     const std::size_t b = body / lanes, l = body % lanes;
-    x[b].value[l] = a.x, y[b].value[l] = a.y, z[b].value[l] = a.z;
+    x[b][l] = a.x, y[b][l] = a.y, z[b][l] = a.z;
+  }
+  /// A register of consecutive bodies from `body` on, a multiple of the register's width.
+  template <class V>
+  Vec<V> at(std::size_t body) const {
+    return {load<V>(&x[0][0] + body), load<V>(&y[0][0] + body), load<V>(&z[0][0] + body)};
+  }
+  template <class V>
+  void put(std::size_t body, const Vec<V>& a) {
+    store<V>(&x[0][0] + body, a.x), store<V>(&y[0][0] + body, a.y), store<V>(&z[0][0] + body, a.z);
   }
 };
 
 /// One column as an array of doubles.
-inline double* column_data(std::vector<AlignedLanes>& column) {
-  return reinterpret_cast<double*>(column.data());
+inline double* column_data(std::vector<Lanes>& column) {
+  return column.front().values;
 }
-inline const double* column_data(const std::vector<AlignedLanes>& column) {
-  return reinterpret_cast<const double*>(column.data());
+inline const double* column_data(const std::vector<Lanes>& column) {
+  return column.front().values;
 }
 
 /// Eight neighbour pairs, with the history of those that touch. Free lanes touch nothing. In
@@ -68,19 +71,18 @@ struct ParticleData {
   std::size_t balls = 0, blocks = 0;  ///< blocks of balls
   VectorColumns position;             ///< [m] of all bodies, in the jar frame
   VectorColumns velocity_predicted,
-      spin_predicted;                          ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
-  VectorColumns velocity, spin;                ///< of the balls, at the end of the step
-  VectorColumns force, torque;                 ///< [N], [N m] of the contacts on the balls
-  std::vector<AlignedLanes> half_kick_factor;  ///< [s/kg] half a step over mass
-  std::vector<AlignedLanes> half_spin_kick_factor;  ///< [s/(kg m2)] half a step over inertia
+      spin_predicted;                        ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
+  VectorColumns velocity, spin;              ///< of the balls, at the end of the step
+  VectorColumns force, torque;               ///< [N], [N m] of the contacts on the balls
+  std::vector<Lanes> half_kick_factor;       ///< [s/kg] half a step over mass
+  std::vector<Lanes> half_spin_kick_factor;  ///< [s/(kg m2)] half a step over inertia
   std::vector<PairPacket> packets;
   std::vector<GatherMap> gather_maps;          ///< of each packet, if `fits_registers`
   std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
   VectorColumns list_positions;                ///< [m] when the neighbour list was built
-  std::vector<AlignedLanes>
-      displacement_squared;     ///< [m2] squared displacement of the balls since then
-  bool fits_registers = false;  ///< each column of all bodies fits in two registers
-  bool wall_points_due = true;  ///< update every wall point at the next step
+  std::vector<Lanes> displacement_squared;  ///< [m2] squared displacement of the balls since then
+  bool fits_registers = false;              ///< each column of all bodies fits in two registers
+  bool wall_points_due = true;              ///< update every wall point at the next step
 };
 
 /// Callbacks for rare events, outside the innermost loop.
@@ -89,11 +91,12 @@ class FewContactCallbacks {
   virtual ~FewContactCallbacks() = default;
   /// Rebuilds the neighbour list: a displacement exceeded half the skin.
   virtual void rebuild_neighbour_list() = 0;
-  /// Contacts of a packet begin.
-  virtual void begin(PairPacket& packet, const LaneMask& begun, const ContactGeometry& geometry,
-                     const PairMotion& motion) = 0;
+  /// Contacts of a packet begin: lanes of `begun` (bits).
+  virtual void begin(PairPacket& packet, std::uint32_t begun) = 0;
+  /// The speeds of first touch of `begun`, before their first force.
+  virtual void record_onset(PairPacket& packet, std::uint32_t begun, const OnsetSpeeds& speeds) = 0;
   /// Contacts end, after their last force was applied.
-  virtual void end(PairPacket& packet, const LaneMask& ended) = 0;
+  virtual void end(PairPacket& packet, std::uint32_t ended) = 0;
 };
 
 /// Everything a batch of steps needs.

@@ -50,9 +50,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     w.position.set(b, balls[b].position);
     w.velocity.set(b, balls[b].velocity);
     w.spin.set(b, balls[b].spin);
-    w.half_kick_factor[b / lanes].value[b % lanes] =
-        0.5 * settings.time_step / pairs_.species_of(b).mass;
-    w.half_spin_kick_factor[b / lanes].value[b % lanes] =
+    w.half_kick_factor[b / lanes][b % lanes] = 0.5 * settings.time_step / pairs_.species_of(b).mass;
+    w.half_spin_kick_factor[b / lanes][b % lanes] =
         0.5 * settings.time_step / pairs_.species_of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.species_of(b).mass;

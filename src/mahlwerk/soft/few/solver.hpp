@@ -57,18 +57,18 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   // Lane of each pair (lanes.cpp).
   bool sort_touching_first();
   void fill_lanes(const std::vector<NearPair>& wanted);
-  void assign_lane(PairPacket& p, int lane, const NearPair& c);
+  void assign_lane(PairPacket& p, std::size_t lane, const NearPair& c);
   void allocate_wall_points();
   void build_gather_maps();
 
   // Contacts that begin and end (contacts.cpp).
-  void begin(PairPacket& p, const LaneMask& begun, const ContactGeometry& geometry,
-             const PairMotion& motion) override;
-  void end(PairPacket& p, const LaneMask& ended) override;
-  void begin(PairPacket& p, int lane, const ContactGeometry& geometry, const PairMotion& motion);
-  void end(PairPacket& p, int lane);
+  void begin(PairPacket& p, std::uint32_t begun) override;
+  void record_onset(PairPacket& p, std::uint32_t begun, const OnsetSpeeds& speeds) override;
+  void end(PairPacket& p, std::uint32_t ended) override;
+  void begin_lane(PairPacket& p, std::size_t lane);
+  void end_lane(PairPacket& p, std::size_t lane);
   // Adds the work of a lane to the energy balance; clears its work and springs.
-  void flush_work(PairPacket& p, int lane);
+  void flush_work(PairPacket& p, std::size_t lane);
   void change_contact_count(std::int64_t body, int more);  // of a ball, by +1 or -1
 
   // Free flight (free_flight_skip.cpp).

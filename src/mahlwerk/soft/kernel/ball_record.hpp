@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstring>
-
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/vec3.hpp"
-#include "mahlwerk/soft/kernel/isa.hpp"
 
 // Ball data as an array of structures: the data that contacts read of a ball lie in one cache line.
 // Eight arbitrary balls are eight loads and a transposition to columns in registers.
@@ -36,74 +33,72 @@ struct alignas(16) FloatPosition {
   float x = 0, y = 0, z = 0, zero = 0;
 };
 
-using Four = double __attribute__((vector_size(4 * sizeof(double))));
-using FourFloats = float __attribute__((vector_size(4 * sizeof(float)), may_alias));
-using AliasedLanes = double __attribute__((vector_size(8 * sizeof(double)), may_alias));
-using AliasedFour = double __attribute__((vector_size(4 * sizeof(double)), may_alias));
+/// The numbers of a record from `first` on, as a register.
+template <class V, class R>
+[[gnu::always_inline]] inline V load_part(const R& record, std::size_t first = 0) {
+  return load<V>(reinterpret_cast<const double*>(&record) + first);
+}
+template <class V, class R>
+[[gnu::always_inline]] inline void store_part(R& record, std::size_t first, const V& a) {
+  store<V>(reinterpret_cast<double*>(&record) + first, a);
+}
+/// Streaming (non-temporal) store, which bypasses the cache.
+template <class V, class R>
+[[gnu::always_inline]] inline void stream_part(R& record, std::size_t first, const V& a) {
+#ifdef MAHLWERK_X86_64
+  using Aliased = typename RegisterOf<width_of<V>>::Aliased;
+  auto* to = reinterpret_cast<Aliased*>(reinterpret_cast<double*>(&record) + first);
+  if constexpr (width_of<V> == 2)
+    asm("movntpd %1, %0" : "=m"(*to) : "x"(a));
+  else
+    asm("vmovntpd %1, %0" : "=m"(*to) : "v"(a));
+#else
+  store_part<V>(record, first, a);
+#endif
+}
+/// Memory fence: orders the streaming stores before other threads read.
+[[gnu::always_inline]] inline void store_fence() {
+#ifdef MAHLWERK_X86_64
+  asm volatile("sfence" ::: "memory");
+#endif
+}
 
-template <class R>
-[[gnu::always_inline]] inline Lanes load_eight(const R& row) {
-  return *reinterpret_cast<const AliasedLanes*>(&row);
+/// Numbers of a reference position from `first` on.
+template <class V>
+[[gnu::always_inline]] inline V reference_part(const FloatPosition& position, std::size_t first) {
+  using Floats = typename RegisterOf<width_of<V>>::AliasedFloats;
+  const auto* from = reinterpret_cast<const float*>(&position) + first;
+  return __builtin_convertvector(*reinterpret_cast<const Floats*>(from), V);
 }
-template <class R>
-[[gnu::always_inline]] inline void store_eight(R& row, const Lanes& a) {
-  *reinterpret_cast<AliasedLanes*>(&row) = a;
-}
-template <class R>
-[[gnu::always_inline]] inline Four load_four(const R& row) {
-  return *reinterpret_cast<const AliasedFour*>(&row);
-}
+
 /// Joins two halves. Inline assembly, because GCC 12 loads both and then shuffles.
-[[gnu::always_inline]] inline Lanes join(const AliasedFour& a, const AliasedFour& b) {
-  Lanes both;
-#ifdef MAHLWERK_AVX512
+[[gnu::always_inline]] inline Register<8> join(const Register<4>& a,
+                                               const RegisterOf<4>::Aliased& b) {
+  Register<8> both;
+#ifdef MAHLWERK_X86_64
   asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
 #else
   both = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
   return both;
 }
-/// The first (or last) four numbers of two rows.
+/// Four numbers of two records each, from `first` on.
 template <class R>
-[[gnu::always_inline]] inline Lanes load_fours(const R& a, const R& b) {
-  return join(*reinterpret_cast<const AliasedFour*>(&a), *reinterpret_cast<const AliasedFour*>(&b));
-}
-template <class R>
-[[gnu::always_inline]] inline Lanes load_last_fours(const R& a, const R& b) {
-  return join(*(reinterpret_cast<const AliasedFour*>(&a) + 1),
-              *(reinterpret_cast<const AliasedFour*>(&b) + 1));
-}
-template <class R>
-[[gnu::always_inline]] inline void store_four(R& row, const Four& a) {
-  *reinterpret_cast<AliasedFour*>(&row) = a;
-}
-/// Streaming (non-temporal) store, which bypasses the cache.
-template <class R, class A>
-[[gnu::always_inline]] inline void stream_store(R& row, const A& a) {
-#ifdef MAHLWERK_AVX512
-  asm("vmovntpd %1, %0" : "=m"(row) : "v"(a));
-#else
-  std::memcpy(&row, &a, sizeof row);
-#endif
-}
-/// Memory fence: orders the streaming stores before other threads read.
-[[gnu::always_inline]] inline void store_fence() {
-#ifdef MAHLWERK_AVX512
-  asm volatile("sfence" ::: "memory");
-#endif
-}
-[[gnu::always_inline]] inline Four load_four(const FloatPosition& position) {
-  return __builtin_convertvector(*reinterpret_cast<const FourFloats*>(&position), Four);
+[[gnu::always_inline]] inline Register<8> load_fours(const R& a, const R& b, std::size_t first) {
+  const double* second = reinterpret_cast<const double*>(&b) + first;
+  return join(load_part<Register<4>>(a, first),
+              *reinterpret_cast<const RegisterOf<4>::Aliased*>(second));
 }
 
 /// Transposes in place: r[k] holds rows k and k + 4 of four numbers each; the result is four
 /// columns of eight.
-[[gnu::always_inline]] inline void transpose(Lanes (&r)[4]) {
-  const auto unpack = [](const Lanes& a, const Lanes& b, Lanes& even, Lanes& odd) {
+[[gnu::always_inline]] inline void transpose(Register<8> (&r)[4]) {
+  using V = Register<8>;
+  const auto unpack = [](const V& a, const V& b, V& even, V& odd) {
     even = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
     odd = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
   };
-  Lanes even[2], odd[2];
+  V even[2], odd[2];
   unpack(r[0], r[1], even[0], odd[0]);
   unpack(r[2], r[3], even[1], odd[1]);
   r[0] = __builtin_shufflevector(even[0], even[1], 0, 1, 8, 9, 4, 5, 12, 13);
@@ -111,22 +106,60 @@ template <class R, class A>
   r[2] = __builtin_shufflevector(even[0], even[1], 2, 3, 10, 11, 6, 7, 14, 15);
   r[3] = __builtin_shufflevector(odd[0], odd[1], 2, 3, 10, 11, 6, 7, 14, 15);
 }
+/// Transposes four rows of four in place.
+[[gnu::always_inline]] inline void transpose(Register<4> (&r)[4]) {
+  using V = Register<4>;
+  const V low01 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
+  const V high01 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
+  const V low23 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
+  const V high23 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
+  r[0] = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+  r[1] = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+  r[2] = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+  r[3] = __builtin_shufflevector(high01, high23, 2, 3, 6, 7);
+}
 /// Transposes eight rows to eight columns in place, or back.
-[[gnu::always_inline]] inline void transpose(Lanes (&r)[8]) {
-  Lanes t[8], s[8];
+[[gnu::always_inline]] inline void transpose(Register<8> (&r)[8]) {
+  Register<8> t[8], s[8];
   for (int k = 0; k < 8; k += 2) {
     t[k] = __builtin_shufflevector(r[k], r[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
     t[k + 1] = __builtin_shufflevector(r[k], r[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
   }
   for (int k = 0; k < 8; k += 4)
     for (int odd = 0; odd < 2; ++odd) {
-      const Lanes &a = t[k + odd], &b = t[k + 2 + odd];
+      const Register<8>&a = t[k + odd], &b = t[k + 2 + odd];
       s[k + odd] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
       s[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
     }
   for (int k = 0; k < 4; ++k) {
     r[k] = __builtin_shufflevector(s[k], s[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
     r[k + 4] = __builtin_shufflevector(s[k], s[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+
+/// Four numbers from `first` on of the record of each lane, as four columns. `record(lane)` returns
+/// a reference.
+template <class V, class Record>
+[[gnu::always_inline]] inline void load_columns(const Record& record, std::size_t first,
+                                                V (&columns)[4]) {
+  if constexpr (width_of<V> == 8) {
+    columns[0] = load_fours(record(0), record(4), first);
+    columns[1] = load_fours(record(1), record(5), first);
+    columns[2] = load_fours(record(2), record(6), first);
+    columns[3] = load_fours(record(3), record(7), first);
+    transpose(columns);
+  } else if constexpr (width_of<V> == 4) {
+    columns[0] = load_part<V>(record(0), first);
+    columns[1] = load_part<V>(record(1), first);
+    columns[2] = load_part<V>(record(2), first);
+    columns[3] = load_part<V>(record(3), first);
+    transpose(columns);
+  } else {
+    for (std::size_t half = 0; half < 4; half += 2) {
+      const V a = load_part<V>(record(0), first + half), b = load_part<V>(record(1), first + half);
+      columns[half] = __builtin_shufflevector(a, b, 0, 2);
+      columns[half + 1] = __builtin_shufflevector(a, b, 1, 3);
+    }
   }
 }
 

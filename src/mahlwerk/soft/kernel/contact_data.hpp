@@ -27,6 +27,10 @@ struct ContactOnset {
   std::int64_t step = 0;
   double approach = 0, slip = 0, glide = 0;  ///< [m/s]
 };
+/// Speeds of first touch of the contacts of a packet.
+struct OnsetSpeeds {
+  Lanes approach{}, slip{}, glide{};  ///< [m/s] approach < 0 where the bodies already separate
+};
 
 /// Parameters of eight pairs of bodies i and j. Body j is a ball or a wall contact point, which is
 /// treated as a ball of radius 0.
@@ -47,30 +51,38 @@ struct alignas(64) PairParameters {
 };
 
 /// Radius [m] of the smaller ball; that of the ball at a wall. Overlaps are stated in it.
-inline double min_radius(const PairParameters& p, int lane) {
+inline double min_radius(const PairParameters& p, std::size_t lane) {
   return p.wall[lane] != 0 ? p.radius_i[lane] : std::min(p.radius_i[lane], p.radius_j[lane]);
 }
 
-inline Vec3 get_lane(const Vec<Lanes>& a, int lane) {
+inline Vec3 get_lane(const Vec<Lanes>& a, std::size_t lane) {
   return {a.x[lane], a.y[lane], a.z[lane]};
 }
-inline void set_lane(Vec<Lanes>& a, int lane, const Vec3& b) {
+inline void set_lane(Vec<Lanes>& a, std::size_t lane, const Vec3& b) {
   a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
 }
-inline contact::LawCoefficients coefficients_of(const PairParameters& p, int lane) {
+inline contact::LawCoefficients coefficients_of(const PairParameters& p, std::size_t lane) {
   contact::LawCoefficients coefficients;
   for (std::size_t n = 0; n < coefficients.size(); ++n) coefficients[n] = p.coefficients[n][lane];
   return coefficients;
 }
-inline void copy_lane(const PairParameters& a, int lane, PairParameters& b, int other_lane) {
+inline void copy_lane(const PairParameters& a, std::size_t lane, PairParameters& b,
+                      std::size_t other_lane) {
   constexpr std::size_t columns = sizeof(PairParameters) / sizeof(Lanes);
   using Number = double __attribute__((may_alias));  // masks are copied as bits
   const auto* from = reinterpret_cast<const Number*>(&a);
   auto* to = reinterpret_cast<Number*>(&b);
-  for (std::size_t c = 0; c < columns; ++c)
-    to[c * lanes + static_cast<std::size_t>(other_lane)] =
-        from[c * lanes + static_cast<std::size_t>(lane)];
+  for (std::size_t c = 0; c < columns; ++c) to[c * lanes + other_lane] = from[c * lanes + lane];
 }
+
+/// History of the contacts of a group, in registers.
+template <class V>
+struct GroupHistory {
+  V law_history[contact::law_history_size]{};
+  Vec<V> spring{}, rolling_spring_torque{};
+  V stiffness{};
+  MaskOf<V> tensile{};
+};
 
 /// History of eight contacts.
 struct alignas(64) History {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "mahlwerk/contact/law.hpp"
 #include "mahlwerk/soft/kernel/contact_data.hpp"
 
@@ -10,8 +12,9 @@
 namespace mahlwerk::soft {
 
 /// Lanes whose contact begins in this step, or ended since the last step.
-struct alignas(64) ContactTransitions {
-  LaneMask begun{}, ended{};
+template <class V>
+struct ContactTransitions {
+  MaskOf<V> begun, ended;
 };
 
 /// Weight of the first force of a contact, times step_fraction^(1/4), for a force that grows as the
@@ -19,7 +22,8 @@ struct alignas(64) ContactTransitions {
 /// law). With this weight, the sum over the steps equals the integral (Euler-Maclaurin end
 /// correction, dem.35). `step_fraction` is the time from touch to the first step, in steps.
 /// Polynomial fit of Hurwitz's -zeta(-1/4, 1 + step_fraction), to 1.1e-4.
-[[gnu::always_inline]] inline Lanes fourth_root_weight(const Lanes& step_fraction) {
+template <class V>
+[[gnu::always_inline]] inline V fourth_root_weight(const V& step_fraction) {
   return 0.31709151755564424 +
          step_fraction *
              (0.8639717633735045 +
@@ -28,69 +32,81 @@ struct alignas(64) ContactTransitions {
 
 /// Sum of the part of the force that is there at touch and the part that grows as a fourth root,
 /// each with its weight.
-[[gnu::always_inline]] inline Lanes weighted_force(const Lanes& full_force, const Lanes& jump_force,
-                                                   const Lanes& root_weight,
-                                                   const Lanes& jump_weight) {
+template <class V>
+[[gnu::always_inline]] inline V weighted_force(const V& full_force, const V& jump_force,
+                                               const V& root_weight, const V& jump_weight) {
   return root_weight * full_force + (jump_weight - root_weight) * jump_force;
 }
 
+/// Loads the coefficients of a group.
+template <class V>
+[[gnu::always_inline]] inline std::array<V, contact::law_coefficient_count> load_coefficients(
+    const LaneGroup<V>& group, const PairParameters& pair) {
+  static_assert(contact::law_coefficient_count == 8);
+  const auto& k = pair.coefficients;
+  return {group(k[0]), group(k[1]), group(k[2]), group(k[3]),
+          group(k[4]), group(k[5]), group(k[6]), group(k[7])};
+}
+
 /// Result of correct_transitions.
-struct alignas(64) TransitionCorrection {
-  LaneMask corrected{};       ///< lanes whose force is corrected
-  Lanes initial_slip_time{};  ///< [s] where begun: initial tangential spring / slip velocity
-  Lanes previous_force{};     ///< [N] normal force of the last step, where ended
+template <class V>
+struct TransitionCorrection {
+  MaskOf<V> corrected{};  ///< lanes whose force is corrected
+  V initial_slip_time{};  ///< [s] where begun: initial tangential spring / slip velocity
+  V previous_force{};     ///< [N] normal force of the last step, where ended
 };
 
 /// Weights the first force of a contact so that the sum over the steps equals its integral
 /// (dem.35). Where a contact has ended, `f` becomes the correction of its last force, which counted
 /// for a whole step (dem.36).
-template <class Law>
-[[gnu::always_inline]] inline TransitionCorrection correct_transitions(
-    const PairParameters& pair, const History& history, const ContactTransitions& transitions,
-    const Lanes& overlap, const Lanes& rate, double time_step, contact::LawForce<Lanes>& f) {
-  const Lanes zero{}, one = zero + 1.0,
-                      overlap_change = time_step * select(transitions.ended, -rate, rate);
-  const LaneMask overlap_changes = less(zero, overlap_change);
-  const Lanes inverse_overlap_change = 1.0 / select(overlap_changes, overlap_change, one);
+template <class Law, class V>
+[[gnu::always_inline]] inline TransitionCorrection<V> correct_transitions(
+    const LaneGroup<V>& group, const PairParameters& pair, const GroupHistory<V>& history,
+    const ContactTransitions<V>& transitions, const V& overlap, const V& rate, double time_step,
+    contact::LawForce<V>& f) {
+  using Mask = MaskOf<V>;
+  const V zero{}, one = zero + 1.0;
+  const V overlap_change = time_step * select<V>(transitions.ended, -rate, rate);
+  const V pull_off_distance = group(pair.pull_off_distance);
+  const Mask overlap_changes = less(zero, overlap_change);
+  const V inverse_overlap_change = 1.0 / select(overlap_changes, overlap_change, one);
+  const auto k = load_coefficients<V>(group, pair);
   // The onset overlap counts only where this step passes over it.
-  Lanes onset_overlap = Law::template onset_overlap<Lanes>(history.law_history);
-  onset_overlap =
-      select(transitions.begun & less(onset_overlap, overlap_change), onset_overlap, zero);
-  const Lanes edge_overlap = select(transitions.ended, -pair.pull_off_distance, onset_overlap);
-  const Lanes steps_in_contact =
+  V onset_overlap = Law::template onset_overlap<V>(history.law_history);
+  onset_overlap = where<V>(transitions.begun & less(onset_overlap, overlap_change), onset_overlap);
+  const V edge_overlap = select<V>(transitions.ended, -pull_off_distance, onset_overlap);
+  const V steps_in_contact =
       inverse_overlap_change *
-      select(transitions.ended, overlap + pair.pull_off_distance + overlap_change, overlap);
-  const LaneMask partial_step = (transitions.begun & less(steps_in_contact, zero + 1.5)) |
-                                (transitions.ended & less(zero - 0.5, steps_in_contact));
-  const LaneMask corrected = partial_step & overlap_changes;
-  const Lanes step_fraction =
+      select<V>(transitions.ended, overlap + pull_off_distance + overlap_change, overlap);
+  const Mask partial_step = (transitions.begun & less(steps_in_contact, zero + 1.5)) |
+                            (transitions.ended & less(zero - 0.5, steps_in_contact));
+  const Mask corrected = partial_step & overlap_changes;
+  const V step_fraction =
       min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end
-  const Lanes force_overlap =
-      select(transitions.ended, step_fraction * overlap_change - pair.pull_off_distance,
-             max(overlap, onset_overlap));
-  const auto evaluate_at = [&](const Lanes& where) {
-    Lanes law_history[contact::law_history_size];
-    for (int i = 0; i < contact::law_history_size; ++i) law_history[i] = history.law_history[i];
-    return Law::template evaluate<Lanes>(pair.coefficients, law_history,
-                                         select(corrected, where, zero),
-                                         select(corrected, rate, zero));
+  const V force_overlap =
+      select<V>(transitions.ended, step_fraction * overlap_change - pull_off_distance,
+                max(overlap, onset_overlap));
+  const auto evaluate_at = [&](const V& at) {
+    V own_history[contact::law_history_size]{history.law_history[0], history.law_history[1]};
+    return Law::template evaluate<V>(k.data(), own_history, where<V>(corrected, at),
+                                     where<V>(corrected, rate));
   };
-  const contact::LawForce<Lanes> full_force = evaluate_at(force_overlap),
-                                 jump_force = evaluate_at(edge_overlap);
-  const Lanes already_counted = select(transitions.ended, one, zero);  // whole step already counted
-  const Lanes root_weight =
+  const contact::LawForce<V> full_force = evaluate_at(force_overlap),
+                             jump_force = evaluate_at(edge_overlap);
+  const V already_counted = where<V>(transitions.ended, one);  // whole step already counted
+  const V root_weight =
       fourth_root_weight(step_fraction) / sqrt(sqrt(step_fraction)) - already_counted;
-  const Lanes jump_weight =
+  const V jump_weight =
       0.5 + step_fraction - 0.5 * onset_overlap * inverse_overlap_change - already_counted;
-  const auto correct = [&](const Lanes& a, const Lanes& b, Lanes& out) {
-    out = select(corrected, weighted_force(a, b, root_weight, jump_weight), out);
+  const auto correct = [&](const V& a, const V& b, V& out) {
+    out = select<V>(corrected, weighted_force(a, b, root_weight, jump_weight), out);
   };
   correct(full_force.force, jump_force.force, f.force);
   correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
   correct(full_force.damping, jump_force.damping, f.damping);
   correct(full_force.load, jump_force.load, f.load);
-  return {corrected, select(corrected & transitions.begun, time_step * (step_fraction - 0.5), zero),
-          select(corrected & transitions.ended, full_force.force, zero)};
+  return {corrected, where<V>(corrected & transitions.begun, time_step * (step_fraction - 0.5)),
+          where<V>(corrected & transitions.ended, full_force.force)};
 }
 
 }  // namespace mahlwerk::soft

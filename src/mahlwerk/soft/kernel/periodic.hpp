@@ -19,27 +19,28 @@ inline Vec3 nearest_image(const Vec3& separation, const Vec3& periods) {
   return {std::remainder(separation.x, periods.x), std::remainder(separation.y, periods.y),
           std::remainder(separation.z, periods.z)};
 }
-inline Vec<Lanes> nearest_image(const Vec<Lanes>& separation, const Vec3& periods) {
-  Vec<Lanes> nearest;
-  for (int l = 0; l < lanes; ++l) {
-    nearest.x[l] = std::remainder(separation.x[l], periods.x);
-    nearest.y[l] = std::remainder(separation.y[l], periods.y);
-    nearest.z[l] = std::remainder(separation.z[l], periods.z);
-  }
-  return nearest;
+template <class V>
+[[gnu::always_inline]] inline Vec<V> nearest_image(const Vec<V>& separation, const Vec3& periods) {
+  const auto fold = [](const V& a, double period) {
+    return lanes_from<V>([&](int l) { return std::remainder(a[l], period); });
+  };
+  return {fold(separation.x, periods.x), fold(separation.y, periods.y),
+          fold(separation.z, periods.z)};
 }
 
 /// Separation to the nearest image, for positions at most 1.5 periods apart.
-[[gnu::always_inline]] inline Lanes folded(const Lanes& a, const Lanes& period) {
-  Lanes x = a;
-  x -= select(x > 0.5 * period, period, Lanes{});
-  x += select(x < -0.5 * period, period, Lanes{});
+template <class V>
+[[gnu::always_inline]] inline V folded(const V& a, double period) {
+  const V all = V{} + period;
+  V x = a;
+  x -= where<V>(less<V>(0.5 * all, x), all);
+  x += where<V>(less<V>(x, -0.5 * all), all);
   return x;
 }
-[[gnu::always_inline]] inline Vec<Lanes> folded(const Vec<Lanes>& separation,
-                                                const Vec<Lanes>& periods) {
-  return {folded(separation.x, periods.x), folded(separation.y, periods.y),
-          folded(separation.z, periods.z)};
+template <class V>
+[[gnu::always_inline]] inline Vec<V> folded(const Vec<V>& separation, const Vec3& periods) {
+  return {folded<V>(separation.x, periods.x), folded<V>(separation.y, periods.y),
+          folded<V>(separation.z, periods.z)};
 }
 
 }  // namespace mahlwerk::soft

@@ -12,101 +12,112 @@ namespace mahlwerk::soft {
 
 using LaneBodies = std::array<std::int32_t, lanes>;  // a body for each lane
 
-/// Gathers positions and velocities. Without AVX-512, element by element.
-template <bool avx512>
-[[gnu::always_inline]] inline void gather_motion(const BallRecord* rows, const LaneBodies& at,
-                                                 Vec<Lanes>& position, Vec<Lanes>& velocity) {
-  Lanes x[4], v[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const BallRecord& a = rows[at[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!avx512) {
-      x[0][l] = a.x, x[1][l] = a.y, x[2][l] = a.z;
-      v[0][l] = a.u, v[1][l] = a.v, v[2][l] = a.w;
-    } else if (k < 4) {
-      const BallRecord& b = rows[at[k + 4]];
-      x[k] = load_fours(a, b), v[k] = load_last_fours(a, b);
-    }
-  }
-  if constexpr (avx512) transpose(x), transpose(v);
+/// The balls of the lanes of a group.
+template <class V>
+[[gnu::always_inline]] inline const std::int32_t* bodies_of(const LaneBodies& at,
+                                                            const LaneGroup<V>& group) {
+  return at.data() + group.first;
+}
+
+/// Gathers positions and velocities.
+template <class V>
+[[gnu::always_inline]] inline void gather_motion(const BallRecord* rows, const std::int32_t* at,
+                                                 Vec<V>& position, Vec<V>& velocity) {
+  V x[4], v[4];
+  const auto row = [&](std::size_t l) -> const BallRecord& { return rows[at[l]]; };
+  load_columns<V>(row, 0, x);
+  load_columns<V>(row, 4, v);
   position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
 /// Gathers the differences of positions and velocities, j minus i.
-template <bool avx512>
-[[gnu::always_inline]] inline void gather_differences(const BallRecord* rows,
-                                                      const ContactPacket& g, Vec<Lanes>& position,
-                                                      Vec<Lanes>& velocity) {
-  Lanes x[4], v[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const BallRecord &i = rows[g.i[k]], &j = rows[g.j[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!avx512) {
-      x[0][l] = j.x - i.x, x[1][l] = j.y - i.y, x[2][l] = j.z - i.z;
-      v[0][l] = j.u - i.u, v[1][l] = j.v - i.v, v[2][l] = j.w - i.w;
-    } else if (k < 4) {
-      const BallRecord &i4 = rows[g.i[k + 4]], &j4 = rows[g.j[k + 4]];
-      x[k] = load_fours(j, j4) - load_fours(i, i4),
-      v[k] = load_last_fours(j, j4) - load_last_fours(i, i4);
+template <class V>
+[[gnu::always_inline]] inline void gather_differences(const BallRecord* rows, const std::int32_t* i,
+                                                      const std::int32_t* j, Vec<V>& position,
+                                                      Vec<V>& velocity) {
+  if constexpr (width_of<V> == 8) {  // half the transpositions
+    V x[4], v[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const BallRecord &a = rows[i[k]], &a4 = rows[i[k + 4]];
+      const BallRecord &b = rows[j[k]], &b4 = rows[j[k + 4]];
+      x[k] = load_fours(b, b4, 0) - load_fours(a, a4, 0);
+      v[k] = load_fours(b, b4, 4) - load_fours(a, a4, 4);
     }
+    transpose(x), transpose(v);
+    position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
+  } else if constexpr (width_of<V> == 4) {
+    V x[4], v[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const BallRecord &a = rows[i[k]], &b = rows[j[k]];
+      x[k] = load_part<V>(b, 0) - load_part<V>(a, 0);
+      v[k] = load_part<V>(b, 4) - load_part<V>(a, 4);
+    }
+    transpose(x), transpose(v);
+    position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
+  } else {
+    Vec<V> xi, vi, xj, vj;
+    gather_motion<V>(rows, i, xi, vi);
+    gather_motion<V>(rows, j, xj, vj);
+    position = xj - xi, velocity = vj - vi;
   }
-  if constexpr (avx512) transpose(x), transpose(v);
-  position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
 }
-template <bool avx512>
-[[gnu::always_inline]] inline Vec<Lanes> gather_spins(const SpinRecord* spins,
-                                                      const LaneBodies& at) {
-  Lanes w[4];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const SpinRecord& a = spins[at[k]];
-    const auto l = static_cast<int>(k);
-    if constexpr (!avx512)
-      w[0][l] = a.x, w[1][l] = a.y, w[2][l] = a.z;
-    else if (k < 4)
-      w[k] = load_fours(a, spins[at[k + 4]]);
-  }
-  if constexpr (avx512) transpose(w);
+template <class V>
+[[gnu::always_inline]] inline Vec<V> gather_spins(const SpinRecord* spins, const std::int32_t* at) {
+  V w[4];
+  load_columns<V>([&](std::size_t l) -> const SpinRecord& { return spins[at[l]]; }, 0, w);
   return {w[0], w[1], w[2]};
 }
 
-/// Scatters: adds forces and torques to the rows of the balls, in the order of the lanes.
-template <bool avx512>
-[[gnu::always_inline]] inline void add_forces(VectorPair* ball_forces, std::int32_t first,
-                                              const LaneBodies& at, const Vec<Lanes>& force,
-                                              const Vec<Lanes>& torque) {
-  Lanes r[8] = {force.x, force.y, force.z, {}, torque.x, torque.y, torque.z, {}};
-  if constexpr (avx512) {
+/// Force and torque of each lane as a row of eight numbers, in the order of VectorPair.
+template <class V>
+[[gnu::always_inline]] inline void to_rows(const Vec<V>& force, const Vec<V>& torque,
+                                           double (*rows)[8]) {
+  const V zero{};
+  if constexpr (width_of<V> == 8) {
+    V r[8] = {force.x, force.y, force.z, zero, torque.x, torque.y, torque.z, zero};
     transpose(r);
-    for (int l = 0; l < lanes; ++l) {
-      VectorPair& sum = ball_forces[at[static_cast<std::size_t>(l)] - first];
-      store_eight(sum, load_eight(sum) + r[l]);
-    }
+    for (std::size_t l = 0; l < 8; ++l) store<V>(rows[l], r[l]);
+  } else if constexpr (width_of<V> == 4) {
+    V f[4] = {force.x, force.y, force.z, zero}, t[4] = {torque.x, torque.y, torque.z, zero};
+    transpose(f), transpose(t);
+    for (std::size_t l = 0; l < 4; ++l) store<V>(rows[l], f[l]), store<V>(rows[l] + 4, t[l]);
   } else {
-    for (int l = 0; l < lanes; ++l) {
-      VectorPair& sum = ball_forces[at[static_cast<std::size_t>(l)] - first];
-      sum.x += r[0][l], sum.y += r[1][l], sum.z += r[2][l];
-      sum.a += r[4][l], sum.b += r[5][l], sum.c += r[6][l];
-    }
+    const auto put = [&](const V& a, const V& b, std::size_t first) {
+      store<V>(rows[0] + first, __builtin_shufflevector(a, b, 0, 2));
+      store<V>(rows[1] + first, __builtin_shufflevector(a, b, 1, 3));
+    };
+    put(force.x, force.y, 0), put(force.z, zero, 2);
+    put(torque.x, torque.y, 4), put(torque.z, zero, 6);
+  }
+}
+/// Scatters: adds a row for each lane of a group to those of its balls, in the order of the lanes.
+template <class V>
+[[gnu::always_inline]] inline void add_rows(VectorPair* ball_forces, std::int32_t first,
+                                            const std::int32_t* at, const double (*rows)[8]) {
+  for (std::size_t l = 0; l < width_of<V>; ++l) {
+    VectorPair& sum = ball_forces[at[l] - first];
+    for (std::size_t part = 0; part < 8; part += width_of<V>)
+      store_part<V>(sum, part, load_part<V>(sum, part) + load<V>(rows[l] + part));
   }
 }
 
-/// Relative motion of the pairs of a packet.
-template <bool avx512>
-[[gnu::always_inline]] inline PairMotion gather_pair_motion(const ChunkStep& s,
-                                                            const ContactPacket& g,
-                                                            LaneMask touching, ContactKind kind) {
-  PairMotion motion;
-  const Lanes zero{};
-  Vec<Lanes> position, velocity;
-  motion.wi = gather_spins<avx512>(s.spins, g.i);
+/// Relative motion of the pairs of a group. `points` are the wall contact points of its packet.
+template <class V>
+[[gnu::always_inline]] inline PairMotion<V> gather_pair_motion(const ChunkStep& s,
+                                                               const ContactPacket& g,
+                                                               const LaneGroup<V>& group,
+                                                               ContactKind kind,
+                                                               const Vec<Lanes>& points) {
+  PairMotion<V> motion;
+  const V zero{};
+  const std::int32_t *i = bodies_of<V>(g.i, group), *j = bodies_of<V>(g.j, group);
+  Vec<V> position, velocity;
+  motion.wi = gather_spins<V>(s.spins, i);
   if (kind == ContactKind::wall) {
-    AlignedLanes points[3];
-    s.jar->wall_points(s.rows, g.i, g.j, touching, s.time, s.pull_off_distance, points);
-    gather_motion<avx512>(s.rows, g.i, position, velocity);
-    const Vec<Lanes> at{points[0].value, points[1].value, points[2].value};
-    const Vec3& spin = s.drive.spin;
-    motion.wj = {zero + spin.x, zero + spin.y, zero + spin.z};
-    for (int l = 0; s.turning && l < lanes; ++l) {
-      if (g.j[static_cast<std::size_t>(l)] < s.jar->first_rotor_face()) continue;
+    gather_motion<V>(s.rows, i, position, velocity);
+    const Vec<V> at = group(points);
+    motion.wj = in_all_lanes<V>(s.drive.spin);
+    for (int l = 0; s.turning && l < width_of<V>; ++l) {
+      if (j[l] < s.jar->first_rotor_face()) continue;
       const Vec3& rotor = s.drive.rotor_spin;
       motion.wj.x[l] = rotor.x, motion.wj.y[l] = rotor.y, motion.wj.z[l] = rotor.z;
     }
@@ -114,12 +125,12 @@ template <bool avx512>
     motion.separation = at - position;
     motion.relative_velocity = velocity - motion.vj;
   } else {
-    gather_differences<avx512>(s.rows, g, position, velocity);
+    gather_differences<V>(s.rows, i, j, position, velocity);
     motion.separation = position;
     if (s.constants.periodic) motion.separation = folded(position, s.constants.periods);
     motion.relative_velocity = -velocity;
     motion.vj = {zero, zero, zero};
-    motion.wj = gather_spins<avx512>(s.spins, g.j);
+    motion.wj = gather_spins<V>(s.spins, j);
   }
   return motion;
 }

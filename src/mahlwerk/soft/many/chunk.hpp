@@ -25,7 +25,7 @@ struct alignas(64) ContactPacket {
   Vec<Lanes> spring{};
   Lanes impulse{}, lost_normal{}, lost_tangential{};  ///< since the onset
 
-  bool touches(int lane) const { return (touching & bit(lane)) != 0; }
+  bool touches(std::size_t lane) const { return (touching & bit(lane)) != 0; }
 };
 /// History variables that only some laws and rolling models need.
 struct alignas(64) OptionalHistory {

@@ -12,11 +12,12 @@ class ManyContactCallbacks {
  public:
   virtual ~ManyContactCallbacks() = default;
   /// Contacts of `list.packets[g]` begin, in the lanes ContactPacket::begun.
-  virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g,
-                     const ContactGeometry& geometry, const PairMotion& motion) = 0;
-  /// Contacts of `list.packets[g]` end: lanes that touched at the last step and are not in
-  /// `touching`.
-  virtual void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) = 0;
+  virtual void begin(Chunk& chunk, ContactPackets& list, std::size_t g) = 0;
+  /// The speeds of first touch of `begun` (bits of lanes), before their first force.
+  virtual void record_onset(ContactPackets& list, std::size_t g, std::uint32_t begun,
+                            const OnsetSpeeds& speeds) = 0;
+  /// Contacts of `list.packets[g]` end: the lanes of `ended` (bits).
+  virtual void end(Chunk& chunk, ContactPackets& list, std::size_t g, std::uint32_t ended) = 0;
   /// Assigns a lane to a pair that begins to touch.
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// Tests wall pairs, and assigns a lane to those that begin to touch.
@@ -35,7 +36,7 @@ struct alignas(64) ChunkStep {
   /// Positions when the pairs were last binned.
   const FloatPosition* reference_positions = nullptr;
   /// [s/kg], [s/(kg m2)] half a step over mass and inertia, by species
-  const AlignedLanes* half_kick_factors = nullptr;
+  const Lanes* half_kick_factors = nullptr;
   const std::int32_t* species = nullptr;
   const PairParameters* parameters = nullptr;  ///< of each species pair, the same in all lanes
   const MovingWall* jar = nullptr;

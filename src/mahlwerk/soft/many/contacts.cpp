@@ -51,8 +51,8 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   const auto l = static_cast<std::size_t>(at % lanes);
   g.i[l] = pair.ball;
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
-  g.touching |= bit(at % lanes);
-  g.begun |= bit(static_cast<int>(l));
+  g.touching |= bit(l);
+  g.begun |= bit(l);
 }
 
 /// Returns a free lane for a contact of `ball` and `species_pair`, with its history cleared.
@@ -78,15 +78,12 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
   }
   const std::int32_t at = list.free.back();
   list.free.pop_back();
-  const auto n = static_cast<std::size_t>(at / lanes);
-  const int l = at % lanes;
+  const auto n = static_cast<std::size_t>(at / lanes), l = static_cast<std::size_t>(at % lanes);
   ContactPacket& g = list.packets[n];
-  g.species_pair[static_cast<std::size_t>(l)] = species_pair;
+  g.species_pair[l] = species_pair;
   g.one_species_pair = true;
-  for (int k = 0; k < lanes; ++k)
-    g.one_species_pair =
-        g.one_species_pair &&
-        (!g.touches(k) || g.species_pair[static_cast<std::size_t>(k)] == species_pair);
+  for (std::size_t k = 0; k < lanes; ++k)
+    g.one_species_pair = g.one_species_pair && (!g.touches(k) || g.species_pair[k] == species_pair);
   if (g.one_species_pair) g.species_pair.fill(species_pair);
   g.tensile &= ~bit(l);
   set_lane(g.spring, l, {});
@@ -107,68 +104,72 @@ void ManyBodySolver::change_contact_count(Chunk& chunk, std::int32_t ball, int m
   if ((count > 0) != was) chunk.balls_in_contact += count > 0 ? 1 : -1;
 }
 
-void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n,
-                           const ContactGeometry& geometry, const PairMotion& motion) {
+void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n) {
   ContactPacket& g = list.packets[n];
-  for (int l = 0; l < lanes; ++l) {
+  for (std::size_t l = 0; l < lanes; ++l) {
     if ((g.begun & bit(l)) == 0) continue;
-    const auto k = static_cast<std::size_t>(l);
-    change_contact_count(chunk, g.i[k], 1);
-    if (&list == &chunk.own) change_contact_count(chunk, g.j[k], 1);
-    PairParameters* own = list.parameters.empty() ? nullptr : &list.parameters[n];
-    const PairParameters& usual = parameters_[static_cast<std::size_t>(g.species_pair[k])];
-    if (own != nullptr) {
-      copy_lane(usual, l, *own, l);
-      apply_wall_curvature(*own, l, *jar_, g.j[k],
-                           rows_[static_cast<std::size_t>(g.i[k])].position(), mill_time(step_),
-                           pairs_[g.species_pair[k]], *settings_.model.law);
-    }
-    ContactOnset& onset = list.onsets[n][k];
-    onset = contact_onset(step_, geometry, motion, l);
-    if (has_history_)
-      begin_law_history(list.optional_histories[n].law_history, own != nullptr ? *own : usual, l,
-                        onset.approach, *settings_.model.law);
+    change_contact_count(chunk, g.i[l], 1);
+    if (&list == &chunk.own) change_contact_count(chunk, g.j[l], 1);
+    if (list.parameters.empty()) continue;
+    PairParameters& own = list.parameters[n];
+    copy_lane(parameters_[static_cast<std::size_t>(g.species_pair[l])], l, own, l);
+    apply_wall_curvature(own, l, *jar_, g.j[l], rows_[static_cast<std::size_t>(g.i[l])].position(),
+                         mill_time(step_), pairs_[g.species_pair[l]], *settings_.model.law);
   }
   g.begun = 0;
 }
 
-void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n,
-                         const LaneMask& touching) {
-  ContactPacket& g = list.packets[n];
-  const bool wall = &list == &chunk.wall;
-  for (int l = 0; l < lanes; ++l) {
-    if (!g.touches(l) || touching[l] != 0) continue;
-    const auto k = static_cast<std::size_t>(l);
-    change_contact_count(chunk, g.i[k], -1);
-    if (&list == &chunk.own) change_contact_count(chunk, g.j[k], -1);
-    if (&list != &chunk.halo || g.i[k] < g.j[k]) record(chunk, list, n, l);
-    (wall ? chunk.wall_pairs : chunk.ball_pairs)
-        .separated.push_back({g.i[k], wall ? ~g.j[k] : g.j[k]});
-    g.touching &= ~bit(l);
-    set_lane(g.spring, l, {});
-    list.free.push_back(static_cast<std::int32_t>(n) * lanes + l);
+void ManyBodySolver::record_onset(ContactPackets& list, std::size_t n, std::uint32_t begun,
+                                  const OnsetSpeeds& speeds) {
+  const ContactPacket& g = list.packets[n];
+  for (std::size_t l = 0; l < lanes; ++l) {
+    if ((begun & bit(l)) == 0) continue;
+    ContactOnset& onset = list.onsets[n][l];
+    onset = contact_onset(step_, speeds, l);
+    const PairParameters& parameters =
+        list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
+                                : list.parameters[n];
+    if (has_history_)
+      begin_law_history(list.optional_histories[n].law_history, parameters, l, onset.approach,
+                        *settings_.model.law);
   }
 }
 
-void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_t n, int l) {
+void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n, std::uint32_t ended) {
+  ContactPacket& g = list.packets[n];
+  const bool wall = &list == &chunk.wall;
+  for (std::size_t l = 0; l < lanes; ++l) {
+    if ((ended & bit(l)) == 0) continue;
+    change_contact_count(chunk, g.i[l], -1);
+    if (&list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
+    if (&list != &chunk.halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
+    (wall ? chunk.wall_pairs : chunk.ball_pairs)
+        .separated.push_back({g.i[l], wall ? ~g.j[l] : g.j[l]});
+    g.touching &= ~bit(l);
+    set_lane(g.spring, l, {});
+    list.free.push_back(static_cast<std::int32_t>(n * lanes + l));
+  }
+}
+
+void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_t n,
+                            std::size_t l) {
   const ContactPacket& g = list.packets[n];
   const bool wall = &list == &chunk.wall;
-  const auto k = static_cast<std::size_t>(l);
-  const BallRecord& ball = rows_[static_cast<std::size_t>(g.i[k])];
-  const ContactOnset& onset = list.onsets[n][k];
-  const SpeciesPair& pair = pairs_[g.species_pair[k]];
+  const BallRecord& ball = rows_[static_cast<std::size_t>(g.i[l])];
+  const ContactOnset& onset = list.onsets[n][l];
+  const SpeciesPair& pair = pairs_[g.species_pair[l]];
   const double t = mill_time(step_), duration = time_of(step_ - onset.step);
-  const int face = wall ? g.j[k] : -1;
+  const int face = wall ? g.j[l] : -1;
   const Vec3 separation =
       wall ? get_lane(list.wall_normals[n].normal, l)
-           : nearest(rows_[static_cast<std::size_t>(g.j[k])].position() - ball.position());
+           : nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - ball.position());
   const Vec3 normal = (1 / norm(separation)) * separation;
   chunk.finished.push_back(
       {step_,
        {.time = time_of(onset.step),
         .duration = duration,
-        .ball = id_[static_cast<std::size_t>(g.i[k])],
-        .other = wall ? ~g.j[k] : id_[static_cast<std::size_t>(g.j[k])],
+        .ball = id_[static_cast<std::size_t>(g.i[l])],
+        .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
         .where = jar_->to_face_axes(ball.position() + ball.radius * normal, t, face),
         .normal = jar_->to_face_axes(normal, t, face),
         .mass = pair.effective.mass,

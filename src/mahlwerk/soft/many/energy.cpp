@@ -18,13 +18,12 @@ ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk)
   const auto add = [&](const ContactPackets& list, double weight) {
     for (std::size_t n = 0; n < list.packets.size(); ++n) {
       const ContactPacket& g = list.packets[n];
-      for (int l = 0; l < lanes; ++l) {
+      for (std::size_t l = 0; l < lanes; ++l) {
         if (!g.touches(l)) continue;
         energy.work_done += weight * (g.lost_normal[l] + g.lost_tangential[l]);
-        const auto k = static_cast<std::size_t>(l);
-        const auto i = static_cast<std::size_t>(g.i[k]);
+        const auto i = static_cast<std::size_t>(g.i[l]);
         const PairParameters& parameters =
-            list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[k])]
+            list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
                                     : list.parameters[n];
         const contact::LawCoefficients coefficients = coefficients_of(parameters, l);
         double law_history[contact::law_history_size] = {};
@@ -34,8 +33,8 @@ ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk)
         const Vec3 x = rows_[i].position();
         const double distance =
             parameters.wall[l] != 0
-                ? jar_->gap(g.j[k], x, t, rows_[i].radius + pull_off_distance_).distance
-                : norm(nearest(rows_[static_cast<std::size_t>(g.j[k])].position() - x));
+                ? jar_->gap(g.j[l], x, t, rows_[i].radius + pull_off_distance_).distance
+                : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
         const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
         if (overlap < -rows_[i].radius) continue;  // the ball has left this face across an edge
         std::visit(
@@ -119,7 +118,7 @@ void ManyBodySolver::flush_sums() {
 
 void ManyBodySolver::add_sums(scene::EnergyBalance& a, const Chunk& chunk) const {
   const ChunkSums& d = chunk.sums;
-  for (int l = 0; l < lanes; ++l) {
+  for (std::size_t l = 0; l < lanes; ++l) {
     add_work(a, d.work, l);
     a.deepest_overlap = std::max(a.deepest_overlap, d.work.max_overlap[l]);
   }

@@ -35,7 +35,7 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
       for (std::int32_t at = 0; at < lanes * std::ssize(list.packets); ++at) {
         const ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
-        if (!g.touches(at % lanes)) continue;
+        if (!g.touches(l)) continue;
         if (kind_of(number) == ContactKind::halo && g.i[l] > g.j[l])
           continue;  // the other chunk's copy is listed
         const std::int32_t j =
@@ -135,15 +135,15 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
                                   const ContactPackets& from, std::int32_t i, std::int32_t j,
                                   std::int32_t species_pair, double sign) {
   const std::int32_t at = free_lane(list, species_pair, i);
-  const auto n = static_cast<std::size_t>(at / lanes),
-             old = static_cast<std::size_t>(k.lane / lanes);
-  const int l = at % lanes, m = k.lane % lanes;
+  const auto n = static_cast<std::size_t>(at / lanes), l = static_cast<std::size_t>(at % lanes),
+             old = static_cast<std::size_t>(k.lane / lanes),
+             m = static_cast<std::size_t>(k.lane % lanes);
   ContactPacket& g = list.packets[n];
   const ContactPacket& was = from.packets[old];
   g.touching |= bit(l);
   if ((was.tensile & bit(m)) != 0) g.tensile |= bit(l);
-  g.i[static_cast<std::size_t>(l)] = i, g.j[static_cast<std::size_t>(l)] = j;
-  list.onsets[n][static_cast<std::size_t>(l)] = from.onsets[old][static_cast<std::size_t>(m)];
+  g.i[l] = i, g.j[l] = j;
+  list.onsets[n][l] = from.onsets[old][m];
   set_lane(g.spring, l, sign * get_lane(was.spring, m));
   g.impulse[l] = was.impulse[m];
   g.lost_normal[l] = was.lost_normal[m], g.lost_tangential[l] = was.lost_tangential[m];

@@ -174,7 +174,7 @@ void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})
     for (const ContactPacket& g : list->packets)
       for (std::size_t l = 0; l < lanes; ++l) {
-        if (!g.touches(static_cast<int>(l))) continue;
+        if (!g.touches(l)) continue;
         const bool own = list == &chunk.own;
         touching.emplace_back(own ? std::min(g.i[l], g.j[l]) : g.i[l],
                               own ? std::max(g.i[l], g.j[l]) : g.j[l]);
@@ -216,7 +216,7 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPacket& g : chunk.wall.packets)
     for (std::size_t l = 0; l < lanes; ++l)
-      if (g.touches(static_cast<int>(l))) touching.emplace_back(g.i[l], g.j[l]);
+      if (g.touches(l)) touching.emplace_back(g.i[l], g.j[l]);
   std::ranges::sort(touching);
   std::vector<NeighbourPair> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));

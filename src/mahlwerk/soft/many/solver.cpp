@@ -69,9 +69,9 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     }
     const double half_kick_factor = 0.5 * settings.time_step / s.mass,
                  half_spin_kick_factor = 0.5 * settings.time_step / s.inertia;
-    half_kick_factors_.push_back(
-        {Lanes{half_kick_factor, half_kick_factor, half_kick_factor, 0, half_spin_kick_factor,
-               half_spin_kick_factor, half_spin_kick_factor, 0}});
+    half_kick_factors_.push_back({half_kick_factor, half_kick_factor, half_kick_factor, 0,
+                                  half_spin_kick_factor, half_spin_kick_factor,
+                                  half_spin_kick_factor, 0});
     class_of_.push_back(classes[octave(s.radius)]);
     double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
     widest = std::max(widest, s.radius);
@@ -172,7 +172,6 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
     rebuild_neighbour_lists();
   else if (rebin_is_due())
     rebin_pairs();
-  const Lanes zero{};
   ChunkStep s{.rows = rows_.data(),
               .spins = spins_.data(),
               .next_rows = next_rows_.data(),
@@ -193,8 +192,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .turning = jar_->first_rotor_face() < jar_->faces(),
               .has_history = has_history_,
               .constants = step_constants(settings_, jar_->periods())};
-  s.constants.jar_velocity = {zero + drive.velocity.x, zero + drive.velocity.y,
-                              zero + drive.velocity.z};
+  s.constants.jar_velocity = drive.velocity;
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
     const auto k = static_cast<std::size_t>(c);
     const Chunk* following =

@@ -116,10 +116,11 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void test_walls(Chunk& chunk) override;
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
   std::int32_t free_lane(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
-  void begin(Chunk& chunk, ContactPackets& list, std::size_t g, const ContactGeometry& geometry,
-             const PairMotion& motion) override;
-  void end(Chunk& chunk, ContactPackets& list, std::size_t g, const LaneMask& touching) override;
-  void record(Chunk& chunk, const ContactPackets& list, std::size_t g, int lane);
+  void begin(Chunk& chunk, ContactPackets& list, std::size_t n) override;
+  void record_onset(ContactPackets& list, std::size_t n, std::uint32_t begun,
+                    const OnsetSpeeds& speeds) override;
+  void end(Chunk& chunk, ContactPackets& list, std::size_t n, std::uint32_t ended) override;
+  void record(Chunk& chunk, const ContactPackets& list, std::size_t n, std::size_t lane);
   void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
 
   std::unique_ptr<const MovingWall> jar_;
@@ -128,10 +129,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   ChunkStepper step_chunk_;
   double start_, pull_off_distance_ = 0, mass_ = 0;
   bool periodic_, large_, has_history_;
-  std::vector<PairParameters> parameters_;       // of each species pair
-  std::vector<AlignedLanes> half_kick_factors_;  // of each species
-  std::vector<int> class_of_;                    // size class of each species
-  std::vector<double> class_radius_;             // [m] of the largest ball of each class
+  std::vector<PairParameters> parameters_;  // of each species pair
+  std::vector<Lanes> half_kick_factors_;    // of each species
+  std::vector<int> class_of_;               // size class of each species
+  std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
   // The balls, in the order of their rows.

@@ -5,25 +5,140 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mahlwerk/soft/kernel/isa.hpp"
 #include "mahlwerk/soft/many/bodies.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 #include "mahlwerk/soft/many/prefetch_queue.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
 // A step of a chunk: contacts, then the balls. A template, compiled for each law and instruction
-// set.
+// set. V is a register; a packet is computed in groups of as many lanes.
 namespace mahlwerk::soft {
 
 /// Gathers the parameters of a packet's species pairs, lane by lane.
 [[gnu::always_inline]] inline void gather_parameters(const PairParameters* parameters,
                                                      const ContactPacket& g, PairParameters& out) {
-  for (int l = 0; l < lanes; ++l)
-    copy_lane(parameters[g.species_pair[static_cast<std::size_t>(l)]], l, out, l);
+  for (std::size_t l = 0; l < lanes; ++l) copy_lane(parameters[g.species_pair[l]], l, out, l);
+}
+
+/// Computes the forces of a group. `begun`, `ended` and `tensile` (at the last step) are bits of
+/// lanes.
+template <class Law, class V>
+[[gnu::always_inline]] inline ContactForce<V> apply_group(
+    ChunkStep& s, ContactPackets& list, std::size_t n, const LaneGroup<V>& group,
+    const PairMotion<V>& motion, const ContactGeometry<V>& geometry, const MaskOf<V>& touching,
+    std::uint32_t begun, std::uint32_t ended, std::uint32_t tensile,
+    const PairParameters& parameters, ContactKind kind, ContactWork& sums) {
+  ContactPacket& g = list.packets[n];
+  if (begun != 0) {
+    OnsetSpeeds speeds;
+    put_onset_speeds<V>(group, geometry, motion, speeds);
+    s.callbacks->record_onset(list, n, begun, speeds);
+  }
+  GroupHistory<V> history;
+  history.spring = group(g.spring);
+  history.tensile = group.mask(tensile);
+  if (s.has_history) {
+    const OptionalHistory& k = list.optional_histories[n];
+    history.law_history[0] = group(k.law_history[0]);
+    history.law_history[1] = group(k.law_history[1]);
+    history.rolling_spring_torque = group(k.rolling_spring_torque);
+    history.stiffness = group(k.stiffness);
+  }
+  const ContactTransitions<V> transitions{group.mask(begun), group.mask(ended)};
+  WorkOfStep<V> work;
+  const ContactForce<V> out = contact_force<Law, V>(
+      group, parameters, history, work, s.constants, motion, geometry, touching,
+      (begun | ended) != 0 ? &transitions : nullptr, kind == ContactKind::wall);
+  group.put(g.spring, history.spring);
+  g.tensile |= group.bits(history.tensile);
+  if (s.has_history) {
+    OptionalHistory& k = list.optional_histories[n];
+    group.put(k.law_history[0], history.law_history[0]);
+    group.put(k.law_history[1], history.law_history[1]);
+    group.put(k.rolling_spring_torque, history.rolling_spring_torque);
+    group.put(k.stiffness, history.stiffness);
+  }
+  group.add(g.impulse, work.impulse);
+  group.add(g.lost_normal, work.normal);
+  group.add(g.lost_tangential, work.tangential + work.rolling);
+  group.add(sums.normal, work.normal);
+  group.add(sums.tangential, work.tangential);
+  group.add(sums.rolling, work.rolling);
+  group.add(sums.sliding, work.sliding);
+  if (kind == ContactKind::wall) group.add(sums.wall, work.wall);
+  group.put(sums.max_overlap,
+            max(group(sums.max_overlap), work.overlap * group(parameters.inverse_radius)));
+  if (kind == ContactKind::wall) group.put(list.wall_normals[n].normal, geometry.n);
+  return out;
+}
+
+/// Motion, geometry and touch test of a group.
+template <class V>
+struct GroupState {
+  PairMotion<V> motion;
+  ContactGeometry<V> geometry;
+  MaskOf<V> touching;
+};
+template <class V>
+[[gnu::always_inline]] inline GroupState<V> group_state(const ChunkStep& s, const ContactPacket& g,
+                                                        const LaneGroup<V>& group, ContactKind kind,
+                                                        const Vec<Lanes>& points,
+                                                        const PairParameters& parameters) {
+  GroupState<V> state;
+  const MaskOf<V> touched = group.mask(g.touching);
+  state.motion = gather_pair_motion<V>(s, g, group, kind, points);
+  const V squared = dot(state.motion.separation, state.motion.separation),
+          near = touch_distance<V>(group, parameters, touched);
+  state.touching = less<V>(squared, near * near) & touched;
+  state.geometry = contact_geometry<V>(group, parameters, state.motion, squared);
+  return state;
+}
+
+/// Computes the contacts of a packet and adds their forces to the balls of the chunk: first those
+/// of balls i, then those of balls j, each in the order of the lanes.
+template <class Law, class V>
+[[gnu::always_inline]] inline void apply_packet(ChunkStep& s, Chunk& chunk, ContactPackets& list,
+                                                std::size_t n, ContactKind kind,
+                                                VectorPair* ball_forces,
+                                                const PairParameters& species_parameters,
+                                                ContactWork& sums) {
+  ContactPacket& g = list.packets[n];
+  Vec<Lanes> points;
+  if (kind == ContactKind::wall)
+    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.time, s.pull_off_distance, points);
+  const std::uint32_t begun = g.begun, tensile = g.tensile;
+  if (begun != 0) s.callbacks->begin(chunk, list, n);
+  const PairParameters& parameters =
+      list.parameters.empty() ? species_parameters : list.parameters[n];
+  alignas(64) double rows_j[lanes][8];  // forces and torques on balls j
+  std::uint32_t touching = 0;
+  g.tensile = 0;
+  for (int first = 0; first < lanes; first += width_of<V>) {
+    const LaneGroup<V> group{first};
+    const std::uint32_t own = ((1U << width_of<V>)-1) << first;
+    const auto f = static_cast<std::size_t>(first);
+    if ((g.touching & own) == 0) continue;
+    const GroupState<V> state = group_state<V>(s, g, group, kind, points, parameters);
+    const std::uint32_t still = group.bits(state.touching);
+    touching |= still;
+    const ContactForce<V> force = apply_group<Law, V>(
+        s, list, n, group, state.motion, state.geometry, state.touching, begun & own,
+        g.touching & own & ~still, tensile, parameters, kind, sums);
+    alignas(64) double rows_i[width_of<V>][8];
+    to_rows<V>(force.force, force.torque_i, rows_i);
+    add_rows<V>(ball_forces, chunk.first, g.i.data() + f, rows_i);
+    if (kind == ContactKind::own) to_rows<V>(-force.force, force.torque_j, rows_j + f);
+  }
+  if (kind == ContactKind::own)
+    for (std::size_t f = 0; f < lanes; f += width_of<V>)
+      if ((g.touching >> f & ((1U << width_of<V>)-1)) != 0)
+        add_rows<V>(ball_forces, chunk.first, g.j.data() + f, rows_j + f);
+  if (const std::uint32_t ended = g.touching & ~touching; ended != 0)
+    s.callbacks->end(chunk, list, n, ended);
 }
 
 /// Computes the contacts of one kind and adds their forces to the balls of the chunk.
-template <class Law, bool avx512>
+template <class Law, class V>
 [[gnu::always_inline]] inline void apply_packets(ChunkStep& s, Chunk& chunk, ContactKind kind,
                                                  VectorPair* ball_forces, PrefetchQueue& prefetches,
                                                  ContactWork& sums) {
@@ -32,85 +147,40 @@ template <class Law, bool avx512>
                                                      : chunk.wall;
   PairParameters gathered;
   for (std::size_t n = 0; n < list.packets.size(); ++n) {
-    ContactPacket& g = list.packets[n];
+    const ContactPacket& g = list.packets[n];
     prefetches.fetch();
     if (g.touching == 0) continue;
     if (n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
-    const LaneMask touched = mask(g.touching);
-    const PairMotion motion = gather_pair_motion<avx512>(s, g, touched, kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
-    if (!list.parameters.empty())
-      parameters = &list.parameters[n];
-    else if (!g.one_species_pair)
+    if (list.parameters.empty() && !g.one_species_pair)
       gather_parameters(s.parameters, g, gathered), parameters = &gathered;
-    const Lanes squared = dot(motion.separation, motion.separation),
-                near = touch_distance(*parameters, touched);
-    const LaneMask touching = less(squared, near * near) & touched;
-    const ContactGeometry geometry = contact_geometry(*parameters, motion, squared);
-    const ContactTransitions transitions{mask(g.begun), touching ^ touched};
-    const bool ends = any(transitions.ended), changes = ends || g.begun != 0;
-    if (g.begun != 0) {
-      s.callbacks->begin(chunk, list, n, geometry, motion);
-      if (!list.parameters.empty()) parameters = &list.parameters[n];
-    }
-    History past;
-    past.spring = g.spring;
-    past.tensile = mask(g.tensile);
-    if (s.has_history) {
-      const OptionalHistory& k = list.optional_histories[n];
-      for (int i = 0; i < contact::law_history_size; ++i) past.law_history[i] = k.law_history[i];
-      past.rolling_spring_torque = k.rolling_spring_torque, past.stiffness = k.stiffness;
-    }
-    ContactWork d;
-    const ContactForce out =
-        contact_force<Law>(*parameters, past, d, s.constants, motion, geometry, touching,
-                           changes ? &transitions : nullptr, kind == ContactKind::wall);
-    g.spring = past.spring;
-    g.tensile = any(past.tensile) ? bits(past.tensile, lanes) : 0;
-    if (s.has_history) {
-      OptionalHistory& k = list.optional_histories[n];
-      for (int i = 0; i < contact::law_history_size; ++i) k.law_history[i] = past.law_history[i];
-      k.rolling_spring_torque = past.rolling_spring_torque, k.stiffness = past.stiffness;
-    }
-    g.impulse += d.impulse;
-    g.lost_normal += d.normal;
-    g.lost_tangential += d.tangential + d.rolling;
-    sums.normal += d.normal, sums.tangential += d.tangential, sums.rolling += d.rolling;
-    sums.sliding += d.sliding;
-    if (kind == ContactKind::wall) sums.wall += d.wall;
-    sums.max_overlap = max(sums.max_overlap, d.max_overlap * parameters->inverse_radius);
-    add_forces<avx512>(ball_forces, chunk.first, g.i, out.force, out.torque_i);
-    if (kind == ContactKind::own)
-      add_forces<avx512>(ball_forces, chunk.first, g.j, -out.force, out.torque_j);
-    if (ends) s.callbacks->end(chunk, list, n, touching);
-    if (kind == ContactKind::wall) list.wall_normals[n].normal = geometry.n;
+    apply_packet<Law, V>(s, chunk, list, n, kind, ball_forces, *parameters, sums);
   }
 }
 
-/// Tests `count` pairs, at most eight: a bit for each that touches.
-template <bool avx512>
+/// Tests `count` pairs, at most a register: a bit for each that touches.
+template <class V>
 [[gnu::always_inline]] inline std::uint32_t touching_bits(const ChunkStep& s,
                                                           const NeighbourPair* pairs,
                                                           std::size_t count) {
-  PairSeparation pair = pair_separations<avx512>(s.rows, pairs, count);
+  PairSeparation<V> pair = pair_separations<V>(s.rows, pairs, count);
   if (s.constants.periodic) pair.centres = folded(pair.centres, s.constants.periods);
-  const LaneMask mask = less(dot(pair.centres, pair.centres), pair.touch * pair.touch);
-  if (!any(mask)) return 0;
-  return bits(mask, count);
+  return bits(less<V>(dot(pair.centres, pair.centres), pair.touch * pair.touch)) &
+         ((1U << count) - 1);
 }
 
 /// Tests the due pairs of the Verlet list; those that touch become contacts.
-template <bool avx512>
+template <class V>
 [[gnu::always_inline]] inline void find_contacts(const ChunkStep& s, Chunk& chunk) {
   VerletList& w = chunk.ball_pairs;
   const auto scan = [&](const std::vector<NeighbourPair>& pairs, std::size_t end) {
     chunk.new_touches.clear();
-    for (std::size_t k = 0; k < end; k += lanes) {
+    for (std::size_t k = 0; k < end; k += width_of<V>) {
       constexpr std::size_t lookahead = 4 * lanes;  // prefetch distance in pairs
-      for (std::size_t n = k + lookahead; n < std::min(end, k + lookahead + lanes); ++n)
+      for (std::size_t n = k + lookahead; n < std::min(end, k + lookahead + width_of<V>); ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
       std::uint32_t bits =
-          touching_bits<avx512>(s, pairs.data() + k, std::min<std::size_t>(lanes, end - k));
+          touching_bits<V>(s, pairs.data() + k, std::min<std::size_t>(width_of<V>, end - k));
       for (; bits != 0; bits &= bits - 1)
         chunk.new_touches.push_back(static_cast<std::int32_t>(k) + __builtin_ctz(bits));
     }
@@ -131,49 +201,102 @@ template <bool avx512>
   }
 }
 
-/// Integrates the balls of a chunk over a step (velocity Verlet, dem.26).
-template <bool avx512, bool streaming>
+/// Stores the records of a ball for the next step. `next` are the parts of its BallRecord, `turn`
+/// those of its SpinRecord.
+template <bool streaming, class V, std::size_t parts, class R>
+[[gnu::always_inline]] inline void store_record(R& record, const V (&values)[parts]) {
+  for (std::size_t p = 0; p < parts; ++p) {
+    if constexpr (streaming)
+      stream_part<V>(record, p * width_of<V>, values[p]);
+    else
+      store_part<V>(record, p * width_of<V>, values[p]);
+  }
+}
+
+/// A ball's numbers in a step of the integration, in parts of a register: four of the position,
+/// eight of the predicted velocity and spin.
+template <class V>
+struct IntegratedBall {
+  static constexpr std::size_t count = 4 / std::min(width_of<V>, 4);
+  using Part = Register<std::min(width_of<V>, 4)>;
+  Part position[count], velocity[count], spin[count];
+};
+
+/// Velocity Verlet (dem.26) for a ball: advances its half-step velocity and spin.
+template <class V>
+[[gnu::always_inline]] inline IntegratedBall<V> integrate_ball(const ChunkStep& s, std::int32_t i,
+                                                               const VectorPair& ball_force,
+                                                               const VectorPair& body_kick_before,
+                                                               const VectorPair& body_kick_after) {
+  constexpr std::size_t w = width_of<V>;
+  using Ball = IntegratedBall<V>;
+  using Part = typename Ball::Part;
+  const Lanes& factor = s.half_kick_factors[s.species[i]];
+  Ball ball;
+  for (std::size_t part = 0; part < 8; part += w) {
+    const V half_kick = load<V>(factor.values + part) * load_part<V>(ball_force, part);
+    const V half =
+        load_part<V>(s.half_step[i], part) + 2.0 * half_kick + load_part<V>(body_kick_before, part);
+    const V predicted = half + half_kick + load_part<V>(body_kick_after, part);
+    store_part<V>(s.half_step[i], part, half);
+    if constexpr (w == 8) {
+      ball.velocity[0] = __builtin_shufflevector(predicted, predicted, 0, 1, 2, 3);
+      ball.spin[0] = __builtin_shufflevector(predicted, predicted, 4, 5, 6, 7);
+      ball.position[0] = load_part<Part>(s.rows[i], 0) +
+                         s.constants.dt * __builtin_shufflevector(half, half, 0, 1, 2, 3);
+    } else {
+      const std::size_t p = part % 4 / w;
+      (part < 4 ? ball.velocity : ball.spin)[p] = predicted;
+      if (part < 4) ball.position[p] = load_part<V>(s.rows[i], part) + s.constants.dt * half;
+    }
+  }
+  return ball;
+}
+
+/// Integrates the balls of a chunk over a step.
+template <class V, bool streaming>
 [[gnu::always_inline]] inline void integrate_balls(const ChunkStep& s, const Chunk& chunk,
                                                    const VectorPair* ball_forces,
                                                    ChunkDisplacement& displacement) {
+  using Ball = IntegratedBall<V>;
+  using Part = typename Ball::Part;
+  constexpr std::size_t count = Ball::count, w = width_of<Part>;
   const double dt = s.constants.dt;
-  const Vec3 &b0 = s.drive.body_acceleration, &b1 = s.next_drive.body_acceleration;
-  const Lanes body_kick_before = dt * Lanes{b0.x, b0.y, b0.z},
-              body_kick_after = 0.5 * dt * Lanes{b1.x, b1.y, b1.z};
-  const Four predicted_mean{displacement.predicted_mean.x, displacement.predicted_mean.y,
-                            displacement.predicted_mean.z};
-  Four sum{}, max_deviation{};
+  const Vec3 before = dt * s.drive.body_acceleration,
+             after = 0.5 * dt * s.next_drive.body_acceleration;
+  const VectorPair kick_before{before.x, before.y, before.z}, kick_after{after.x, after.y, after.z};
+  alignas(64) const double predicted_mean[4] = {
+      displacement.predicted_mean.x, displacement.predicted_mean.y, displacement.predicted_mean.z};
+  Part sum[count]{}, max_deviation[count]{};
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
-    const Lanes half_kick =
-        s.half_kick_factors[s.species[i]].value * load_eight(ball_forces[i - chunk.first]);
-    const Lanes half = load_eight(s.half_step[i]) + 2.0 * half_kick + body_kick_before;
-    const Lanes predicted = half + half_kick + body_kick_after;
-    store_eight(s.half_step[i], half);
-    const Lanes row = load_eight(s.rows[i]);
-    const Lanes position =
-        row + dt * __builtin_shufflevector(half, Lanes{}, 0, 1, 2, 8, 8, 8, 8, 8);
-    const Lanes next = __builtin_shufflevector(position, predicted, 0, 1, 2, 3, 8, 9, 10, 15);
-    const Four turn = __builtin_shufflevector(predicted, predicted, 4, 5, 6, 15);
-    if constexpr (streaming) {
-      stream_store(s.next_rows[i], next);
-      stream_store(s.next_spins[i], turn);
+    const Ball ball =
+        integrate_ball<V>(s, i, ball_forces[i - chunk.first], kick_before, kick_after);
+    if constexpr (width_of<V> == 8) {
+      const V next[1] = {
+          __builtin_shufflevector(ball.position[0], ball.velocity[0], 0, 1, 2, 3, 4, 5, 6, 7)};
+      store_record<streaming>(s.next_rows[i], next);
     } else {
-      store_eight(s.next_rows[i], next);
-      store_four(s.next_spins[i], turn);
+      Part next[2 * count];
+      for (std::size_t p = 0; p < count; ++p)
+        next[p] = ball.position[p], next[count + p] = ball.velocity[p];
+      store_record<streaming>(s.next_rows[i], next);
     }
-    const Four way = __builtin_shufflevector(position, position, 0, 1, 2, 2) -
-                     load_four(s.reference_positions[i]);
-    const Four deviation = way - predicted_mean;
-    sum += way;
-    max_deviation = max_deviation > deviation ? max_deviation : deviation;
-    max_deviation = max_deviation > -deviation ? max_deviation : -deviation;
+    store_record<streaming>(s.next_spins[i], ball.spin);
+    for (std::size_t p = 0; p < count; ++p) {
+      const Part way = ball.position[p] - reference_part<Part>(s.reference_positions[i], p * w);
+      const Part deviation = way - load<Part>(predicted_mean + p * w);
+      sum[p] += way;
+      max_deviation[p] = max(max_deviation[p], deviation);
+      max_deviation[p] = max(max_deviation[p], -deviation);
+    }
   }
   if constexpr (streaming) store_fence();
-  const double count = std::max(1, chunk.last - chunk.first);
-  displacement.spread =
-      std::sqrt(max_deviation[0] * max_deviation[0] + max_deviation[1] * max_deviation[1] +
-                max_deviation[2] * max_deviation[2]);
-  displacement.mean = {sum[0] / count, sum[1] / count, sum[2] / count};
+  const auto number = [](const Part(&parts)[count], std::size_t k) { return parts[k / w][k % w]; };
+  const double balls = std::max(1, chunk.last - chunk.first);
+  displacement.spread = std::sqrt(number(max_deviation, 0) * number(max_deviation, 0) +
+                                  number(max_deviation, 1) * number(max_deviation, 1) +
+                                  number(max_deviation, 2) * number(max_deviation, 2));
+  displacement.mean = {number(sum, 0) / balls, number(sum, 1) / balls, number(sum, 2) / balls};
 }
 
 /// Queues the memory of the next chunk for prefetching.
@@ -196,41 +319,44 @@ template <bool avx512, bool streaming>
 }
 
 /// One step of a chunk.
-template <class Law, bool avx512>
+template <class Law, class V>
 [[gnu::always_inline]] inline void step_chunk(ChunkStep& s, Chunk& chunk, const Chunk* following,
                                               BallForces& ball_forces,
                                               ChunkDisplacement& displacement) {
   PrefetchQueue prefetches = prefetch_next_chunk(s, chunk, following);
-  find_contacts<avx512>(s, chunk);
+  find_contacts<V>(s, chunk);
   s.callbacks->test_walls(chunk);
   std::fill_n(ball_forces.begin(), chunk.last - chunk.first, VectorPair{});
   // Not unrolled: otherwise this large body would be compiled three times.
 #pragma GCC unroll 1
   for (const ContactKind kind : {ContactKind::own, ContactKind::halo, ContactKind::wall}) {
     ContactWork d;
-    apply_packets<Law, avx512>(s, chunk, kind, ball_forces.data(), prefetches, d);
+    apply_packets<Law, V>(s, chunk, kind, ball_forces.data(), prefetches, d);
     const double part = kind == ContactKind::halo ? 0.5 : 1;
     ContactWork& all = chunk.sums.work;
-    all.normal += part * d.normal;
-    all.tangential += part * d.tangential;
-    all.rolling += part * d.rolling;
-    all.sliding += part * d.sliding;
-    all.wall += d.wall;
-    all.max_overlap = max(all.max_overlap, d.max_overlap);
+    for (int first = 0; first < lanes; first += width_of<V>) {
+      const LaneGroup<V> group{first};
+      group.add(all.normal, part * group(d.normal));
+      group.add(all.tangential, part * group(d.tangential));
+      group.add(all.rolling, part * group(d.rolling));
+      group.add(all.sliding, part * group(d.sliding));
+      group.add(all.wall, group(d.wall));
+      group.put(all.max_overlap, max(group(all.max_overlap), group(d.max_overlap)));
+    }
   }
   chunk.sums.ball_steps += chunk.balls_in_contact;
-  if (avx512 && s.large)
-    integrate_balls<avx512, avx512>(s, chunk, ball_forces.data(), displacement);
+  if (s.large)
+    integrate_balls<V, true>(s, chunk, ball_forces.data(), displacement);
   else
-    integrate_balls<avx512, false>(s, chunk, ball_forces.data(), displacement);
+    integrate_balls<V, false>(s, chunk, ball_forces.data(), displacement);
 }
 
 template <class Law>
 struct ChunkLoop {
-  template <bool avx512>
+  template <int width>
   [[gnu::always_inline]] static void run(ChunkStep& s, Chunk& c, const Chunk* next, BallForces& l,
                                          ChunkDisplacement& d) {
-    step_chunk<Law, avx512>(s, c, next, l, d);
+    step_chunk<Law, Register<width>>(s, c, next, l, d);
   }
 };
 template <class Law>

@@ -37,12 +37,14 @@ class Candidates {
   std::span<const Neighbour> find_near(const Query& query);
 
  private:
-  struct alignas(64) Block {
+  struct Block {
     Lanes x{}, y{}, z{}, radius{}, row{};
   };
   struct Search;
+  template <class V>
   void find(const Query& query);
-  LaneMask test(const Block& b, const Query& query, Lanes& squared) const;
+  template <class V>
+  MaskOf<V> test(const LaneGroup<V>& group, const Block& b, const Query& query, V& squared) const;
 
   Vec3 periods_;
   bool periodic_;

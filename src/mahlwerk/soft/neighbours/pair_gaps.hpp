@@ -11,19 +11,8 @@
 
 namespace mahlwerk::soft {
 
-constexpr std::uint32_t bit(int lane) {
+constexpr std::uint32_t bit(std::size_t lane) {
   return 1U << lane;
-}
-/// The mask of the lanes whose bits are set.
-[[gnu::always_inline]] inline LaneMask mask(std::uint32_t bits) {
-  constexpr LaneMask lane{0, 1, 2, 3, 4, 5, 6, 7};
-  return -(((LaneMask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
-}
-/// The bits of the lanes that are set among the first `count`.
-[[gnu::always_inline]] inline std::uint32_t bits(const LaneMask& mask, std::size_t count) {
-  std::uint32_t all = 0;
-  for (int l = 0; l < static_cast<int>(count); ++l) all |= mask[l] != 0 ? bit(l) : 0;
-  return all;
 }
 
 /// Neighbour pair: two balls, or a ball and the face ~other if other < 0.
@@ -31,29 +20,39 @@ struct NeighbourPair {
   std::int32_t ball = 0, other = 0;
 };
 
-/// Separations of eight pairs of balls.
+/// Separations of as many pairs of balls as fit a register.
+template <class V>
 struct PairSeparation {
-  Vec<Lanes> centres;  ///< [m] from ball to other
-  Lanes touch;         ///< [m] sum of the radii
+  Vec<V> centres;  ///< [m] from ball to other
+  V touch;         ///< [m] sum of the radii
 };
 
-/// Separations of `count` pairs, at most eight; lanes from `count` on repeat the first pair.
-template <bool avx512>
-[[gnu::always_inline]] inline PairSeparation pair_separations(const BallRecord* rows,
-                                                              const NeighbourPair* pairs,
-                                                              std::size_t count) {
-  Lanes c[4];
-  const Lanes sign{1, 1, 1, -1, 1, 1, 1, -1};
+/// Separations of `count` pairs, at most a register; lanes from `count` on repeat the first pair.
+template <class V>
+[[gnu::always_inline]] inline PairSeparation<V> pair_separations(const BallRecord* rows,
+                                                                 const NeighbourPair* pairs,
+                                                                 std::size_t count) {
+  V c[4];
   const auto pair = [&](std::size_t k) -> const NeighbourPair& { return pairs[k < count ? k : 0]; };
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const BallRecord &a = rows[pair(k).ball], &b = rows[pair(k).other];
-    const auto l = static_cast<int>(k);
-    if constexpr (!avx512)
-      c[0][l] = b.x - a.x, c[1][l] = b.y - a.y, c[2][l] = b.z - a.z, c[3][l] = b.radius + a.radius;
-    else if (k < 4)
-      c[k] = load_fours(b, rows[pair(k + 4).other]) - sign * load_fours(a, rows[pair(k + 4).ball]);
+  const auto ball = [&](std::size_t k) -> const BallRecord& { return rows[pair(k).ball]; };
+  const auto other = [&](std::size_t k) -> const BallRecord& { return rows[pair(k).other]; };
+  if constexpr (width_of<V> == 8) {  // differences before the transposition: half of its work
+    constexpr V sign{1, 1, 1, -1, 1, 1, 1, -1};
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = load_fours(other(k), other(k + 4), 0) - sign * load_fours(ball(k), ball(k + 4), 0);
+    transpose(c);
+  } else if constexpr (width_of<V> == 4) {
+    constexpr V sign{1, 1, 1, -1};
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = load_part<V>(other(k)) - sign * load_part<V>(ball(k));
+    transpose(c);
+  } else {
+    V a[4];
+    load_columns<V>(ball, 0, a);
+    load_columns<V>(other, 0, c);
+    for (std::size_t k = 0; k < 3; ++k) c[k] = c[k] - a[k];
+    c[3] = c[3] + a[3];
   }
-  if constexpr (avx512) transpose(c);
   return {{c[0], c[1], c[2]}, c[3]};
 }
 

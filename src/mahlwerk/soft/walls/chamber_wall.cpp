@@ -89,22 +89,21 @@ class ChamberWall final : public MovingWall {
     }
   }
   void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
-                   const std::array<std::int32_t, lanes>& faces, const LaneMask& touching, double t,
-                   double beyond, AlignedLanes (&points)[3]) const override {
+                   const std::array<std::int32_t, lanes>& faces, std::uint32_t touching, double t,
+                   double beyond, Vec<Lanes>& points) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
-    for (int l = 0; l < lanes; ++l) {
-      const auto k = static_cast<std::size_t>(l);
+    for (std::size_t k = 0; k < lanes; ++k) {
       const BallRecord& ball = rows[balls[k]];
       const Vec3 position = ball.position();
       const Rotation& q = faces[k] >= first_rotor_face_ ? rotor : own;
-      const double within = touching[l] != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
+      const double within = (touching >> k & 1) != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
                                              plain ? position : q.apply_inverse(position), within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward;
-      points[0].value[l] = point.x, points[1].value[l] = point.y, points[2].value[l] = point.z;
+      points.x[k] = point.x, points.y[k] = point.y, points.z[k] = point.z;
     }
   }
   double safe_time(const Vec3& position, const Vec3& velocity, double t,

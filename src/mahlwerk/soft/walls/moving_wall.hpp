@@ -66,11 +66,11 @@ class MovingWall {
   /// Updates the wall points of balls near a face.
   virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
                            const WallPointColumns& positions) const = 0;
-  /// Wall points of eight balls, for the lanes in `touching`; other lanes may be inexact. Exact for
-  /// gaps up to `beyond` [m].
+  /// Wall points of eight balls, for the lanes in `touching` (bits); other lanes may be inexact.
+  /// Exact for gaps up to `beyond` [m].
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
-                           const std::array<std::int32_t, lanes>& faces, const LaneMask& touching,
-                           double t, double beyond, AlignedLanes (&points)[3]) const = 0;
+                           const std::array<std::int32_t, lanes>& faces, std::uint32_t touching,
+                           double t, double beyond, Vec<Lanes>& points) const = 0;
   /// Safe time [s] of a ball in free flight: a duration from `t` in which it touches no face.
   virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
                            double radius) const = 0;
