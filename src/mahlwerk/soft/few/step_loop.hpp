@@ -193,7 +193,9 @@ template <class Law, class V>
   group.add(p.work.sliding, work.sliding);
   group.add(p.work.wall, work.wall);
   group.put(p.work.max_overlap, max(group(p.work.max_overlap), work.overlap));
-  group.put(p.normal, geometry.n);
+  // A contact that ends keeps the normal of its last step: the ball may have left the face.
+  group.put(p.normal,
+            ended == 0 ? geometry.n : select<V>(transitions.ended, group(p.normal), geometry.n));
   return out;
 }
 

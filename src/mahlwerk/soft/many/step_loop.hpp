@@ -68,7 +68,12 @@ template <class Law, class V>
   if (kind == ContactKind::wall) group.add(sums.wall, work.wall);
   group.put(sums.max_overlap,
             max(group(sums.max_overlap), work.overlap * group(parameters.inverse_radius)));
-  if (kind == ContactKind::wall) group.put(list.wall_normals[n].normal, geometry.n);
+  if (kind == ContactKind::wall) {
+    // A contact that ends keeps the normal of its last step: the ball may have left the face.
+    Vec<Lanes>& normal = list.wall_normals[n].normal;
+    group.put(normal,
+              ended == 0 ? geometry.n : select<V>(transitions.ended, group(normal), geometry.n));
+  }
   return out;
 }
 
