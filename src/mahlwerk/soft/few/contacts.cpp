@@ -43,7 +43,7 @@ void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
   if (p.wall[lane] != 0 && settings_.model.curved_walls)
     apply_wall_curvature(
-        p, lane, *jar_, p.face[lane], particles_.position.get(static_cast<std::size_t>(p.i[lane])),
+        p, lane, *jar_, p.face[lane], particles_.position(static_cast<std::size_t>(p.i[lane])),
         mill_time(particles_.step), pairs_[p.species_pair[lane]], *settings_.model.law);
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
@@ -61,10 +61,10 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
   const auto ball = static_cast<std::size_t>(p.i[lane]);
   const double t = mill_time(particles_.step);
   const int face = wall ? p.face[lane] : -1;
-  const Vec3 x = particles_.position.get(ball);
+  const Vec3 x = particles_.position(ball);
   const Vec3 separation =
       wall ? get_lane(p.normal, lane)
-           : nearest(particles_.position.get(static_cast<std::size_t>(p.j[lane])) - x);
+           : nearest(particles_.position(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(separation)) * separation;
   const Vec3 where = x + p.radius_i[lane] * n;
   const ContactWork& d = p.work;

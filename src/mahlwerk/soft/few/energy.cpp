@@ -16,8 +16,8 @@ FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
       if (p.touching[l] == 0) continue;
       const double law_history[contact::law_history_size] = {p.law_history[0][l],
                                                              p.law_history[1][l]};
-      const Vec3 separation = nearest(particles_.position.get(static_cast<std::size_t>(p.j[l])) -
-                                      particles_.position.get(static_cast<std::size_t>(p.i[l])));
+      const Vec3 separation = nearest(particles_.position(static_cast<std::size_t>(p.j[l])) -
+                                      particles_.position(static_cast<std::size_t>(p.i[l])));
       const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
       if (overlap < -p.radius_i[l]) continue;  // the ball has left this face across an edge
       energy.normal += std::visit(
@@ -39,12 +39,12 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   const FreeFlight way = free_flight(now_ - particles_.step);
   const kinematics::FrameMotion there = way.time > 0 ? jar_->frame_motion(mill_time(now_)) : frame;
   a.kinetic = a.potential = 0;
-  for (std::size_t b = 0; b < particles_.balls; ++b) {
+  for (std::size_t b = 0; b < particles_.count; ++b) {
     const Species& of = pairs_.species_of(b);
-    const Vec3 v0 = particles_.velocity.get(b);
+    const Vec3 v0 = particles_.velocity(b);
     const Vec3 v = v0 + way.gain + there.velocity;
-    const Vec3 x = particles_.position.get(b) + way.time * v0 + way.shift + there.centre;
-    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin.get(b)));
+    const Vec3 x = particles_.position(b) + way.time * v0 + way.shift + there.centre;
+    a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin(b)));
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
   const ElasticEnergy kept = elastic_energy();
@@ -72,9 +72,8 @@ void FewBodySolver::check_energy() {
   const double least = first.mass * norm(jar_->gravity()) * first.radius;
   if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
-  for (std::size_t b = 1; b < particles_.balls; ++b)
-    if (!(squared(particles_.velocity.get(b)) <= squared(particles_.velocity.get(fastest))))
-      fastest = b;
+  for (std::size_t b = 1; b < particles_.count; ++b)
+    if (!(squared(particles_.velocity(b)) <= squared(particles_.velocity(fastest)))) fastest = b;
   stop(fastest, energy_jump_message);
 }
 

@@ -31,11 +31,11 @@ std::int64_t FewBodySolver::collision_free_steps() const {
   double time = max_steps * settings_.time_step;
   const double now = mill_time(particles_.step);
   if (periodic_) return 0;
-  for (std::size_t i = 0; i < particles_.balls; ++i) {
-    const Vec3 x = particles_.position.get(i), v = particles_.velocity.get(i);
+  for (std::size_t i = 0; i < particles_.count; ++i) {
+    const Vec3 x = particles_.position(i), v = particles_.velocity(i);
     time = std::min(time, jar_->safe_time(x, v, now, initial_balls_[i].radius));
-    for (std::size_t j = i + 1; j < particles_.balls; ++j) {
-      const Vec3 r = particles_.position.get(j) - x, u = particles_.velocity.get(j) - v;
+    for (std::size_t j = i + 1; j < particles_.count; ++j) {
+      const Vec3 r = particles_.position(j) - x, u = particles_.velocity(j) - v;
       const double touch = initial_balls_[i].radius + initial_balls_[j].radius;
       const double b = dot(r, u), c = squared(r) - touch * touch;
       const double d = b * b - squared(u) * c;
@@ -58,10 +58,11 @@ FewBodySolver::FreeFlight FewBodySolver::free_flight(std::int64_t steps) const {
 
 void FewBodySolver::end_skip() {
   const FreeFlight way = free_flight(skip_end_ - particles_.step);
-  for (std::size_t b = 0; b < particles_.balls; ++b) {
-    const Vec3 v = particles_.velocity.get(b);
-    particles_.position.set(b, particles_.position.get(b) + way.time * v + way.shift);
-    particles_.velocity.set(b, v + way.gain);
+  for (std::size_t b = 0; b < particles_.count; ++b) {
+    const Vec3 v = particles_.velocity(b);
+    set_lane(particles_.bodies[b / lanes].position, b % lanes,
+             particles_.position(b) + way.time * v + way.shift);
+    set_lane(particles_.balls[b / lanes].velocity, b % lanes, v + way.gain);
   }
   particles_.step = skip_end_;
   next_skip_ = skip_end_ + 1;

@@ -160,37 +160,50 @@ void FewBodySolver::allocate_wall_points() {
   for (PairPacket& p : w.packets)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (!p.used[l] || p.face[l] < 0) continue;
-      p.j[l] = static_cast<std::int64_t>(w.blocks * lanes + w.wall_neighbours.size());
+      p.j[l] = static_cast<std::int64_t>(w.balls.size() * lanes + w.wall_neighbours.size());
       w.wall_neighbours.push_back({static_cast<std::int32_t>(p.i[l]), p.face[l],
                                    (1 + past_touch) * p.radius_i[l] + pull_off_distance_});
     }
   const std::size_t blocks =
-      w.blocks + std::max<std::size_t>(1, (w.wall_neighbours.size() + lanes - 1) / lanes);
-  for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
-    c->resize(std::max(blocks, c->x.size()));
+      w.balls.size() + std::max<std::size_t>(1, (w.wall_neighbours.size() + lanes - 1) / lanes);
+  w.bodies.resize(std::max(blocks, w.bodies.size()));
 }
 
 void FewBodySolver::build_gather_maps() {
   ParticleData& w = particles_;
-  w.fits_registers = w.blocks == 1 && w.wall_neighbours.size() <= lanes;
+  w.fits_registers = w.balls.size() == 1 && w.wall_neighbours.size() <= lanes;
+  const std::size_t no_ball = w.balls.size() * lanes;
   w.gather_maps.assign(w.packets.size(), {});
-  if (!w.fits_registers) return;
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
-    std::array<int, lanes> count{};
+    GatherMap& map = w.gather_maps[n];
+    const auto offset = [](std::int64_t body) {
+      return body / lanes * static_cast<std::int64_t>(sizeof(BodyBlock)) +
+             body % lanes * static_cast<std::int64_t>(sizeof(double));
+    };
     for (std::size_t l = 0; l < lanes; ++l) {
-      if (!p.used[l]) continue;
-      const auto give = [&](std::int64_t body, std::size_t from) {
-        GatherMap& o = w.gather_maps[n];
-        const auto ball = static_cast<std::size_t>(body);
-        const auto k = static_cast<std::size_t>(count[ball]++);
-        o.source[k][ball] = static_cast<std::int64_t>(from);
-        o.active[k][ball] = -1;
-        o.max_contacts = std::max(o.max_contacts, static_cast<int>(k) + 1);
-      };
-      give(p.i[l], l);
-      if (p.wall[l] == 0) give(p.j[l], lanes + l);
+      map.offset_i[l] = offset(p.i[l]), map.offset_j[l] = offset(p.j[l]);
+      map.row_i[l] = p.i[l];
+      map.row_j[l] = p.used[l] && p.wall[l] == 0 ? p.j[l] : static_cast<std::int64_t>(no_ball);
     }
+    if (w.fits_registers) find_sources(p, map);
+  }
+}
+
+/// Finds the contacts of each ball among the lanes.
+void FewBodySolver::find_sources(const PairPacket& p, GatherMap& map) {
+  std::array<std::size_t, lanes> count{};
+  for (std::size_t l = 0; l < lanes; ++l) {
+    if (!p.used[l]) continue;
+    const auto give = [&](std::int64_t body, std::size_t from) {
+      const auto ball = static_cast<std::size_t>(body);
+      const std::size_t k = count[ball]++;
+      map.source[k][ball] = static_cast<std::int64_t>(from);
+      map.active[k][ball] = -1;
+      map.max_contacts = std::max(map.max_contacts, static_cast<int>(k) + 1);
+    };
+    give(p.i[l], l);
+    if (p.wall[l] == 0) give(p.j[l], lanes + l);
   }
 }
 

@@ -16,19 +16,19 @@ constexpr std::size_t all_pairs_limit = 8;  // up to this many balls, all pairs 
 }  // namespace
 
 void FewBodySolver::rebuild_neighbour_list() {
-  for (std::size_t b = 0; b < particles_.blocks * lanes; ++b)
-    particles_.list_positions.set(b, particles_.position.get(b));
+  for (std::size_t b = 0; b < particles_.balls.size(); ++b)
+    particles_.balls[b].list_position = particles_.bodies[b].position;
   list_step_ = particles_.step;
   particles_.wall_points_due = true;
   found_pairs_.clear();
-  if (particles_.balls <= all_pairs_limit) {
-    for (std::size_t b = 0; b < particles_.balls; ++b) {
+  if (particles_.count <= all_pairs_limit) {
+    for (std::size_t b = 0; b < particles_.count; ++b) {
       find_wall_pairs(b);
-      for (std::size_t other = b + 1; other < particles_.balls; ++other) test_pair(b, other);
+      for (std::size_t other = b + 1; other < particles_.count; ++other) test_pair(b, other);
     }
   } else {
     find_ball_pairs();
-    for (std::size_t b = 0; b < particles_.balls; ++b) find_wall_pairs(b);
+    for (std::size_t b = 0; b < particles_.count; ++b) find_wall_pairs(b);
     std::ranges::sort(found_pairs_);
   }
   const bool same = found_pairs_ == listed_pairs_;
@@ -47,8 +47,8 @@ void FewBodySolver::rebuild_neighbour_list() {
 
 /// Finds the faces near a ball. Stops the run if the ball's state is invalid.
 void FewBodySolver::find_wall_pairs(std::size_t b) {
-  const Vec3 x = particles_.position.get(b);
-  if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity.get(b))))
+  const Vec3 x = particles_.position(b);
+  if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity(b))))
     stop(b, "its position or velocity is not a finite number");
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
@@ -64,7 +64,7 @@ void FewBodySolver::find_wall_pairs(std::size_t b) {
 
 /// Adds the pair i < j to the found pairs if its gap is within the skin.
 void FewBodySolver::test_pair(std::size_t i, std::size_t j) {
-  const Vec3 separation = nearest(particles_.position.get(j) - particles_.position.get(i));
+  const Vec3 separation = nearest(particles_.position(j) - particles_.position(i));
   const double far =
       initial_balls_[i].radius + initial_balls_[j].radius + skin_ + pull_off_distance_;
   if (squared(separation) < far * far)
@@ -77,9 +77,10 @@ void FewBodySolver::find_ball_pairs() {
   const bool periodic = std::isfinite(jar_->periods().x);
   double largest = 0;
   for (const Species& s : pairs_.all_species()) largest = std::max(largest, s.radius);
-  std::vector<std::int32_t> order(particles_.balls);
+  std::vector<std::int32_t> order(particles_.count);
   std::iota(order.begin(), order.end(), 0);
-  const double* x = column_data(particles_.position.x);
+  std::vector<double> x;
+  for (std::size_t b = 0; b < particles_.count; ++b) x.push_back(particles_.position(b).x);
   std::ranges::sort(
       order, [&](std::int32_t a, std::int32_t b) { return x[a] != x[b] ? x[a] < x[b] : a < b; });
   for (std::size_t a = 0; a < order.size(); ++a)

@@ -9,38 +9,6 @@
 
 namespace mahlwerk::soft {
 
-/// 3-vectors of bodies as a structure of arrays, in blocks of eight bodies.
-struct VectorColumns {
-  std::vector<Lanes> x, y, z;
-
-  void resize(std::size_t blocks) { x.resize(blocks), y.resize(blocks), z.resize(blocks); }
-  Vec3 get(std::size_t body) const {
-    const std::size_t b = body / lanes, l = body % lanes;
-    return {x[b][l], y[b][l], z[b][l]};
-  }
-  void set(std::size_t body, const Vec3& a) {
-    const std::size_t b = body / lanes, l = body % lanes;
-    x[b][l] = a.x, y[b][l] = a.y, z[b][l] = a.z;
-  }
-  /// A register of consecutive bodies from `body` on, a multiple of the register's width.
-  template <class V>
-  Vec<V> at(std::size_t body) const {
-    return {load<V>(&x[0][0] + body), load<V>(&y[0][0] + body), load<V>(&z[0][0] + body)};
-  }
-  template <class V>
-  void put(std::size_t body, const Vec<V>& a) {
-    store<V>(&x[0][0] + body, a.x), store<V>(&y[0][0] + body, a.y), store<V>(&z[0][0] + body, a.z);
-  }
-};
-
-/// One column as an array of doubles.
-inline double* column_data(std::vector<Lanes>& column) {
-  return column.front().values;
-}
-inline const double* column_data(const std::vector<Lanes>& column) {
-  return column.front().values;
-}
-
 /// Eight neighbour pairs, with the history of those that touch. Free lanes touch nothing. In
 /// contrast, a ContactPacket of ManyBodySolver holds contacts only and takes a sixth of the memory:
 /// its parameters are those of a species pair, and most work is summed over a chunk.
@@ -56,33 +24,45 @@ struct alignas(64) PairPacket : PairParameters, History {
   std::array<ContactOnset, lanes> onset{};
 };
 
-/// Gather indices of a packet. For ball l of up to eight, the force of its k-th contact is that on
-/// body i of lane source[k][l], or, if source[k][l] >= lanes, that on body j of lane
-/// source[k][l] - lanes. active[k] masks the balls that have a k-th contact.
+/// Where the bodies of a packet are. Derived from PairPacket.
 struct alignas(64) GatherMap {
+  /// [bytes] from the first BodyBlock to the numbers of bodies i and j: address of position.x.
+  std::array<std::int64_t, lanes> offset_i{}, offset_j{};
+  /// Rows of ParticleData::force_rows to which the forces on i and j are added.
+  std::array<std::int64_t, lanes> row_i{}, row_j{};
+  /// If `fits_registers`: for ball l of up to eight, the force of its k-th contact is that on body
+  /// i of lane source[k][l], or, if source[k][l] >= lanes, that on body j of lane source[k][l] -
+  /// lanes. active[k] masks the balls that have a k-th contact.
   std::array<LaneMask, lanes> source{}, active{};
   int max_contacts = 0;  ///< largest number of contacts of one ball
+};
+
+/// Force [N] and torque [N m] on a ball, summed over contacts.
+struct alignas(64) ForceRow {
+  double values[8];
 };
 
 /// State of all bodies and contacts. Bodies are the balls, padded to whole blocks, followed by the
 /// wall points (MovingWall::wall_points).
 struct ParticleData {
   std::int64_t step = 0;
-  std::size_t balls = 0, blocks = 0;  ///< blocks of balls
-  VectorColumns position;             ///< [m] of all bodies, in the jar frame
-  VectorColumns velocity_predicted,
-      spin_predicted;                        ///< [m/s], [rad/s] of all bodies, predicted (dem.26)
-  VectorColumns velocity, spin;              ///< of the balls, at the end of the step
-  VectorColumns force, torque;               ///< [N], [N m] of the contacts on the balls
-  std::vector<Lanes> half_kick_factor;       ///< [s/kg] half a step over mass
-  std::vector<Lanes> half_spin_kick_factor;  ///< [s/(kg m2)] half a step over inertia
+  std::size_t count = 0;          ///< of balls
+  std::vector<BodyBlock> bodies;  ///< blocks of balls, then of wall points
+  std::vector<BallBlock> balls;
   std::vector<PairPacket> packets;
-  std::vector<GatherMap> gather_maps;          ///< of each packet, if `fits_registers`
+  std::vector<GatherMap> gather_maps;          ///< of each packet
+  std::vector<ForceRow> force_rows;            ///< of each ball; one more for walls
   std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
-  VectorColumns list_positions;                ///< [m] when the neighbour list was built
-  std::vector<Lanes> displacement_squared;  ///< [m2] squared displacement of the balls since then
-  bool fits_registers = false;              ///< each column of all bodies fits in two registers
-  bool wall_points_due = true;              ///< update every wall point at the next step
+  bool fits_registers = false;  ///< each column of all bodies fits in two registers of eight
+  bool wall_points_due = true;  ///< update every wall point at the next step
+
+  Vec3 position(std::size_t body) const {
+    return get_lane(bodies[body / lanes].position, body % lanes);
+  }
+  Vec3 velocity(std::size_t ball) const {
+    return get_lane(balls[ball / lanes].velocity, ball % lanes);
+  }
+  Vec3 spin(std::size_t ball) const { return get_lane(balls[ball / lanes].spin, ball % lanes); }
 };
 
 /// Callbacks for rare events, outside the innermost loop.

@@ -36,23 +36,19 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   for (const SpeciesPair& b : pairs_.all())
     pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
   ParticleData& w = particles_;
-  w.balls = balls.size();
-  w.blocks = (balls.size() + lanes - 1) / lanes;
-  for (VectorColumns* c : {&w.velocity, &w.spin, &w.force, &w.torque, &w.list_positions})
-    c->resize(w.blocks);
-  for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted})
-    c->resize(w.blocks + 1);
-  w.half_kick_factor.resize(w.blocks);
-  w.half_spin_kick_factor.resize(w.blocks);
-  w.displacement_squared.resize(w.blocks);
+  w.count = balls.size();
+  w.balls.resize((w.count + lanes - 1) / lanes);
+  w.bodies.resize(w.balls.size() + 1);
+  w.force_rows.resize(w.balls.size() * lanes + 1);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
-    w.position.set(b, balls[b].position);
-    w.velocity.set(b, balls[b].velocity);
-    w.spin.set(b, balls[b].spin);
-    w.half_kick_factor[b / lanes][b % lanes] = 0.5 * settings.time_step / pairs_.species_of(b).mass;
-    w.half_spin_kick_factor[b / lanes][b % lanes] =
-        0.5 * settings.time_step / pairs_.species_of(b).inertia;
+    BallBlock& block = w.balls[b / lanes];
+    const std::size_t l = b % lanes;
+    set_lane(w.bodies[b / lanes].position, l, balls[b].position);
+    set_lane(block.velocity, l, balls[b].velocity);
+    set_lane(block.spin, l, balls[b].spin);
+    block.half_kick_factor[l] = 0.5 * settings.time_step / pairs_.species_of(b).mass;
+    block.half_spin_kick_factor[l] = 0.5 * settings.time_step / pairs_.species_of(b).inertia;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.species_of(b).mass;
   }
@@ -72,7 +68,7 @@ void FewBodySolver::refuse_overlaps() const {
   for (const NearPair& c : listed_pairs_) {
     const auto i = static_cast<std::size_t>(c.i);
     const double radius = initial_balls_[i].radius;
-    const Vec3 x = particles_.position.get(i);
+    const Vec3 x = particles_.position(i);
     if (c.face >= 0) {
       const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
       if (overlap > settings_.max_initial_overlap)
@@ -81,7 +77,7 @@ void FewBodySolver::refuse_overlaps() const {
     }
     const auto j = static_cast<std::size_t>(c.j);
     const double other_radius = initial_balls_[j].radius;
-    const double overlap = (radius + other_radius - norm(nearest(particles_.position.get(j) - x))) /
+    const double overlap = (radius + other_radius - norm(nearest(particles_.position(j) - x))) /
                            std::min(radius, other_radius);
     if (overlap > settings_.max_initial_overlap)
       throw overlap_error(i, fmt::format("ball {}", j + 1), overlap, "the smaller radius");
@@ -147,8 +143,8 @@ void FewBodySolver::advance_batch(std::int64_t until) {
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {
-  throw unstable_run_error(time_of(particles_.step), ball, why, particles_.position.get(ball),
-                           particles_.velocity.get(ball));
+  throw unstable_run_error(time_of(particles_.step), ball, why, particles_.position(ball),
+                           particles_.velocity(ball));
 }
 
 }  // namespace mahlwerk::soft

@@ -60,6 +60,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   void assign_lane(PairPacket& p, std::size_t lane, const NearPair& c);
   void allocate_wall_points();
   void build_gather_maps();
+  static void find_sources(const PairPacket& p, GatherMap& map);
 
   // Contacts that begin and end (contacts.cpp).
   void begin(PairPacket& p, std::uint32_t begun) override;

@@ -9,10 +9,10 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
   std::vector<scene::Ball> all = initial_balls_;
   const FreeFlight way = free_flight(now_ - particles_.step);
   for (std::size_t b = 0; b < all.size(); ++b) {
-    const Vec3 v = particles_.velocity.get(b);
-    all[b].position = particles_.position.get(b) + way.time * v + way.shift;
+    const Vec3 v = particles_.velocity(b);
+    all[b].position = particles_.position(b) + way.time * v + way.shift;
     all[b].velocity = v + way.gain;
-    all[b].spin = particles_.spin.get(b);
+    all[b].spin = particles_.spin(b);
   }
   return all;
 }
@@ -20,19 +20,19 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
 /// Contact forces of the last step; 0 in a skip.
 std::vector<Vec3> FewBodySolver::forces() const {
   std::vector<Vec3> all(initial_balls_.size());
-  for (std::size_t b = 0; b < all.size(); ++b) all[b] = particles_.force.get(b);
+  for (std::size_t b = 0; b < all.size(); ++b)
+    all[b] = get_lane(particles_.balls[b / lanes].force, b % lanes);
   return all;
 }
 
 void FewBodySolver::serialize(Archive& archive) {
   ParticleData& w = particles_;
   archive(w.step)(w.wall_points_due)(now_)(skip_end_)(next_skip_)(list_step_)(touched_);
-  for (VectorColumns* c : {&w.position, &w.velocity_predicted, &w.spin_predicted, &w.velocity,
-                           &w.spin, &w.force, &w.torque, &w.list_positions})
-    archive(c->x)(c->y)(c->z);
+  const std::size_t blocks = w.balls.size();
+  archive(w.bodies)(w.balls);
   archive(w.packets)(w.wall_neighbours)(contacts_of_)(listed_pairs_);
   archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(target_time_);
-  if (w.position.x.size() < w.blocks || w.velocity.x.size() != w.blocks) throw Archive::broken();
+  if (w.bodies.size() <= blocks || w.balls.size() != blocks) throw Archive::broken();
   if (archive.reading()) build_gather_maps();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mahlwerk/soft/few/particle_data.hpp"
+#include "mahlwerk/soft/kernel/force_rows.hpp"
 
 // The innermost loop of FewBodySolver: a template, compiled for each law and each instruction set.
 // V is a register; a packet is computed in groups of as many lanes.
@@ -25,21 +26,33 @@ template <class V>
 #endif
 }
 
-/// Gathers the values of a column at the bodies `at` of a group.
+/// The bodies of a packet, in memory or in registers.
 template <class V>
-[[gnu::always_inline]] inline V gather(const std::vector<Lanes>& column, const LaneMask& at,
-                                       const LaneGroup<V>& group, bool fits_registers) {
-  const double* all = column_data(column);
-  if constexpr (can_permute<V>)
-    if (fits_registers) return permute<V>(load<V>(all), load<V>(all + lanes), group(at));
-  return lanes_from<V>([&](int l) { return all[at.values[group.first + l]]; });
-}
-template <class V>
-[[gnu::always_inline]] inline Vec<V> gather(const VectorColumns& c, const LaneMask& at,
-                                            const LaneGroup<V>& group, bool fits_registers) {
-  return {gather<V>(c.x, at, group, fits_registers), gather<V>(c.y, at, group, fits_registers),
-          gather<V>(c.z, at, group, fits_registers)};
-}
+struct Bodies {
+  const BodyBlock* blocks;
+  bool in_registers;
+
+  /// Gathers a column of bodies i or j. `at` are their indices, `offsets` their places in memory.
+  [[gnu::always_inline]] V gather(Lanes Vec<Lanes>::*axis, Vec<Lanes> BodyBlock::*columns,
+                                  const LaneMask& at,
+                                  const std::array<std::int64_t, lanes>& offsets,
+                                  const LaneGroup<V>& group) const {
+    const Lanes& first = blocks[0].*columns.*axis;
+    if constexpr (can_permute<V>)
+      if (in_registers) return permute<V>(group(first), group(blocks[1].*columns.*axis), group(at));
+    const auto* base = reinterpret_cast<const char*>(&first);
+    return lanes_from<V>([&](int l) {
+      return *reinterpret_cast<const double*>(base + offsets.data()[group.first + l]);
+    });
+  }
+  [[gnu::always_inline]] Vec<V> gather(Vec<Lanes> BodyBlock::*columns, const LaneMask& at,
+                                       const std::array<std::int64_t, lanes>& offsets,
+                                       const LaneGroup<V>& group) const {
+    return {gather(&Vec<Lanes>::x, columns, at, offsets, group),
+            gather(&Vec<Lanes>::y, columns, at, offsets, group),
+            gather(&Vec<Lanes>::z, columns, at, offsets, group)};
+  }
+};
 
 /// Half a kick, a drift, and the velocities predicted for the contacts of this step (velocity
 /// Verlet, dem.26). Returns whether a displacement since the last rebuild exceeds the limit.
@@ -54,34 +67,38 @@ template <class V>
                                                 static_cast<double>(w.step - s.list_step) *
                                                 s.constants.dt;
   const double limit = slack > 0 ? slack * slack : -1;
+  BodyBlock* body = w.bodies.data();
+  BallBlock *ball = w.balls.data(), *end = ball + w.balls.size();
   MaskOf<V> moved_far{};
-  for (std::size_t b = 0; b < w.blocks * lanes; b += width_of<V>) {
-    const Vec<V> half_kick = load<V>(column_data(w.half_kick_factor) + b) * w.force.at<V>(b);
-    const Vec<V> v = w.velocity.at<V>(b) + half_kick + half * acceleration_before;
-    const Vec<V> x = w.position.at<V>(b) + step * v;
-    w.position.put<V>(b, x);
-    w.velocity_predicted.put<V>(b, v + half_kick + half * acceleration_after);
-    w.velocity.put<V>(
-        b, v + half * acceleration_after);  // still without the second half kick of the contacts
-    const Vec<V> half_spin_kick =
-                     load<V>(column_data(w.half_spin_kick_factor) + b) * w.torque.at<V>(b),
-                 spin = w.spin.at<V>(b) + half_spin_kick;
-    w.spin.put<V>(b, spin);
-    w.spin_predicted.put<V>(b, spin + half_spin_kick);
-    const Vec<V> displacement = x - w.list_positions.at<V>(b);
-    const V moved = dot(displacement, displacement);
-    store<V>(column_data(w.displacement_squared) + b, moved);
-    moved_far |= ~less(moved, zero + limit);
-  }
+  for (; ball != end; ++body, ++ball)
+    for (int first = 0; first < lanes; first += width_of<V>) {
+      const LaneGroup<V> group{first};
+      const Vec<V> half_kick = group(ball->half_kick_factor) * group(ball->force);
+      const Vec<V> v = group(ball->velocity) + half_kick + half * acceleration_before;
+      const Vec<V> x = group(body->position) + step * v;
+      group.put(body->position, x);
+      group.put(body->velocity, v + half_kick + half * acceleration_after);
+      // Still without the second half kick of the contacts.
+      group.put(ball->velocity, v + half * acceleration_after);
+      const Vec<V> half_spin_kick = group(ball->half_spin_kick_factor) * group(ball->torque),
+                   spin = group(ball->spin) + half_spin_kick;
+      group.put(ball->spin, spin);
+      group.put(body->angular_velocity, spin + half_spin_kick);
+      const Vec<V> displacement = x - group(ball->list_position);
+      const V moved = dot(displacement, displacement);
+      group.put(ball->displacement_squared, moved);
+      moved_far |= ~less(moved, zero + limit);
+    }
   return any(moved_far);
 }
 
-/// The second half kick of the contacts on the bodies of a register.
+/// The second half kick of the contacts.
 template <class V>
-[[gnu::always_inline]] inline void second_half_kick(ParticleData& w, std::size_t b,
+[[gnu::always_inline]] inline void second_half_kick(BallBlock& ball, const LaneGroup<V>& group,
                                                     const Vec<V>& force, const Vec<V>& torque) {
-  w.velocity.put<V>(b, w.velocity.at<V>(b) + load<V>(column_data(w.half_kick_factor) + b) * force);
-  w.spin.put<V>(b, w.spin.at<V>(b) + load<V>(column_data(w.half_spin_kick_factor) + b) * torque);
+  group.put(ball.force, force), group.put(ball.torque, torque);
+  group.put(ball.velocity, group(ball.velocity) + group(ball.half_kick_factor) * force);
+  group.put(ball.spin, group(ball.spin) + group(ball.half_spin_kick_factor) * torque);
 }
 
 /// Adds the forces and torques of a packet to eight balls in registers, in the order of its lanes.
@@ -104,25 +121,19 @@ template <class V>
   }
 }
 
-/// Adds the forces and torques of a group to the balls in memory, for any number of balls.
+/// Adds the forces and torques of a group to rows in memory, for any number of balls, in the order
+/// of the lanes.
 template <class V>
-[[gnu::always_inline]] inline void scatter(ParticleData& w, const PairPacket& p,
+[[gnu::always_inline]] inline void scatter(ForceRow* rows, const GatherMap& map,
                                            const LaneGroup<V>& group, const ContactForce<V>& f) {
-  const auto add = [&](std::vector<Lanes>& column, const V& i, const V& j) {
-    double* all = column_data(column);
-    for (int l = 0; l < width_of<V>; ++l) {
-      const auto lane = static_cast<std::size_t>(group.first + l);
-      all[p.i[lane]] += i[l];
-      if (p.wall[lane] == 0) all[p.j[lane]] += j[l];
-    }
-  };
-  const Vec<V> back = -f.force;
-  add(w.force.x, f.force.x, back.x);
-  add(w.force.y, f.force.y, back.y);
-  add(w.force.z, f.force.z, back.z);
-  add(w.torque.x, f.torque_i.x, f.torque_j.x);
-  add(w.torque.y, f.torque_i.y, f.torque_j.y);
-  add(w.torque.z, f.torque_i.z, f.torque_j.z);
+  alignas(64) double on_i[width_of<V>][8], on_j[width_of<V>][8];
+  to_rows<V>(f.force, f.torque_i, on_i);
+  to_rows<V>(-f.force, f.torque_j, on_j);
+  for (int l = 0; l < width_of<V>; ++l) {
+    const auto lane = static_cast<std::size_t>(group.first + l);
+    add_row<V>(rows[map.row_i[lane]].values, on_i[l]);
+    add_row<V>(rows[map.row_j[lane]].values, on_j[l]);
+  }
 }
 
 /// Positions of a group's pairs, and which of them touch.
@@ -133,12 +144,12 @@ struct TouchTest {
   MaskOf<V> touching;
 };
 template <class V>
-[[gnu::always_inline]] inline TouchTest<V> test_touch(const StepBatch& s, const PairPacket& p,
+[[gnu::always_inline]] inline TouchTest<V> test_touch(const StepBatch& s, const Bodies<V>& bodies,
+                                                      const PairPacket& p, const GatherMap& map,
                                                       const LaneGroup<V>& group) {
-  const ParticleData& w = s.particles;
   TouchTest<V> test;
-  test.separation = gather<V>(w.position, p.j, group, w.fits_registers) -
-                    gather<V>(w.position, p.i, group, w.fits_registers);
+  test.separation = bodies.gather(&BodyBlock::position, p.j, map.offset_j, group) -
+                    bodies.gather(&BodyBlock::position, p.i, map.offset_i, group);
   if (s.constants.periodic) test.separation = folded(test.separation, s.constants.periods);
   test.squared = dot(test.separation, test.separation);
   const V near = touch_distance<V>(group, p, group(p.touching));
@@ -148,19 +159,16 @@ template <class V>
 
 /// Computes the forces of a group in a step. `begun` and `ended` are bits of lanes.
 template <class Law, class V>
-[[gnu::always_inline]] inline ContactForce<V> apply_group(StepBatch& s, PairPacket& p,
-                                                          const LaneGroup<V>& group,
-                                                          const TouchTest<V>& test,
-                                                          std::uint32_t begun,
-                                                          std::uint32_t ended) {
-  const ParticleData& w = s.particles;
+[[gnu::always_inline]] inline ContactForce<V> apply_group(
+    StepBatch& s, const Bodies<V>& bodies, PairPacket& p, const GatherMap& map,
+    const LaneGroup<V>& group, const TouchTest<V>& test, std::uint32_t begun, std::uint32_t ended) {
   PairMotion<V> motion;
   motion.separation = test.separation;
-  motion.vj = gather<V>(w.velocity_predicted, p.j, group, w.fits_registers);
+  motion.vj = bodies.gather(&BodyBlock::velocity, p.j, map.offset_j, group);
   motion.relative_velocity =
-      gather<V>(w.velocity_predicted, p.i, group, w.fits_registers) - motion.vj;
-  motion.wi = gather<V>(w.spin_predicted, p.i, group, w.fits_registers);
-  motion.wj = gather<V>(w.spin_predicted, p.j, group, w.fits_registers);
+      bodies.gather(&BodyBlock::velocity, p.i, map.offset_i, group) - motion.vj;
+  motion.wi = bodies.gather(&BodyBlock::angular_velocity, p.i, map.offset_i, group);
+  motion.wj = bodies.gather(&BodyBlock::angular_velocity, p.j, map.offset_j, group);
   const ContactGeometry<V> geometry = contact_geometry<V>(group, p, motion, test.squared);
   if (begun != 0) {
     OnsetSpeeds speeds;
@@ -202,13 +210,15 @@ template <class Law, class V>
 /// Computes the forces of a packet in a step and gives those of each group to `add`. Returns false
 /// if no lane touches and none touched at the last step.
 template <class Law, class V, class Add>
-[[gnu::always_inline]] inline bool apply_packet(StepBatch& s, PairPacket& p, const Add& add) {
+[[gnu::always_inline]] inline bool apply_packet(StepBatch& s, const Bodies<V>& bodies,
+                                                PairPacket& p, const GatherMap& map,
+                                                const Add& add) {
   constexpr int groups = lanes / width_of<V>;
   TouchTest<V> tests[groups];
   std::uint32_t touched = 0, touching = 0;
   for (int n = 0; n < groups; ++n) {
     const LaneGroup<V> group{n * width_of<V>};
-    tests[n] = test_touch<V>(s, p, group);
+    tests[n] = test_touch<V>(s, bodies, p, map, group);
     touched |= group.bits(group(p.touching));
     touching |= group.bits(tests[n].touching);
   }
@@ -219,7 +229,7 @@ template <class Law, class V, class Add>
     const LaneGroup<V> group{n * width_of<V>};
     const std::uint32_t own = ((1U << width_of<V>)-1) << group.first;
     if (((touched | touching) & own) == 0) continue;
-    add(group, apply_group<Law, V>(s, p, group, tests[n], begun & own, ended & own));
+    add(group, apply_group<Law, V>(s, bodies, p, map, group, tests[n], begun & own, ended & own));
   }
   if (ended != 0) s.callbacks.end(p, ended);
   return true;
@@ -228,15 +238,9 @@ template <class Law, class V, class Add>
 /// Updates the wall contact points.
 [[gnu::always_inline]] inline void update_wall_points(StepBatch& s, const DriveSample& drive) {
   ParticleData& w = s.particles;
-  const std::size_t f = w.blocks * lanes;
-  s.jar.wall_points(
-      w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.dt, drive,
-      {column_data(w.position.x), column_data(w.position.y), column_data(w.position.z),
-       w.wall_points_due ? nullptr : column_data(w.displacement_squared),
-       column_data(w.position.x) + f, column_data(w.position.y) + f, column_data(w.position.z) + f,
-       column_data(w.velocity_predicted.x) + f, column_data(w.velocity_predicted.y) + f,
-       column_data(w.velocity_predicted.z) + f, column_data(w.spin_predicted.x) + f,
-       column_data(w.spin_predicted.y) + f, column_data(w.spin_predicted.z) + f});
+  s.jar.wall_points(w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.dt,
+                    drive, w.bodies.data(), w.balls.data(), w.bodies.data() + w.balls.size(),
+                    w.wall_points_due);
   w.wall_points_due = false;
 }
 
@@ -244,21 +248,36 @@ template <class Law, class V, class Add>
 template <class Law, class V>
 [[gnu::always_inline]] inline bool apply_contacts(StepBatch& s) {
   ParticleData& w = s.particles;
-  const bool in_registers = can_permute<V> && w.fits_registers;
+  const Bodies<V> bodies{w.bodies.data(), can_permute<V> && w.fits_registers};
+  BallBlock* balls = w.balls.data();
+  ForceRow* rows = w.force_rows.data();
   bool touched = false;
   Vec<V> force{}, torque{};
-  for (std::size_t b = 0; b < w.blocks * lanes && !in_registers; b += width_of<V>)
-    w.force.put<V>(b, force), w.torque.put<V>(b, torque);
-  for (std::size_t n = 0; n < w.packets.size(); ++n)
-    touched |= apply_packet<Law, V>(
-        s, w.packets[n], [&](const LaneGroup<V>& group, const ContactForce<V>& found) {
-          if constexpr (can_permute<V>)
-            if (in_registers) return gather_forces<V>(w.gather_maps[n], found, force, torque);
-          scatter<V>(w, w.packets[n], group, found);
-        });
-  if (in_registers) w.force.put<V>(0, force), w.torque.put<V>(0, torque);
-  for (std::size_t b = 0; b < w.blocks * lanes; b += width_of<V>)
-    second_half_kick<V>(w, b, w.force.at<V>(b), w.torque.at<V>(b));
+  if (!bodies.in_registers) std::fill_n(rows, w.force_rows.size(), ForceRow{});
+  const std::size_t packets = w.packets.size();
+  for (std::size_t n = 0; n < packets; ++n) {
+    const GatherMap& map = w.gather_maps[n];
+    touched |= apply_packet<Law, V>(s, bodies, w.packets[n], map,
+                                    [&](const LaneGroup<V>& group, const ContactForce<V>& found) {
+                                      if constexpr (can_permute<V>)
+                                        if (bodies.in_registers)
+                                          return gather_forces<V>(map, found, force, torque);
+                                      scatter<V>(rows, map, group, found);
+                                    });
+  }
+  if constexpr (can_permute<V>)
+    if (bodies.in_registers) {
+      second_half_kick<V>(balls[0], {0}, force, torque);
+      return touched;
+    }
+  for (std::size_t b = 0; b < w.balls.size(); ++b)
+    for (int first = 0; first < lanes; first += width_of<V>) {
+      const ForceRow* row = rows + b * lanes + first;
+      V f[4], t[4];
+      load_columns<V>([&](std::size_t l) -> const ForceRow& { return row[l]; }, 0, f);
+      load_columns<V>([&](std::size_t l) -> const ForceRow& { return row[l]; }, 4, t);
+      second_half_kick<V>(balls[b], {first}, {f[0], f[1], f[2]}, {t[0], t[1], t[2]});
+    }
   return touched;
 }
 

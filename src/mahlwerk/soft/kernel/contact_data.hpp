@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "mahlwerk/base/lanes.hpp"
-#include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/contact/law.hpp"
+#include "mahlwerk/soft/kernel/body_blocks.hpp"
 
 namespace mahlwerk::soft {
 
@@ -55,12 +54,6 @@ inline double min_radius(const PairParameters& p, std::size_t lane) {
   return p.wall[lane] != 0 ? p.radius_i[lane] : std::min(p.radius_i[lane], p.radius_j[lane]);
 }
 
-inline Vec3 get_lane(const Vec<Lanes>& a, std::size_t lane) {
-  return {a.x[lane], a.y[lane], a.z[lane]};
-}
-inline void set_lane(Vec<Lanes>& a, std::size_t lane, const Vec3& b) {
-  a.x[lane] = b.x, a.y[lane] = b.y, a.z[lane] = b.z;
-}
 inline contact::LawCoefficients coefficients_of(const PairParameters& p, std::size_t lane) {
   contact::LawCoefficients coefficients;
   for (std::size_t n = 0; n < coefficients.size(); ++n) coefficients[n] = p.coefficients[n][lane];

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "mahlwerk/soft/kernel/force_rows.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 
 // Gathers the bodies of eight contacts from the ball records, and scatters forces back to the
@@ -67,37 +68,11 @@ template <class V>
   return {w[0], w[1], w[2]};
 }
 
-/// Force and torque of each lane as a row of eight numbers, in the order of VectorPair.
-template <class V>
-[[gnu::always_inline]] inline void to_rows(const Vec<V>& force, const Vec<V>& torque,
-                                           double (*rows)[8]) {
-  const V zero{};
-  if constexpr (width_of<V> == 8) {
-    V r[8] = {force.x, force.y, force.z, zero, torque.x, torque.y, torque.z, zero};
-    transpose(r);
-    for (std::size_t l = 0; l < 8; ++l) store<V>(rows[l], r[l]);
-  } else if constexpr (width_of<V> == 4) {
-    V f[4] = {force.x, force.y, force.z, zero}, t[4] = {torque.x, torque.y, torque.z, zero};
-    transpose(f), transpose(t);
-    for (std::size_t l = 0; l < 4; ++l) store<V>(rows[l], f[l]), store<V>(rows[l] + 4, t[l]);
-  } else {
-    const auto put = [&](const V& a, const V& b, std::size_t first) {
-      store<V>(rows[0] + first, __builtin_shufflevector(a, b, 0, 2));
-      store<V>(rows[1] + first, __builtin_shufflevector(a, b, 1, 3));
-    };
-    put(force.x, force.y, 0), put(force.z, zero, 2);
-    put(torque.x, torque.y, 4), put(torque.z, zero, 6);
-  }
-}
 /// Scatters: adds a row for each lane of a group to those of its balls, in the order of the lanes.
 template <class V>
 [[gnu::always_inline]] inline void add_rows(VectorPair* ball_forces, std::int32_t first,
                                             const std::int32_t* at, const double (*rows)[8]) {
-  for (std::size_t l = 0; l < width_of<V>; ++l) {
-    VectorPair& sum = ball_forces[at[l] - first];
-    for (std::size_t part = 0; part < 8; part += width_of<V>)
-      store_part<V>(sum, part, load_part<V>(sum, part) + load<V>(rows[l] + part));
-  }
+  for (std::size_t l = 0; l < width_of<V>; ++l) add_row<V>(&ball_forces[at[l] - first].x, rows[l]);
 }
 
 /// Relative motion of the pairs of a group. `points` are the wall contact points of its packet.

@@ -65,17 +65,17 @@ class ChamberWall final : public MovingWall {
     return geometry::distance(jar_.shape(), face, q.apply_inverse(position), within);
   }
   void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
-                   const WallPointColumns& p) const override {
+                   const BodyBlock* bodies, const BallBlock* balls, BodyBlock* points,
+                   bool all) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (std::size_t k = 0; k < near.size(); ++k) {
-      const auto b = static_cast<std::size_t>(near[k].ball);
+      const auto b = static_cast<std::size_t>(near[k].ball) / lanes,
+                 l = static_cast<std::size_t>(near[k].ball) % lanes;
       const double slack = near[k].slack;
-      if (p.displacement_squared != nullptr && slack > 0 &&
-          p.displacement_squared[b] < slack * slack)
-        continue;
-      const Vec3 position{p.x[b], p.y[b], p.z[b]};
+      if (!all && slack > 0 && balls[b].displacement_squared[l] < slack * slack) continue;
+      const Vec3 position = get_lane(bodies[b].position, l);
       const bool turns = near[k].face >= first_rotor_face_;
       const Rotation& q = turns ? rotor : own;
       const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
@@ -83,9 +83,10 @@ class ChamberWall final : public MovingWall {
           jar_.shape(), near[k].face, plain ? position : q.apply_inverse(position), near[k].within);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward, velocity = cross(spin, point);
-      p.px[k] = point.x, p.py[k] = point.y, p.pz[k] = point.z;
-      p.pu[k] = velocity.x, p.pv[k] = velocity.y, p.pw[k] = velocity.z;
-      p.sx[k] = spin.x, p.sy[k] = spin.y, p.sz[k] = spin.z;
+      BodyBlock& block = points[k / lanes];
+      set_lane(block.position, k % lanes, point);
+      set_lane(block.velocity, k % lanes, velocity);
+      set_lane(block.angular_velocity, k % lanes, spin);
     }
   }
   void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,

@@ -10,6 +10,7 @@
 #include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
+#include "mahlwerk/soft/kernel/body_blocks.hpp"
 
 namespace mahlwerk::soft {
 
@@ -33,16 +34,6 @@ struct WallNeighbour {
   double slack = 0;   ///< [m]
 };
 
-/// Columns of ball positions and of wall points (structure of arrays). A wall contact point is the
-/// point of a face nearest to a ball's centre. It has the velocity of the wall there.
-struct WallPointColumns {
-  const double *x, *y, *z;             // [m] positions of the balls
-  const double* displacement_squared;  // [m2] since the list was built; null: update all points
-  double *px, *py, *pz;                // [m] wall points
-  double *pu, *pv, *pw;                // [m/s]
-  double *sx, *sy, *sz;                // [rad/s] spin of the wall
-};
-
 /// Wall for the soft engines (that of the event engine is event::MovingWall): a jar on its mill,
 /// with shape and motion types erased. Times are mill times [s], positions [m] and velocities [m/s]
 /// those of the jar frame.
@@ -63,9 +54,12 @@ class MovingWall {
   virtual void distances(const Vec3& position, double t, double within,
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
-  /// Updates the wall points of balls near a face.
+  /// Updates the wall contact points of balls near a face, in the order of `near`, with the
+  /// velocity and spin of the wall there; those of balls that have moved little only if `all`. A
+  /// wall contact point is the point of a face nearest to a ball's centre.
   virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
-                           const WallPointColumns& positions) const = 0;
+                           const BodyBlock* bodies, const BallBlock* balls, BodyBlock* points,
+                           bool all) const = 0;
   /// Wall points of eight balls, for the lanes in `touching` (bits); other lanes may be inexact.
   /// Exact for gaps up to `beyond` [m].
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
