@@ -110,12 +110,34 @@ template <Vector V>
   return (MaskOf<V>)(a < b ? (V)~MaskOf<V>{} : V{});  // reinterprets the bits
 }
 
+/// a > b ? a : b, and a < b ? a : b; for registers one instruction, which compilers do not choose
+/// because of the rules for NaN and -0 that it shares with this definition.
 template <class V>
 [[gnu::always_inline]] inline V max(V a, V b) {
+#if defined(MAHLWERK_X86_64)
+  if constexpr (width_of<V> == 2) {
+    asm("maxpd %1, %0" : "+x"(a) : "x"(b));
+    return a;
+  } else if constexpr (width_of<V> > 2) {
+    V r;
+    asm("vmaxpd %2, %1, %0" : "=v"(r) : "v"(a), "v"(b));
+    return r;
+  }
+#endif
   return select(a > b, a, b);
 }
 template <class V>
 [[gnu::always_inline]] inline V min(V a, V b) {
+#if defined(MAHLWERK_X86_64)
+  if constexpr (width_of<V> == 2) {
+    asm("minpd %1, %0" : "+x"(a) : "x"(b));
+    return a;
+  } else if constexpr (width_of<V> > 2) {
+    V r;
+    asm("vminpd %2, %1, %0" : "=v"(r) : "v"(a), "v"(b));
+    return r;
+  }
+#endif
   return select(a < b, a, b);
 }
 template <class V>

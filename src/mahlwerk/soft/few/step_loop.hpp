@@ -126,13 +126,11 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline void scatter(ForceRow* rows, const GatherMap& map,
                                            const LaneGroup<V>& group, const ContactForce<V>& f) {
-  alignas(64) double on_i[width_of<V>][8], on_j[width_of<V>][8];
-  to_rows<V>(f.force, f.torque_i, on_i);
-  to_rows<V>(-f.force, f.torque_j, on_j);
-  for (int l = 0; l < width_of<V>; ++l) {
-    const auto lane = static_cast<std::size_t>(group.first + l);
-    add_row<V>(rows[map.row_i[lane]].values, on_i[l]);
-    add_row<V>(rows[map.row_j[lane]].values, on_j[l]);
+  const ForceRows<V> on_i(f.force, f.torque_i), on_j = on_i.opposite(f.force, f.torque_j);
+  for (std::size_t l = 0; l < width_of<V>; ++l) {
+    const std::size_t lane = static_cast<std::size_t>(group.first) + l;
+    on_i.add(l, rows[map.row_i[lane]].values);
+    on_j.add(l, rows[map.row_j[lane]].values);
   }
 }
 

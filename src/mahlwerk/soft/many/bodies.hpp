@@ -71,8 +71,8 @@ template <class V>
 /// Scatters: adds a row for each lane of a group to those of its balls, in the order of the lanes.
 template <class V>
 [[gnu::always_inline]] inline void add_rows(VectorPair* ball_forces, std::int32_t first,
-                                            const std::int32_t* at, const double (*rows)[8]) {
-  for (std::size_t l = 0; l < width_of<V>; ++l) add_row<V>(&ball_forces[at[l] - first].x, rows[l]);
+                                            const std::int32_t* at, const ForceRows<V>& rows) {
+  for (std::size_t l = 0; l < width_of<V>; ++l) rows.add(l, &ball_forces[at[l] - first].x);
 }
 
 /// Relative motion of the pairs of a group. `points` are the wall contact points of its packet.

@@ -115,7 +115,7 @@ template <class Law, class V>
   if (begun != 0) s.callbacks->begin(chunk, list, n);
   const PairParameters& parameters =
       list.parameters.empty() ? species_parameters : list.parameters[n];
-  alignas(64) double rows_j[lanes][8];  // forces and torques on balls j
+  ForceRows<V> on_j[lanes / width_of<V>];
   std::uint32_t touching = 0;
   g.tensile = 0;
   for (int first = 0; first < lanes; first += width_of<V>) {
@@ -129,15 +129,15 @@ template <class Law, class V>
     const ContactForce<V> force = apply_group<Law, V>(
         s, list, n, group, state.motion, state.geometry, state.touching, begun & own,
         g.touching & own & ~still, tensile, parameters, kind, sums);
-    alignas(64) double rows_i[width_of<V>][8];
-    to_rows<V>(force.force, force.torque_i, rows_i);
-    add_rows<V>(ball_forces, chunk.first, g.i.data() + f, rows_i);
-    if (kind == ContactKind::own) to_rows<V>(-force.force, force.torque_j, rows_j + f);
+    const ForceRows<V> on_i(force.force, force.torque_i);
+    add_rows<V>(ball_forces, chunk.first, g.i.data() + f, on_i);
+    if (kind == ContactKind::own)
+      on_j[f / width_of<V>] = on_i.opposite(force.force, force.torque_j);
   }
   if (kind == ContactKind::own)
     for (std::size_t f = 0; f < lanes; f += width_of<V>)
       if ((g.touching >> f & ((1U << width_of<V>)-1)) != 0)
-        add_rows<V>(ball_forces, chunk.first, g.j.data() + f, rows_j + f);
+        add_rows<V>(ball_forces, chunk.first, g.j.data() + f, on_j[f / width_of<V>]);
   if (const std::uint32_t ended = g.touching & ~touching; ended != 0)
     s.callbacks->end(chunk, list, n, ended);
 }
