@@ -155,7 +155,7 @@ template <class Law, class V>
     const ContactPacket& g = list.packets[n];
     prefetches.fetch();
     if (g.touching == 0) continue;
-    if (n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
+    if (s.large && n + 2 < list.packets.size()) prefetch(s, list.packets[n + 2], kind);
     const PairParameters* parameters = &s.parameters[g.species_pair[0]];
     if (list.parameters.empty() && !g.one_species_pair)
       gather_parameters(s.parameters, g, gathered), parameters = &gathered;
@@ -182,7 +182,8 @@ template <class V>
     chunk.new_touches.clear();
     for (std::size_t k = 0; k < end; k += width_of<V>) {
       constexpr std::size_t lookahead = 4 * lanes;  // prefetch distance in pairs
-      for (std::size_t n = k + lookahead; n < std::min(end, k + lookahead + width_of<V>); ++n)
+      for (std::size_t n = k + lookahead; s.large && n < std::min(end, k + lookahead + width_of<V>);
+           ++n)
         __builtin_prefetch(&s.rows[pairs[n].other]);
       std::uint32_t bits =
           touching_bits<V>(s, pairs.data() + k, std::min<std::size_t>(width_of<V>, end - k));
