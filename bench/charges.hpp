@@ -2,10 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmarks.hpp"
@@ -47,32 +54,49 @@ inline std::vector<scene::Ball> lattice(int n, double packing, double diameter, 
   return balls;
 }
 
-/// Collisions of an engine per CPU second, after a warm-up of a second or so: the median of five
-/// intervals of about `work` [s]. `step` [s] is simulated between two readings of the clock.
-inline double collisions_per_second(scene::Engine& engine, double step, double work) {
-  Counter counter;
-  double time = 0;
-  std::vector<double> found;
-  for (int i = 0; i < 6; ++i) {
-    const std::int64_t before = counter.count;
-    const double start = cpu_seconds();
-    do engine.advance(time += step, counter);
-    while (cpu_seconds() - start < work);
-    const double speed = static_cast<double>(counter.count - before) / (cpu_seconds() - start);
-    if (i > 0) found.push_back(speed);
-  }
-  return median(found);
+/// The middle, least and largest of several values.
+struct Spread {
+  double middle, least, most;
+};
+inline Spread spread(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {median(values), *least, *most};
 }
 
-/// Results of the fastest programs for this problem on such a machine: the best of EDMD's three,
-/// and DynamO (docs/performance.md), for a packing of 0.20 or 0.49 and n = 10, 22 or 46.
-struct Peers {
-  int n;
-  double packing, edmd, dynamo;
+/// Times an engine in turns: each advances it for some CPU time. The first, the warm-up, is made
+/// by the constructor.
+class EngineTurns {
+ public:
+  /// `step` [s] is simulated between two readings of the clock; a turn takes about `work` [s].
+  EngineTurns(std::unique_ptr<scene::Engine> engine, double step, double work)
+      : engine_(std::move(engine)), step_(step), work_(work) {
+    collisions_per_second();
+  }
+  double collisions_per_second() {
+    const std::int64_t before = counter_.count;
+    const double start = cpu_seconds();
+    do engine_->advance(time_ += step_, counter_);
+    while (cpu_seconds() - start < work_);
+    return static_cast<double>(counter_.count - before) / (cpu_seconds() - start);
+  }
+
+ private:
+  std::unique_ptr<scene::Engine> engine_;
+  Counter counter_;
+  double step_, work_, time_ = 0;
 };
-inline constexpr Peers peers[] = {
-    {10, 0.20, 774e3, 104e3},  {22, 0.20, 715e3, 95e3},  {46, 0.20, 229e3, 50e3},
-    {10, 0.49, 1155e3, 119e3}, {22, 0.49, 1043e3, 99e3}, {46, 0.49, 340e3, 61e3},
+
+/// The cases of these benchmarks: n^3 balls at a packing.
+struct ChargeCase {
+  int n;
+  double packing;
+
+  int balls() const { return n * n * n; }
+  std::string name() const { return fmt::format("packing {:.2f}, {} balls", packing, balls()); }
+};
+inline constexpr std::array charge_cases{
+    ChargeCase{10, 0.20}, ChargeCase{22, 0.20}, ChargeCase{46, 0.20},
+    ChargeCase{10, 0.49}, ChargeCase{22, 0.49}, ChargeCase{46, 0.49},
 };
 
 }  // namespace mahlwerk::bench

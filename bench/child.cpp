@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -177,7 +178,7 @@ class ChildProcess {
   /// The exit status of a child that has ended by itself; -1 if the time is up before.
   int ended(Clock::time_point last) {
     int status = 0;
-    while (waitpid(id_, &status, WNOHANG) == 0) {
+    while (wait4(id_, &status, WNOHANG, &usage_) == 0) {
       if (wished_to_end != 0) throw Interrupted{wished_to_end};
       if (Clock::now() > last) return -1;
       usleep(5000);
@@ -185,9 +186,17 @@ class ChildProcess {
     id_ = 0;
     return status;
   }
+  /// CPU time [s] of a child that has ended.
+  double cpu_seconds() const {
+    const auto seconds = [](const timeval& t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage_.ru_utime) + seconds(usage_.ru_stime);
+  }
 
  private:
   pid_t id_;
+  rusage usage_{};
 };
 
 }  // namespace
@@ -231,7 +240,7 @@ ChildResult watch_child(const Child& child, const std::function<void(std::string
   MemoryWatch memory(id);
   const bool closed = read_all(input.number(), last, Lines(line), memory);
   const int status = closed ? running.ended(last) : -1;
-  ChildResult ended{{}, memory.peak()};
+  ChildResult ended{{}, memory.peak(), running.cpu_seconds()};
   if (status == -1)
     ended.fault = fmt::format("not finished after {:.0f} s, killed", child.limit);
   else if (WIFSIGNALED(status))

@@ -43,6 +43,7 @@ struct Interrupted {
 struct ChildResult {
   std::string fault;       ///< description of the failure; empty on success
   double peak_memory = 0;  ///< [MB] of the program and its children, at the last sample
+  double cpu_seconds = 0;  ///< [s] user and system, with the children that it has waited for
 };
 
 /// Runs a program to its end and passes on each line of its output, without the line's end.

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <string>
 
 #include "benchmarks.hpp"
+#include "child.hpp"
 #include "crowd_run.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
@@ -90,5 +93,13 @@ int perform(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace mahlwerk::bench;
   if (argc > 1 && argv[1] == crowd_run_option) return perform_crowd_run({argv + 2, argv + argc});
-  return perform(argc, argv);
+  try {
+    return perform(argc, argv);
+  } catch (const Interrupted& by) {
+    std::raise(by.signal);
+    return 1;
+  } catch (const std::exception& fault) {
+    fmt::print(stderr, "bench: {}\n", fault.what());
+    return 1;
+  }
 }
