@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-// The benchmarks: one row and one file each. All times are CPU times of this process, medians of
-// several runs. Times of other programs are those that they report themselves, except in `fluid`,
-// which measures their CPU time.
+// The benchmarks: one row and one file each. Times are CPU times, medians of several runs; where
+// Mahlwerk stands beside other programs, one clock measures all of them: CPU time in `fluid` and
+// `few`, wall time in `crowd`, which also uses two cores.
 namespace mahlwerk::bench {
 
 struct Row {
@@ -37,39 +37,25 @@ std::vector<Row> observers();
 std::vector<Row> grinding();
 std::vector<Row> campaign();
 
+/// bench/help.txt says what each measures.
 struct Benchmark {
-  std::string_view name, about;
+  std::string_view name;
   std::vector<Row> (*run)();
   bool only_by_name = false;  ///< too long to run with all the others
 };
 
-inline constexpr std::array benchmarks{
-    Benchmark{"one-ball", "one ball in paper A's vibrating vial, event engine", one_ball},
-    Benchmark{"fluid",
-              "elastic periodic fluid, 1000 to 97 336 balls, event engine; beside the program that "
-              "MAHLWERK_RIVAL names (bench/rival.hpp)",
-              fluid},
-    Benchmark{"event", "many balls in a shaken box with spin, friction and gravity", event},
-    Benchmark{"soft",
-              "soft engine: every contact law in a planetary mill, free-flight skip in a vial",
-              soft},
-    Benchmark{"observers", "cost of all observers, compared with bare engines", observers},
-    Benchmark{"grinding", "sizes after 20 hours from 2 s of a run; hits on a sample of grains",
-              grinding},
-    Benchmark{"campaign", "campaigns: paper A's, the store, use of cores, 100 000 runs; minutes",
-              campaign, true},
-    Benchmark{"peers",
-              "comparison with LAMMPS, LIGGGHTS, YADE: few and crowd; a quarter of an hour",
-              beside_peers},
-    Benchmark{"few", "part of peers: five balls in a planetary mill; minutes", few, true},
-    Benchmark{"crowd",
-              "part of peers: drums of 10 000 and 100 000 balls, five balls in powder; minutes",
-              crowd, true},
-    Benchmark{"cost-curve", "drums of 10 000 to 1 000 000 balls, time and memory; minutes",
-              cost_curve},
-    Benchmark{"mixing", "two layers of grains in a drum, case 2 of Dosta et al. 2024; half an hour",
-              mixing, true},
-};
+inline constexpr std::array benchmarks{Benchmark{"one-ball", one_ball},
+                                       Benchmark{"fluid", fluid},
+                                       Benchmark{"event", event},
+                                       Benchmark{"soft", soft},
+                                       Benchmark{"observers", observers},
+                                       Benchmark{"grinding", grinding},
+                                       Benchmark{"campaign", campaign, true},
+                                       Benchmark{"peers", beside_peers},
+                                       Benchmark{"few", few, true},
+                                       Benchmark{"crowd", crowd, true},
+                                       Benchmark{"cost-curve", cost_curve},
+                                       Benchmark{"mixing", mixing, true}};
 
 double cpu_seconds();
 double median(std::vector<double> values);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +8,15 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <thread>
 
 #include "benchmarks.hpp"
 #include "child.hpp"
 #include "crowd_run.hpp"
+#include "mahlwerk/base/isa.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::bench {
@@ -29,13 +34,28 @@ double median(std::vector<double> values) {
 
 namespace {
 
-int usage(const char* wrong) {
-  fmt::print(stderr, "{}\nusage: bench [NAME] [--json], NAME one of:\n", wrong);
-  for (const Benchmark& one : benchmarks) fmt::print(stderr, "  {:<12} {}\n", one.name, one.about);
+int help() {
+  std::ifstream file(MAHLWERK_HOME "/bench/help.txt");
+  fmt::print("{}", std::string(std::istreambuf_iterator<char>(file), {}));
+  return 0;
+}
+
+int usage(const std::string& wrong) {
+  fmt::print(stderr, "bench: {}; ./mahlwerk bench --help lists the benchmarks\n", wrong);
   return 2;
 }
 
+/// Name of the processor, from /proc/cpuinfo.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
 void print(const std::vector<Row>& rows) {
+  fmt::print("{}, {} cores, {}, {:%F}\n", processor(), std::thread::hardware_concurrency(),
+             name_of(isa()), fmt::localtime(std::time(nullptr)));
   fmt::print("{:<10} {:<48} {:<22} {:<34} {:>10}\n", "benchmark", "case", "code", "metric",
              "value");
   for (const Row& r : rows) {
@@ -51,12 +71,13 @@ int perform(int argc, char** argv) {
   bool json = false;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
+    if (word == "--help" || word == "-h") return help();
     if (word == "--json")
       json = true;
     else if (name.empty() && word[0] != '-')
       name = word;
     else
-      return usage(("bench: unknown argument '" + word + "'").c_str());
+      return usage("unknown argument '" + word + "'");
   }
   std::vector<Row> rows;
   bool found = name.empty();
@@ -66,7 +87,7 @@ int perform(int argc, char** argv) {
     const std::vector<Row> more = one.run();
     rows.insert(rows.end(), more.begin(), more.end());
   }
-  if (!found) return usage(("bench: unknown benchmark '" + name + "'").c_str());
+  if (!found) return usage("unknown benchmark '" + name + "'");
   if (json) {
     using results::Json;
     Json list = Json::array();

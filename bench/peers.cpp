@@ -21,7 +21,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-constexpr int turns = 3, replicates = 5, our_steps = 1000000;
+constexpr int turns = 5, replicates = 5, our_steps = 1000000;
 constexpr double between_modes = 3.5;  // [W] separates the power of the two modes
 constexpr const char* name = "peers";
 constexpr const char* what = "planetary mill, 5 balls of 15 mm";
@@ -68,11 +68,15 @@ void add_speeds(std::vector<Row>& rows, const std::vector<Speeds>& all) {
   const std::vector<double>& ours = all.front().found;
   for (const Speeds& one : all)
     if (!one.found.empty())
-      rows.push_back(row(one.code, "particle_steps_per_second", one.found, median(one.found)));
+      rows.push_back(row(one.code, "particle_steps_per_cpu_second", one.found, median(one.found)));
   for (const Speeds& one : all)
-    if (&one != &all.front() && !one.found.empty() && !ours.empty())
-      rows.push_back({name, what, "mahlwerk", "times_as_fast_as_" + one.code,
-                      median(ours) / median(one.found)});
+    if (&one != &all.front() && !one.found.empty()) {
+      std::vector<double> ratios;  // of each turn
+      for (std::size_t i = 0; i < std::min(ours.size(), one.found.size()); ++i)
+        ratios.push_back(ours[i] / one.found[i]);
+      if (!ratios.empty())
+        rows.push_back(row("mahlwerk", "times_as_fast_as_" + one.code, ratios, median(ratios)));
+    }
 }
 
 /// Speeds of all codes, measured in turns, so that drifts of the machine affect all alike. Mahlwerk

@@ -21,7 +21,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-constexpr int turns = 3;
+constexpr int turns = 5;
 
 void say(const std::string& text) {
   fmt::print(stderr, "crowd: {}\n", text);
@@ -75,10 +75,13 @@ void add_speeds(std::vector<Row>& rows, const std::string& what, const std::vect
   };
   const Series& ours = all.front();
   for (const Series& one : all) row(one, "particle_steps_per_second", one.speeds);
-  for (const Series& one : all)
-    if (&one != &ours && !one.speeds.empty() && !ours.speeds.empty())
-      rows.push_back({"crowd", what, ours.code, "times_as_fast_as_" + one.code + unit,
-                      median(ours.speeds) / median(one.speeds)});
+  for (const Series& one : all) {
+    if (&one == &ours) continue;
+    std::vector<double> ratios;  // of each turn
+    for (std::size_t i = 0; i < std::min(ours.speeds.size(), one.speeds.size()); ++i)
+      ratios.push_back(ours.speeds[i] / one.speeds[i]);
+    row(ours, "times_as_fast_as_" + one.code + unit, ratios);
+  }
   for (const Series& one : all) row(one, "peak_memory_MB", one.memories);
 }
 

@@ -33,7 +33,8 @@ struct Expected {
   std::string fault;
 };
 
-/// Particle-steps per second by the program's own clock, in its loop of time steps alone.
+/// Particle-steps per CPU second of the whole program, the clock that measures Mahlwerk, too. Two
+/// runs of different length, whose difference is free of the program's start.
 Expected<double> speed_of(const Program& program, const Start& start);
 
 Expected<Physics> physics_of(const Program& program, const Start& start);
