@@ -8,6 +8,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -61,7 +62,21 @@ class Place:
         shutil.rmtree(self.here, ignore_errors=True)
 
 
+def lists_the_benchmarks_without_building(script):
+    """`bench --help` names every benchmark of bench/benchmarks.hpp, and needs no program."""
+    bench = pathlib.Path(script).resolve().parent / "bench"
+    known = re.findall(r'Benchmark\{"([a-z-]+)"', (bench / "benchmarks.hpp").read_text())
+    with Place(script) as place:
+        shutil.copytree(bench, place.here / "bench")
+        asked = subprocess.run(["./mahlwerk", "bench", "--help"], cwd=place.here,
+                               capture_output=True, text=True, check=True)
+        told = re.findall(r"^  ([a-z-]+) ", asked.stdout, re.MULTILINE)
+        assert told == known, (told, known)
+        assert not (place.here / "build").exists()
+
+
 def main():
+    lists_the_benchmarks_without_building(sys.argv[1])
     for whole in (True, False):  # Ctrl-C reaches the whole group; or only the build is interrupted
         with Place(sys.argv[1]) as place:
             process = place.start()
