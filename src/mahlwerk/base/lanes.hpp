@@ -16,6 +16,12 @@
 // vector extension that GCC and Clang share, each of exactly the width of the instruction set:
 // wider vectors would be split into scalars (docs/architecture.md, Decisions).
 
+// Single instructions by inline assembly where GCC chooses several. Clang, which chooses well, does
+// not accept registers that the surrounding function's target lacks, even if it is inlined.
+#if defined(MAHLWERK_X86_64) && !defined(__clang__)
+#define MAHLWERK_X86_ASM 1
+#endif
+
 namespace mahlwerk {
 
 /// Number of lanes of a packet. A packet is computed in groups of as many lanes as fit a register.
@@ -88,12 +94,12 @@ template <class V>
 template <Vector V>
 [[gnu::always_inline]] inline V sqrt(const V& a) {
   V r;
-#if defined(MAHLWERK_X86_64)
+#if defined(MAHLWERK_X86_ASM)
   if constexpr (width_of<V> == 2)
     asm("sqrtpd %1, %0" : "=x"(r) : "x"(a));
   else
     asm("vsqrtpd %1, %0" : "=v"(r) : "v"(a));
-#elif defined(__aarch64__)
+#elif defined(__aarch64__) && !defined(__clang__)
   asm("fsqrt %0.2d, %1.2d" : "=w"(r) : "w"(a));
 #else
   r = lanes_from<V>([&](int l) { return std::sqrt(a[l]); });
@@ -114,7 +120,7 @@ template <Vector V>
 /// because of the rules for NaN and -0 that it shares with this definition.
 template <class V>
 [[gnu::always_inline]] inline V max(V a, V b) {
-#if defined(MAHLWERK_X86_64)
+#if defined(MAHLWERK_X86_ASM)
   if constexpr (width_of<V> == 2) {
     asm("maxpd %1, %0" : "+x"(a) : "x"(b));
     return a;
@@ -128,7 +134,7 @@ template <class V>
 }
 template <class V>
 [[gnu::always_inline]] inline V min(V a, V b) {
-#if defined(MAHLWERK_X86_64)
+#if defined(MAHLWERK_X86_ASM)
   if constexpr (width_of<V> == 2) {
     asm("minpd %1, %0" : "+x"(a) : "x"(b));
     return a;
@@ -148,7 +154,7 @@ template <class V>
 /// A bit for each lane of a mask, lane 0 the lowest.
 template <int width>
 [[gnu::always_inline]] inline std::uint32_t bits_of(const typename RegisterOf<width>::Mask& mask) {
-#if defined(MAHLWERK_X86_64)
+#if defined(MAHLWERK_X86_ASM)
   if constexpr (width == 2) {
     std::uint32_t bits;
     asm("movmskpd %1, %0" : "=r"(bits) : "x"(mask));
@@ -194,7 +200,7 @@ template <int width>
     return -(((Mask{} + static_cast<std::int64_t>(bits)) >> lane) & 1);
   } else {
     constexpr int count = 1 << width;
-    alignas(64) static constexpr auto table = [] {
+    alignas(64) static constexpr auto table = [=] {
       struct {
         std::int64_t rows[count][width];
       } t{};

@@ -10,21 +10,40 @@
 namespace mahlwerk::soft {
 
 /// With eight lanes and at most sixteen bodies, two registers hold a column of all bodies, and one
-/// permute instruction picks eight.
+/// permute instruction picks eight. Clang has no such operation for registers of its vector type.
+#if defined(__clang__)
+template <class V>
+constexpr bool can_permute = false;
+#else
 template <class V>
 constexpr bool can_permute = width_of<V> == lanes;
 
 /// Picks for each lane the number `at` of those of two registers.
 template <class V>
 [[gnu::always_inline]] inline V permute(const V& low, const V& high, const MaskOf<V>& at) {
-#if defined(__clang__)
-  V picked = (V)at;
-  asm("vpermi2pd %2, %1, %0" : "+v"(picked) : "v"(low), "v"(high));
-  return picked;
-#else
   return __builtin_shuffle(low, high, at);
-#endif
 }
+
+/// Adds the forces and torques of a packet to eight balls in registers, in the order of its lanes.
+template <class V>
+[[gnu::always_inline]] inline void gather_forces(const GatherMap& map, const ContactForce<V>& f,
+                                                 Vec<V>& force, Vec<V>& torque) {
+  const LaneGroup<V> group;
+  const Vec<V> back = -f.force;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(map.max_contacts); ++k) {
+    const MaskOf<V> source = group(map.source[k]), active = group(map.active[k]);
+    const auto add = [&](V& all, const V& i, const V& j) {
+      all += where<V>(active, permute<V>(i, j, source));
+    };
+    add(force.x, f.force.x, back.x);
+    add(force.y, f.force.y, back.y);
+    add(force.z, f.force.z, back.z);
+    add(torque.x, f.torque_i.x, f.torque_j.x);
+    add(torque.y, f.torque_i.y, f.torque_j.y);
+    add(torque.z, f.torque_i.z, f.torque_j.z);
+  }
+}
+#endif
 
 /// The bodies of a packet, in memory or in registers.
 template <class V>
@@ -99,26 +118,6 @@ template <class V>
   group.put(ball.force, force), group.put(ball.torque, torque);
   group.put(ball.velocity, group(ball.velocity) + group(ball.half_kick_factor) * force);
   group.put(ball.spin, group(ball.spin) + group(ball.half_spin_kick_factor) * torque);
-}
-
-/// Adds the forces and torques of a packet to eight balls in registers, in the order of its lanes.
-template <class V>
-[[gnu::always_inline]] inline void gather_forces(const GatherMap& map, const ContactForce<V>& f,
-                                                 Vec<V>& force, Vec<V>& torque) {
-  const LaneGroup<V> group;
-  const Vec<V> back = -f.force;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(map.max_contacts); ++k) {
-    const MaskOf<V> source = group(map.source[k]), active = group(map.active[k]);
-    const auto add = [&](V& all, const V& i, const V& j) {
-      all += where<V>(active, permute<V>(i, j, source));
-    };
-    add(force.x, f.force.x, back.x);
-    add(force.y, f.force.y, back.y);
-    add(force.z, f.force.z, back.z);
-    add(torque.x, f.torque_i.x, f.torque_j.x);
-    add(torque.y, f.torque_i.y, f.torque_j.y);
-    add(torque.z, f.torque_i.z, f.torque_j.z);
-  }
 }
 
 /// Adds the forces and torques of a group to rows in memory, for any number of balls, in the order

@@ -45,15 +45,17 @@ template <class V, class R>
 /// Streaming (non-temporal) store, which bypasses the cache.
 template <class V, class R>
 [[gnu::always_inline]] inline void stream_part(R& record, std::size_t first, const V& a) {
-#ifdef MAHLWERK_X86_64
   using Aliased = typename RegisterOf<width_of<V>>::Aliased;
   auto* to = reinterpret_cast<Aliased*>(reinterpret_cast<double*>(&record) + first);
+#if defined(MAHLWERK_X86_ASM)
   if constexpr (width_of<V> == 2)
     asm("movntpd %1, %0" : "=m"(*to) : "x"(a));
   else
     asm("vmovntpd %1, %0" : "=m"(*to) : "v"(a));
+#elif defined(__clang__)
+  __builtin_nontemporal_store(a, to);
 #else
-  store_part<V>(record, first, a);
+  *to = a;
 #endif
 }
 /// Memory fence: orders the streaming stores before other threads read.
@@ -75,10 +77,11 @@ template <class V>
 [[gnu::always_inline]] inline Register<8> join(const Register<4>& a,
                                                const RegisterOf<4>::Aliased& b) {
   Register<8> both;
-#ifdef MAHLWERK_X86_64
+#ifdef MAHLWERK_X86_ASM
   asm("vinsertf64x4 $1, %2, %g1, %0" : "=v"(both) : "v"(a), "m"(b));
 #else
-  both = __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+  const Register<4> second = b;
+  both = __builtin_shufflevector(a, second, 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
   return both;
 }
