@@ -221,15 +221,61 @@ TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_register
   EXPECT_GT(by_one.all.size(), 1000U);
   expect_same(by_one, by_three);
   expect_same(*one, *three);
-  for (const Isa isa : tests::supported_isas()) {
+  for (const Isa isa : supported_isas()) {
     SCOPED_TRACE(name_of(isa));
-    const tests::ChosenIsa chosen(isa);
+    const ChosenIsa chosen(isa);
     const auto narrow = crowd(w, 2);
     Recorder by_narrow;
     narrow->advance(0.006, by_narrow);
     expect_same(by_one, by_narrow);
     expect_same(*one, *narrow);
   }
+}
+
+TEST(SoftEngine, has_the_same_bits_on_every_instruction_set) {
+  std::vector<World> all = worlds();
+  World five = all.front();
+  five.name = "five balls", five.balls = lattice(5, 0.0055, {0.0025});
+  all.push_back(five);
+  for (const World& w : all)
+    for (const std::size_t few : {std::size_t{0}, std::size_t{1000}}) {
+      SCOPED_TRACE(w.name + (few == 0 ? ", solver for many" : ", solver for few"));
+      const auto widest = crowd(w, 1, few);
+      Recorder by_widest;
+      widest->advance(0.02, by_widest);
+      EXPECT_GT(by_widest.all.size(), 0U);
+      for (const Isa isa : supported_isas()) {
+        SCOPED_TRACE(name_of(isa));
+        const ChosenIsa chosen(isa);
+        const auto other = crowd(w, 1, few);
+        Recorder by_other;
+        other->advance(0.02, by_other);
+        expect_same(by_widest, by_other);
+        expect_same(*widest, *other);
+      }
+    }
+}
+
+std::uint64_t fingerprint_of(const scene::Engine& engine, const Recorder& records) {
+  std::string bytes;
+  const auto add = [&](const auto& a) {
+    bytes.append(reinterpret_cast<const char*>(&a), sizeof a);
+  };
+  for (const scene::Ball& b : engine.balls()) add(b.position), add(b.velocity), add(b.spin);
+  for (const scene::Collision& c : records.all)
+    add(c.time), add(c.where), add(c.normal), add(c.impulse), add(c.lost_tangential);
+  return fingerprint(bytes);
+}
+
+/// A change of these bits changes results, if only by rounding, and belongs in the changelog.
+TEST(FewBodySolver, has_the_bits_it_has_always_had) {
+  World five = worlds().front();
+  five.balls = lattice(5, 0.0055, {0.0025});
+  const auto run = crowd(five, 1, 32);
+  Recorder records;
+  run->advance(0.1, records);
+  EXPECT_GT(records.all.size(), 10U);
+  EXPECT_EQ(fingerprint_of(*run, records), 2327053474110910378U);
 }
 
 /// A change of these bits changes results, if only by rounding, and belongs in the changelog.
@@ -241,11 +287,7 @@ TEST(ManyBodySolver, has_the_bits_it_has_always_had) {
   Recorder records;
   run->advance(0.01, records);
   EXPECT_GT(records.all.size(), 1000U);
-  std::string bytes;
-  for (const scene::Ball& b : run->balls())
-    for (const Vec3& v : {b.position, b.velocity, b.spin})
-      bytes.append(reinterpret_cast<const char*>(&v), sizeof v);
-  EXPECT_EQ(fingerprint(bytes), 1884672058222664979U);
+  EXPECT_EQ(fingerprint_of(*run, {}), 1884672058222664979U);
 }
 
 TEST(ManyBodySolver, closes_its_energy_and_keeps_its_momentum) {
