@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "mahlwerk/event/ball_states.hpp"
 
@@ -30,6 +31,11 @@ PredictedCollision earliest_collision(const CollisionQuery& query,
                                       std::span<const std::int32_t> others,
                                       std::span<const double> radii, const Vec3& periods,
                                       const PredictedCollision& best);
+
+/// The same for one instruction set.
+using CollisionSearch = decltype(earliest_collision);
+/// One for each instruction set of this machine, the narrowest first. All give the same bits.
+std::vector<CollisionSearch*> collision_searches();
 
 /// Minimum image convention (geo.8): the difference `a` [m] of two positions at most 1.5 periods
 /// apart, each component taken to within half a period.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Predicted collisions: the fast form, four pairs at a time, against a plain form in long double.
+// Predicted collisions: the fast form, several pairs at a time, against a plain form in long
+// double.
 #include "mahlwerk/event/collision_prediction.hpp"
 
 #include <gtest/gtest.h>
@@ -193,6 +194,20 @@ TEST(Meetings, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
       const PredictedCollision found = among(s, more);
       ASSERT_EQ(found.time, one_size.time);
     }
+  }
+}
+
+TEST(Meetings, of_balls_in_any_vector_width_have_the_same_bits) {
+  Random random(5, 1);
+  const auto searches = event::collision_searches();
+  std::printf("    %zu instruction sets on this machine\n", searches.size());
+  for (int i = 0; i < 20'000; ++i) {
+    const Scene s = scene(random, i % 150, i % 2 == 0, 1 + i % 3);
+    const PredictedCollision plain =
+        searches.front()(s.me, s.trajectories, s.others, s.radii, s.periods, {});
+    for (const auto search : searches)
+      ASSERT_TRUE(same_bits(search(s.me, s.trajectories, s.others, s.radii, s.periods, {}), plain))
+          << i;
   }
 }
 
