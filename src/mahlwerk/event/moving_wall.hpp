@@ -69,8 +69,9 @@ class ChamberWall final : public MovingWall {
                                const TouchTolerance& tolerance) const override {
     const FaceScan first = scan_faces(jar_, {t, {}, ball}, tolerance);
     if (first.face >= 0) return {t, first.face};
-    const double step =
-        std::max(first.safe_time, tolerance.min_step(norm(ball.velocity) + jar_.max_wall_speed()));
+    double step = first.safe_time;
+    if (step < tolerance.longest_min_step())
+      step = std::max(step, tolerance.min_step(norm(ball.velocity) + jar_.max_wall_speed()));
     if (!(t + step < until)) return {std::max(t + step, std::nextafter(t, geometry::never)), -1};
     const kinematics::FrameMotion frame = jar_.motion().frame_motion(t);
     const Flight flight{t, ball.position + frame.centre, ball.velocity + frame.velocity};

@@ -38,6 +38,8 @@ struct TouchTolerance {
   /// Least step [s]: a time in which ball and wall, approaching at no more than `speed` [m/s], do
   /// not cross the margin.
   double min_step(double speed) const { return margin / (speed + 1e-3); }
+  /// min_step() of a ball and a wall at rest, the largest of all.
+  double longest_min_step() const { return min_step(0); }
 };
 
 /// State at an instant: the clock, the jar's frame motion, and the ball in the jar frame.
@@ -115,13 +117,16 @@ constexpr std::int64_t max_search_steps = 4096;
 template <class S, class M>
 [[gnu::flatten]] Touch next_touch(const TypedChamber<S, M>& jar, const Flight& flight,
                                   const Instant& start, double until, const TouchTolerance& ball) {
+  const double longest_min_step = ball.longest_min_step();
   Instant now = start;
   for (std::int64_t steps = 1;; ++steps) {
     const FaceScan scan = scan_faces(jar, now, ball);
     if (scan.face >= 0) return {now, scan.face, steps};
     const double before = now.time;
-    now.time +=
-        std::max(scan.safe_time, ball.min_step(norm(now.ball.velocity) + jar.max_wall_speed()));
+    double step = scan.safe_time;
+    if (step < longest_min_step)  // hardly ever, so the speed is not needed
+      step = std::max(step, ball.min_step(norm(now.ball.velocity) + jar.max_wall_speed()));
+    now.time += step;
     if (now.time == before) {  // step below the clock's resolution: this is the touch
       if (scan.nearest >= 0 && closing_speed(jar, scan.nearest, now, ball) > rounding_speed)
         return {now, scan.nearest, steps};
