@@ -10,7 +10,7 @@
 namespace mahlwerk::event {
 namespace {
 
-constexpr double per_slice = 4;  // events; few enough for insertion sort
+constexpr double per_slice = 12;  // events; few enough for insertion sort
 constexpr std::int64_t far_away = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace
@@ -26,7 +26,7 @@ void CalendarQueue::start_at(double rate, double now) {
       static_cast<std::int64_t>(std::bit_ceil(std::max<std::size_t>(64, 2 * times_.size())));
   buckets_.assign(static_cast<std::size_t>(bucket_count_), -1);
   pool_.clear();
-  free_ = -1;
+  free_ = ahead_ = -1;
   bucketed_ = 0;
   open_.clear();
   overflow_.clear();
@@ -144,7 +144,17 @@ void CalendarQueue::open_next() {
     --bucketed_;
   }
   first = -1;
+  ahead_ = buckets_[static_cast<std::size_t>((slice_ + 1) & (bucket_count_ - 1))];
   sort_open();
+}
+
+std::int32_t CalendarQueue::look_ahead() {
+  if (ahead_ < 0) return -1;
+  const Entry& e = pool_[static_cast<std::size_t>(ahead_)];
+  ahead_ = e.next;
+  if (ahead_ >= 0) __builtin_prefetch(&pool_[static_cast<std::size_t>(ahead_)]);
+  __builtin_prefetch(&times_[static_cast<std::size_t>(e.ball)]);
+  return e.ball;
 }
 
 /// Restarts at the earliest event with a new slice width: slice numbers of all remaining events

@@ -123,23 +123,32 @@ int Cells::near(Cell cell, std::int32_t* out) const {
 
 int Cells::newly_near(Cell cell, Cell before, std::int32_t* out) const {
   const auto now = split(cell), was = split(before);
-  std::array<std::array<std::int32_t, 3>, 3> along{};
+  struct Axis {
+    std::array<std::int32_t, 3> at;
+    int count;
+  };
+  std::array<Axis, 3> along;
   int moves = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::int32_t down = lower_neighbour_[axis][as_index(now[axis])],
                        up = upper_neighbour_[axis][as_index(now[axis])];
-    along[axis] = {down, now[axis], up};
+    along[axis] = {{down, now[axis], up}, 3};
     if (now[axis] == was[axis]) continue;
     ++moves;
-    if (was[axis] == down) along[axis] = {up, -1, -1};  // only the layer ahead is new
-    if (was[axis] == up) along[axis] = {down, -1, -1};
+    if (was[axis] == down) along[axis] = {{up}, 1};  // only the layer ahead is new
+    if (was[axis] == up) along[axis] = {{down}, 1};
   }
   if (moves != 1) return near(cell, out);
+  const auto& [x, y, z] = along;
   int n = 0;
-  for (const std::int32_t layer : along[2])
-    for (const std::int32_t row : along[1])
-      for (const std::int32_t column : along[0])
-        if (layer >= 0 && row >= 0 && column >= 0) n = copy(cell_index(column, row, layer), out, n);
+  for (int k = 0; k < z.count; ++k)
+    for (int j = 0; j < y.count; ++j)
+      for (int i = 0; i < x.count; ++i) {
+        const std::int32_t column = x.at[as_index(i)], row = y.at[as_index(j)],
+                           layer = z.at[as_index(k)];
+        const bool outside = (column | row | layer) < 0;
+        n = copy(outside ? 0 : cell_index(column, row, layer), out, n);
+      }
   return n;
 }
 

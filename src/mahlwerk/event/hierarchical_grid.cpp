@@ -39,32 +39,35 @@ std::int64_t HierarchicalGrid::ball_count() const {
   return all;
 }
 
-std::span<const std::int32_t> HierarchicalGrid::near(int level, Cell cell) {
+std::span<const std::int32_t> HierarchicalGrid::near(int level, Cell cell, std::size_t buffer) {
+  std::vector<std::int32_t>& found = found_[buffer];
   const auto max_count = static_cast<std::size_t>(cells(level).max_neighbours());
-  if (found_.size() < max_count) found_.resize(max_count);
-  return with_other_levels(level, cell, cells(level).near(cell, found_.data()));
+  if (found.size() < max_count) found.resize(max_count);
+  return with_other_levels(level, cell, cells(level).near(cell, found.data()), found);
 }
 
 std::span<const std::int32_t> HierarchicalGrid::newly_near(int level, Cell cell, Cell before) {
+  std::vector<std::int32_t>& found = found_[0];
   const auto max_count = static_cast<std::size_t>(cells(level).max_neighbours());
-  if (found_.size() < max_count) found_.resize(max_count);
-  return with_other_levels(level, cell, cells(level).newly_near(cell, before, found_.data()));
+  if (found.size() < max_count) found.resize(max_count);
+  return with_other_levels(level, cell, cells(level).newly_near(cell, before, found.data()), found);
 }
 
 /// Appends the balls of other levels that can touch a ball anywhere in the cell, slack included.
-/// `count` balls of the same level are in found_ already.
-std::span<const std::int32_t> HierarchicalGrid::with_other_levels(int level, Cell cell, int count) {
+/// `count` balls of the same level are in `found` already.
+std::span<const std::int32_t> HierarchicalGrid::with_other_levels(
+    int level, Cell cell, int count, std::vector<std::int32_t>& found) const {
   const auto near = static_cast<std::size_t>(count);
-  if (levels_.size() == 1) return {found_.data(), near};
-  found_.resize(near);
+  if (levels_.size() == 1) return {found.data(), near};
+  found.resize(near);
   const Cells::Borders box = cells(level).borders(cell);
   const double mine = levels_[static_cast<std::size_t>(level)].widest;
   for (const Level& other : levels_) {
     if (&other.cells == &cells(level)) continue;
     const double reach = 0.5 * (mine + other.widest) + other.slack;
-    other.cells.within(box.low - reach * Vec3{1, 1, 1}, box.high + reach * Vec3{1, 1, 1}, found_);
+    other.cells.within(box.low - reach * Vec3{1, 1, 1}, box.high + reach * Vec3{1, 1, 1}, found);
   }
-  return found_;
+  return found;
 }
 
 }  // namespace mahlwerk::event

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,9 +39,10 @@ class HierarchicalGrid {
   bool needs_all_images() const { return needs_all_images_; }
 
   /// All balls that a ball of this level in this cell can touch before it leaves the cell, and
-  /// possibly more. Valid until the next call.
-  std::span<const std::int32_t> near(int level, Cell cell);
-  /// Those of near() that were not near the ball's previous cell `before`, and possibly more.
+  /// possibly more. Valid until the next call with the same `buffer`, 0 or 1.
+  std::span<const std::int32_t> near(int level, Cell cell, std::size_t buffer = 0);
+  /// Those of near() that were not near the ball's previous cell `before`, and possibly more; in
+  /// buffer 0.
   std::span<const std::int32_t> newly_near(int level, Cell cell, Cell before);
 
  private:
@@ -51,11 +53,12 @@ class HierarchicalGrid {
   };
   Cells& cells(int level) { return levels_[static_cast<std::size_t>(level)].cells; }
   const Cells& cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells; }
-  std::span<const std::int32_t> with_other_levels(int level, Cell cell, int count);
+  std::span<const std::int32_t> with_other_levels(int level, Cell cell, int count,
+                                                  std::vector<std::int32_t>& found) const;
 
   std::vector<Level> levels_;
-  std::vector<int> level_of_;  // by species
-  std::vector<std::int32_t> found_;
+  std::vector<int> level_of_;                       // by species
+  std::array<std::vector<std::int32_t>, 2> found_;  // buffers of near()
   bool needs_all_images_ = false;
 };
 
