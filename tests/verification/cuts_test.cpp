@@ -137,6 +137,13 @@ TEST(Cuts, do_not_change_a_drum) {
 TEST(Cuts, do_not_change_a_box_on_a_planetary_mill) {
   cut_into_pieces(many(planet(), 4, 0.003), 0.2, 500);
 }
+/// A fluid so dense that the engine keeps neighbour lists.
+std::unique_ptr<scene::Engine> dense_fluid() {
+  return gas(lattice(8, 0.46), side_of(8, 0.46), {1, 1, INFINITY});
+}
+TEST(Cuts, do_not_change_a_dense_fluid) {
+  cut_into_pieces(dense_fluid, 0.5, 3000);
+}
 TEST(Cuts, do_not_change_one_ball) {
   cut_into_pieces([] { return event::one_ball(mill_a(), ball_a(), rules_a(), 0.1); }, 10, 100);
 }
@@ -161,6 +168,11 @@ TEST(Archives, of_balls_sorted_anew_go_on_to_the_bit) {
   // Stops at consecutive collisions just before, at and just after the first reorganisation.
   for (std::size_t i = 1955; i < 1965; ++i) stop_and_go_on(make, seen.all[i].time, 0.025);
   for (const double when : {0.01, 0.02}) stop_and_go_on(make, when, 0.03);
+}
+
+/// The first reorganisation is after some 1500 collisions.
+TEST(Archives, of_a_dense_fluid_go_on_to_the_bit) {
+  for (const double when : {0.0, 0.1, 0.25, 0.4}) stop_and_go_on(dense_fluid, when, 0.6);
 }
 
 TEST(Archives, of_a_ball_in_lasting_contact_go_on_to_the_bit) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <string_view>
 
 // The search is compiled for several instruction sets, each with vectors of exactly the width of
@@ -81,11 +82,15 @@ template <std::size_t width>
   }
 }
 
-template <class V>
-[[gnu::always_inline]] inline void fold(V& x, double period) {
-  const V zero{}, shift = zero + period;
-  x -= x > 0.5 * period ? shift : zero;
-  x += x < -0.5 * period ? shift : zero;
+/// Minimum image convention, as nearest_image().
+template <std::size_t width>
+[[gnu::always_inline]] inline void fold(Real<width>& x, double period) {
+  using Bits = typename Vectors<width>::Mask;
+  const Real<width> shift = Real<width>{} + period;
+  const Bits sign = reinterpret_cast<Bits>(x) & std::numeric_limits<std::int64_t>::min();
+  const auto size = reinterpret_cast<Real<width>>(reinterpret_cast<Bits>(x) ^ sign);
+  const Bits signed_shift = reinterpret_cast<Bits>(shift) | sign;
+  x -= reinterpret_cast<Real<width>>(signed_shift & (size > 0.5 * period));
 }
 
 constexpr std::size_t block = 64;  // candidates whose intermediate results are kept at a time
@@ -123,9 +128,9 @@ template <std::size_t width, bool periodic, bool one_size>
   V x = me.position.x - (px + elapsed * vx), y = me.position.y - (py + elapsed * vy),
     z = me.position.z - (pz + elapsed * vz);
   if constexpr (periodic) {
-    fold(x, periods.x);
-    fold(y, periods.y);
-    fold(z, periods.z);
+    fold<width>(x, periods.x);
+    fold<width>(y, periods.y);
+    fold<width>(z, periods.z);
   }
   const V ux = me.velocity.x - vx, uy = me.velocity.y - vy, uz = me.velocity.z - vz;
   const V b = x * ux + y * uy + z * uz, u2 = ux * ux + uy * uy + uz * uz;
@@ -137,37 +142,66 @@ template <std::size_t width, bool periodic, bool one_size>
   out.colliding |= lane_bits<width>((b < zero) & (d > zero)) << k;
 }
 
-/// Square roots and divisions only for the few candidates that collide at all.
+/// The earliest collision found in the blocks so far.
+struct Earliest {
+  double time;                            // [s] since now
+  const std::int32_t* partner = nullptr;  // null: none
+};
+
+/// Square roots and divisions only for the few candidates that collide at all; the first of several
+/// at the same time counts. Two at a time and integer comparisons, because no predictor foresees
+/// how many there are and which is earlier. Times are not negative, so their bits sort as they do.
+[[gnu::always_inline]] inline void choose(const Approaches& found, const std::int32_t* others,
+                                          Earliest& earliest) {
+  const auto time_at = [&](std::size_t k) {
+    const double c = found.c[k];
+    return std::bit_cast<std::int64_t>((c > 0 ? c : 0.0) / (std::sqrt(found.d[k]) - found.b[k]));
+  };
+  auto min_time = std::bit_cast<std::int64_t>(earliest.time);
+  std::size_t chosen = block;
+  const auto place = [](std::uint64_t bits) {
+    return static_cast<std::size_t>(std::countr_zero(bits));
+  };
+  for (std::uint64_t left = found.colliding; left != 0;) {
+    const std::size_t one = place(left);
+    left &= left - 1;
+    const std::size_t two = left != 0 ? place(left) : one;
+    left &= left - 1;
+    const std::int64_t time_one = time_at(one), time_two = time_at(two);
+    const std::size_t k = time_two < time_one ? two : one;
+    const std::int64_t time = time_two < time_one ? time_two : time_one;
+    chosen = time < min_time ? k : chosen;
+    min_time = time < min_time ? time : min_time;
+  }
+  if (chosen == block) return;
+  earliest = {std::bit_cast<double>(min_time), others + chosen};
+}
+
 template <std::size_t width, bool periodic, bool one_size>
 [[gnu::always_inline]] inline PredictedCollision earliest(const CollisionQuery& me,
                                                           const Trajectory* trajectories,
                                                           std::span<const std::int32_t> others,
                                                           const double* radii, const Vec3& periods,
                                                           const PredictedCollision& best) {
-  const std::int32_t* partner = nullptr;
-  double min_time = best.time - me.time;
+  Earliest earliest{best.time - me.time};
   Approaches found;
   for (; !others.empty(); others = others.subspan(std::min(others.size(), block))) {
-    const std::size_t count = std::min(others.size(), block), full = count / width * width;
+    const std::size_t count = std::min(others.size(), block);
     found.colliding = 0;
-    for (std::size_t k = 0; k < full; k += width)
-      approach<width, periodic, one_size>(me, trajectories, &others[k], radii, periods, k, found);
-    if (full < count) {  // the rest, filled up with the ball itself, which it does not approach
+    for (std::size_t k = 0; k < count; k += width) {
+      const std::int32_t* group = &others[k];
       std::int32_t rest[width];
-      for (std::size_t l = 0; l < width; ++l)
-        rest[l] = full + l < count ? others[full + l] : me.self;
-      approach<width, periodic, one_size>(me, trajectories, rest, radii, periods, full, found);
+      if (count - k < width) {  // filled up with the ball itself, which it does not approach
+        for (std::size_t l = 0; l < width; ++l) rest[l] = k + l < count ? group[l] : me.self;
+        group = rest;
+      }
+      approach<width, periodic, one_size>(me, trajectories, group, radii, periods, k, found);
     }
-    for (std::uint64_t left = found.colliding; left != 0; left &= left - 1) {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      const double c = found.c[k];
-      const double time = (c > 0 ? c : 0.0) / (std::sqrt(found.d[k]) - found.b[k]);
-      const bool earlier = time < min_time;
-      min_time = earlier ? time : min_time;
-      partner = earlier ? &others[k] : partner;
-    }
+    choose(found, others.data(), earliest);
   }
-  return partner == nullptr ? best : PredictedCollision{me.time + min_time, *partner};
+  return earliest.partner == nullptr
+             ? best
+             : PredictedCollision{me.time + earliest.time, *earliest.partner};
 }
 
 #define MAHLWERK_SEARCH_PARAMETERS                                                              \
@@ -221,9 +255,6 @@ std::vector<CollisionSearch*> collision_searches() {
   return searches_of_this_machine();
 }
 
-PredictedCollision earliest_collision(MAHLWERK_SEARCH_PARAMETERS) {
-  static CollisionSearch* const chosen = choose_search();
-  return chosen(me, trajectories, others, radii, periods, best);
-}
+CollisionSearch* const earliest_collision = choose_search();
 
 }  // namespace mahlwerk::event

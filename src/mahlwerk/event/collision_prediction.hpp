@@ -26,16 +26,17 @@ struct CollisionQuery {
 /// Returns the earliest collision of the ball `query` with one of `others` (indices of
 /// `trajectories`), or `best` if none is earlier (man.2). `radii` [m] by species; `periods` [m] of
 /// a periodic box, infinite for any other jar.
-PredictedCollision earliest_collision(const CollisionQuery& query,
-                                      std::span<const Trajectory> trajectories,
-                                      std::span<const std::int32_t> others,
-                                      std::span<const double> radii, const Vec3& periods,
-                                      const PredictedCollision& best);
-
-/// The same for one instruction set.
-using CollisionSearch = decltype(earliest_collision);
-/// One for each instruction set of this machine, the narrowest first. All give the same bits.
+using CollisionSearch = PredictedCollision(const CollisionQuery& query,
+                                           std::span<const Trajectory> trajectories,
+                                           std::span<const std::int32_t> others,
+                                           std::span<const double> radii, const Vec3& periods,
+                                           const PredictedCollision& best);
+/// One search for each instruction set of this machine, the narrowest first. All give the same
+/// bits.
 std::vector<CollisionSearch*> collision_searches();
+/// The search for the widest instruction set, or for the one that the environment variable
+/// MAHLWERK_SIMD names (plain, avx2).
+extern CollisionSearch* const earliest_collision;
 
 /// Minimum image convention (geo.8): the difference `a` [m] of two positions at most 1.5 periods
 /// apart, each component taken to within half a period.

@@ -47,25 +47,40 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
   hand_over(observer);
 }
 
-/// Prefetches the data of the next few events.
-void ManyBalls::prefetch_next_events() const {
-  constexpr std::size_t near_at_hand = 4096;  // the data of so many balls stays in the cache
-  if (trajectories_.size() <= near_at_hand) return;
-  if (const std::int32_t later = queue_.upcoming(3); later >= 0) {
-    const auto i = static_cast<std::size_t>(later);
-    __builtin_prefetch(&predictions_[i]);
-    __builtin_prefetch(&trajectories_[i]);
-    __builtin_prefetch(&collision_data_[i]);
+/// Prefetches the data of the next events in three stages, each of which finds its addresses in
+/// what the one before has fetched: the balls of the next slice, the partners of a ball soon due,
+/// the candidates of both.
+void ManyBalls::prefetch_next_events() {
+  if (near_at_hand()) return;
+  for (int i = 0; i < 2; ++i)
+    if (const std::int32_t later = queue_.look_ahead(); later >= 0) prefetch_ball(later);
+  if (const std::int32_t soon = queue_.upcoming(2); soon >= 0) {
+    const Prediction& p = prediction_of(soon);
+    if (p.partner >= 0) prefetch_ball(p.partner);
   }
-  if (const std::int32_t soon = queue_.upcoming(1); soon >= 0) {
-    const Prediction& p = predictions_[static_cast<std::size_t>(soon)];
-    if (p.partner >= 0) {
-      __builtin_prefetch(&trajectories_[static_cast<std::size_t>(p.partner)]);
-      __builtin_prefetch(&predictions_[static_cast<std::size_t>(p.partner)]);
-      __builtin_prefetch(&collision_data_[static_cast<std::size_t>(p.partner)]);
-    }
-    grid_->prefetch(level(soon), p.cell);
+  if (const std::int32_t next = queue_.upcoming(1); next >= 0) {
+    const Prediction& p = prediction_of(next);
+    prefetch_candidates(next);
+    if (p.partner >= 0 && p.collision_time < p.wall_check_time) prefetch_candidates(p.partner);
   }
+}
+
+void ManyBalls::prefetch_ball(std::int32_t ball) const {
+  const auto i = static_cast<std::size_t>(ball);
+  __builtin_prefetch(&predictions_[i]);
+  __builtin_prefetch(&trajectories_[i]);
+  __builtin_prefetch(&collision_data_[i]);
+  if (lists_ != nullptr) lists_->prefetch(ball);
+}
+
+void ManyBalls::prefetch_candidates(std::int32_t ball) const {
+  if (lists_ != nullptr) return prefetch_trajectories(lists_->of(ball));
+  grid_->prefetch(level(ball), predictions_[static_cast<std::size_t>(ball)].cell);
+}
+
+void ManyBalls::prefetch_trajectories(std::span<const std::int32_t> balls) const {
+  for (const std::int32_t ball : balls)
+    __builtin_prefetch(&trajectories_[static_cast<std::size_t>(ball)]);
 }
 
 void ManyBalls::process_event(std::int32_t ball) {
@@ -79,21 +94,21 @@ void ManyBalls::process_event(std::int32_t ball) {
 
 /// Safe-time query for walls and cell. It searches ahead until the next event of any other ball at
 /// most, because nothing changes this ball's flight before.
-void ManyBalls::check_wall_and_cell(std::int32_t ball) {
+[[gnu::flatten]] void ManyBalls::check_wall_and_cell(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   if (p.face >= 0) return hit_wall(ball, p.face);
   if (periodic_) advance_to_now(ball);  // it may have left the box
   const BallState where = ball_state(ball);
-  if (has_left(ball, where)) change_cell(ball, where);
-  const double cell_exit_time = now_ + cell_safe_time(ball, where);
-  p.wall_check_time = cell_exit_time;
+  if (has_left(ball, where)) renew_neighbourhood(ball, where);
+  const double exit_time = now_ + neighbourhood_safe_time(ball, where);
+  p.wall_check_time = exit_time;
   if (walls_) {
     queue_.schedule(ball, never);
     constexpr double max_lookahead =
         0.01;  // [s] bounds the search for a ball at rest that nothing reaches
     const double next_other_event = queue_.next().time;
     const double search_end =
-        std::min({p.collision_time, cell_exit_time, next_other_event, now_ + max_lookahead});
+        std::min({p.collision_time, exit_time, next_other_event, now_ + max_lookahead});
     const WallPrediction predicted = jar_->predict_touch(
         where, motion_time(now_), motion_time(search_end), tolerances_[trajectory(ball).species]);
     ++energy_balance_.search_steps;
@@ -105,7 +120,7 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
       now_ = wall_time;
       return hit_wall(ball, predicted.face);
     }
-    if (predicted.face >= 0 || wall_time < cell_exit_time) {
+    if (predicted.face >= 0 || wall_time < exit_time) {
       p.wall_check_time = wall_time;
       p.face = predicted.face;
     }
@@ -118,7 +133,7 @@ void ManyBalls::check_wall_and_cell(std::int32_t ball) {
 void ManyBalls::process_collision(std::int32_t ball) {
   Prediction& p = prediction_of(ball);
   if (trajectory(p.partner).revision == p.partner_revision) return hit_ball(ball, p.partner);
-  predict_collisions(ball);
+  predict_collisions(ball, candidates(ball));
   queue_.schedule(ball, p.next());
 }
 
@@ -155,6 +170,7 @@ void ManyBalls::serialize(Archive& archive) {
       epoch_)(reached_)(events_)(collisions_at_reorganisation_)(reorganised_);
   archive(zeno_first_event_)(zeno_since_)(energy_balance_);
   grid_->serialize(archive);
+  if (lists_ != nullptr) lists_->serialize(archive);
   if (!archive.reading()) return;
   if (!is_consistent(count)) throw Archive::broken();
   jar_offset_ = {};
@@ -179,7 +195,7 @@ bool ManyBalls::is_consistent(std::size_t count) {
   }
   for (std::int32_t i = 0; i < balls; ++i)
     if (!grid_->contains(level(i), i, prediction_of(i).cell)) return false;
-  return grid_->ball_count() == balls;
+  return grid_->ball_count() == balls && (lists_ == nullptr || lists_->is_consistent(count));
 }
 
 void ManyBalls::rebuild_queue() {

@@ -12,6 +12,7 @@
 #include "mahlwerk/event/collision_prediction.hpp"
 #include "mahlwerk/event/hierarchical_grid.hpp"
 #include "mahlwerk/event/moving_wall.hpp"
+#include "mahlwerk/event/neighbour_lists.hpp"
 #include "mahlwerk/event/rules.hpp"
 #include "mahlwerk/event/tc_rule.hpp"
 #include "mahlwerk/scene/engine.hpp"
@@ -65,7 +66,10 @@ class ManyBalls final : public scene::Engine {
 
   // many_balls.cpp: event loop
   void process_event(std::int32_t ball);
-  void prefetch_next_events() const;
+  void prefetch_next_events();
+  void prefetch_ball(std::int32_t ball) const;
+  void prefetch_candidates(std::int32_t ball) const;
+  void prefetch_trajectories(std::span<const std::int32_t> balls) const;
   void check_wall_and_cell(std::int32_t ball);
   void process_collision(std::int32_t ball);
   void reorganise();
@@ -76,20 +80,24 @@ class ManyBalls final : public scene::Engine {
 
   // many_predictions.cpp: predictions and ball positions
   void predict_all();
-  void predict_and_schedule(std::int32_t ball);
-  void predict(std::int32_t ball);
+  void predict_and_schedule(std::int32_t ball, std::span<const std::int32_t> others);
+  void predict(std::int32_t ball, std::span<const std::int32_t> others);
   void predict_collisions_with(std::int32_t ball, std::span<const std::int32_t> others);
-  void predict_collisions(std::int32_t ball);
+  void predict_collisions(std::int32_t ball, std::span<const std::int32_t> others);
+  std::span<const std::int32_t> candidates(std::int32_t ball, std::size_t buffer = 0);
+  double neighbourhood_safe_time(std::int32_t ball, const BallState& where) const;
   double cell_safe_time(std::int32_t ball, const BallState& where) const;
   bool has_left(std::int32_t ball, const BallState& where) const;
   PredictedCollision first_of_images(const CollisionQuery& query,
                                      std::span<const std::int32_t> others,
                                      PredictedCollision found) const;
+  void renew_neighbourhood(std::int32_t ball, const BallState& where);
   void change_cell(std::int32_t ball, const BallState& where);
+  void make_neighbourhoods();
+  void renew_list(std::int32_t ball, const Vec3& position);
   void advance_to_now(std::int32_t ball);
   void move_frame(double shift);
   void sort();
-  void fill_cells();
   const JarOffset& jar_offset();
   JarOffset jar_offset_at(double t) const;
   BallState ball_state(std::int32_t ball);
@@ -120,6 +128,9 @@ class ManyBalls final : public scene::Engine {
   Vec3 lab_velocity(const Trajectory& trajectory, double t) const {
     return trajectory.velocity + epoch_.velocity + t * gravity_;
   }
+
+  /// Whether the data of all balls stays in the cache, so that prefetching gains nothing.
+  bool near_at_hand() const { return trajectories_.size() <= 4096; }
 
   Trajectory& trajectory(std::int32_t ball) {
     return trajectories_[static_cast<std::size_t>(ball)];
@@ -154,6 +165,7 @@ class ManyBalls final : public scene::Engine {
   std::vector<double> radii_;               // [m] by species
   std::vector<TouchTolerance> tolerances_;  // by species
   std::unique_ptr<HierarchicalGrid> grid_;
+  std::unique_ptr<NeighbourLists> lists_;  // of a dense charge; else the cells name all neighbours
   CalendarQueue queue_;
 
   double start_;                   // [s] mill time at which the run began

@@ -35,13 +35,18 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   update_energy_balance(touch, b, kinetic(ball, now_) - before, work, before);
   add_contact_time(data, slow(touch));
   record(ball, ~face, touch, wall.point, b.impulse.normal, b.loss);
-  predict_and_schedule(ball);
+  predict_and_schedule(ball, candidates(ball));
 }
 
-void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
+[[gnu::flatten]] void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   advance_to_now(ball);
   advance_to_now(other);
   if (collision_data(other).id < collision_data(ball).id) std::swap(ball, other);
+  const auto near_ball = candidates(ball, 0), near_other = candidates(other, 1);
+  if (lists_ == nullptr && !near_at_hand()) {  // the memory answers during the collision
+    prefetch_trajectories(near_ball);
+    prefetch_trajectories(near_other);
+  }
   const Trajectory &a = trajectory(ball), &b = trajectory(other);
   const Species &sa = species(a), &sb = species(b);
   CollisionData &data_a = collision_data(ball), &data_b = collision_data(other);
@@ -69,8 +74,8 @@ void ManyBalls::hit_ball(std::int32_t ball, std::int32_t other) {
   add_contact_time(data_b, slow(touch));
   record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced.impulse.normal,
          bounced.loss);
-  predict_and_schedule(ball);
-  predict_and_schedule(other);
+  predict_and_schedule(ball, near_ball);
+  predict_and_schedule(other, near_other);
 }
 
 /// Adds the time since the ball's last collision to the time in contact if it is short and the

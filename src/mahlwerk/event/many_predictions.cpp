@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -23,9 +24,26 @@ TouchTolerance tolerance(const MovingWall& jar, double radius) {
   return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
 }
 
-/// Grid over the box that contains the centres of all balls.
+/// Radius of the spheres of neighbour lists [m], or 0 if the cells serve better. Lists halve the
+/// candidates of a prediction but cost a renewal whenever a ball leaves its sphere, so they suit a
+/// packing in which a ball seldom gets that far. Balls must fly straight and have a periodic box
+/// of at least five spheres' reach, and lists of large balls among small ones would grow long.
+double neighbour_skin(const MovingWall& jar, double max_acceleration,
+                      const std::vector<double>& radii, double ball_volume) {
+  constexpr double least_packing = 0.4, share = 0.25;  // measured; of the largest diameter
+  const Vec3 size = jar.periods();
+  if (!(size.x < never) || max_acceleration > 0) return 0;
+  const auto [smallest, largest] = std::ranges::minmax(radii);
+  if (2 * smallest <= largest || ball_volume < least_packing * size.x * size.y * size.z) return 0;
+  const double skin = share * 2 * largest, reach = 2 * largest + 2 * skin;
+  return std::min({size.x, size.y, size.z}) < 5.01 * reach ? 0 : skin;
+}
+
+/// Grid over the box that contains the centres of all balls. With neighbour lists it sorts their
+/// spheres, of the radius `skin` [m], else the balls themselves.
 std::unique_ptr<HierarchicalGrid> make_grid(const MovingWall& jar, double max_acceleration,
-                                            const std::vector<double>& radii, std::size_t balls) {
+                                            const std::vector<double>& radii, std::size_t balls,
+                                            double skin) {
   const bool periodic = jar.periods().x < never;
   const Vec3 size = periodic ? jar.periods() : 2 * jar.reach() * Vec3{1, 1, 1};
   // Safe times from a bound on the acceleration end before the ball reaches the border, so a ball
@@ -39,6 +57,7 @@ std::unique_ptr<HierarchicalGrid> make_grid(const MovingWall& jar, double max_ac
     throw InputError(Fault{
         "jar", "a ball of half the box's width touches another ball and its periodic image at once",
         "give smaller balls or a larger box", "periodic-box"});
+  for (double& d : diameters) d += 2 * skin;
   return std::make_unique<HierarchicalGrid>(-0.5 * size, size, periodic, diameters, slack, balls);
 }
 
@@ -85,8 +104,14 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
     trajectories_.push_back(trajectory);
   }
   predictions_.resize(trajectories_.size());
-  grid_ = make_grid(*jar_, max_acceleration_.total, radii_, trajectories_.size());
-  fill_cells();
+  double ball_volume = 0;
+  for (const scene::Ball& ball : balls)
+    ball_volume += 4.0 / 3 * std::numbers::pi * ball.radius * ball.radius * ball.radius;
+  const double skin = neighbour_skin(*jar_, max_acceleration_.total, radii_, ball_volume);
+  grid_ = make_grid(*jar_, max_acceleration_.total, radii_, trajectories_.size(), skin);
+  if (skin > 0)
+    lists_ = std::make_unique<NeighbourLists>(radii_, skin, periods_, trajectories_.size());
+  make_neighbourhoods();
   predict_all();
   finished_.reserve(2048);
   energy_balance_ = energy_balance();
@@ -94,22 +119,23 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
 }
 
 void ManyBalls::predict_all() {
-  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) predict(ball);
+  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball)
+    predict(ball, candidates(ball));
   rebuild_queue();
 }
 
-void ManyBalls::predict_and_schedule(std::int32_t ball) {
-  predict(ball);
+void ManyBalls::predict_and_schedule(std::int32_t ball, std::span<const std::int32_t> others) {
+  predict(ball, others);
   queue_.schedule(ball, prediction_of(ball).next());
 }
 
-/// Predicts all events of a ball after its trajectory has changed.
-void ManyBalls::predict(std::int32_t ball) {
+/// Predicts all events of a ball after its trajectory has changed. `others` are its candidates().
+void ManyBalls::predict(std::int32_t ball, std::span<const std::int32_t> others) {
   Prediction& p = prediction_of(ball);
-  predict_collisions(ball);
+  predict_collisions(ball, others);
   const BallState where = ball_state(ball);
   p.face = -1;
-  p.wall_check_time = now_ + cell_safe_time(ball, where);
+  p.wall_check_time = now_ + neighbourhood_safe_time(ball, where);
   if (walls_) {
     const double t = motion_time(now_);
     const WallPrediction predicted =
@@ -119,9 +145,16 @@ void ManyBalls::predict(std::int32_t ball) {
   }
 }
 
-void ManyBalls::predict_collisions(std::int32_t ball) {
+void ManyBalls::predict_collisions(std::int32_t ball, std::span<const std::int32_t> others) {
   prediction_of(ball).collision_time = never;
-  predict_collisions_with(ball, grid_->near(level(ball), prediction_of(ball).cell));
+  predict_collisions_with(ball, others);
+}
+
+/// All balls that the ball can touch before it leaves its cell or its sphere, and possibly more.
+/// Valid until the next call with the same `buffer`, 0 or 1.
+std::span<const std::int32_t> ManyBalls::candidates(std::int32_t ball, std::size_t buffer) {
+  return lists_ != nullptr ? lists_->of(ball)
+                           : grid_->near(level(ball), prediction_of(ball).cell, buffer);
 }
 
 /// Keeps the earliest collision of the ball with one of `others` if it is before the known one.
@@ -155,6 +188,12 @@ PredictedCollision ManyBalls::first_of_images(const CollisionQuery& query,
   return found;
 }
 
+/// Time for which all balls that a ball can touch are certainly among its candidates [s].
+double ManyBalls::neighbourhood_safe_time(std::int32_t ball, const BallState& where) const {
+  return lists_ != nullptr ? lists_->safe_time(ball, where.position, where.velocity)
+                           : cell_safe_time(ball, where);
+}
+
 /// Time for which a ball certainly stays in its cell [s].
 double ManyBalls::cell_safe_time(std::int32_t ball, const BallState& where) const {
   const Cells::Borders b =
@@ -183,8 +222,26 @@ double ManyBalls::cell_safe_time(std::int32_t ball, const BallState& where) cons
 }
 
 bool ManyBalls::has_left(std::int32_t ball, const BallState& where) const {
+  if (lists_ != nullptr) return lists_->has_left(ball, where.position);
   const Cell cell = predictions_[static_cast<std::size_t>(ball)].cell;
   return grid_->cell_at(level(ball), where.position) != cell;
+}
+
+void ManyBalls::renew_neighbourhood(std::int32_t ball, const BallState& where) {
+  if (lists_ == nullptr) return change_cell(ball, where);
+  renew_list(ball, where.position);
+  predict_collisions_with(ball, lists_->of(ball));
+}
+
+/// Gives a ball a new sphere and a new neighbour list. The grid holds the centres of the spheres.
+void ManyBalls::renew_list(std::int32_t ball, const Vec3& position) {
+  Prediction& p = prediction_of(ball);
+  if (const Cell cell = grid_->cell_at(level(ball), position); cell != p.cell) {
+    grid_->remove(level(ball), ball, p.cell);
+    grid_->insert(level(ball), ball, cell);
+    p.cell = cell;
+  }
+  lists_->renew(ball, position, grid_->near(level(ball), p.cell));
 }
 
 void ManyBalls::change_cell(std::int32_t ball, const BallState& where) {
@@ -245,6 +302,7 @@ void ManyBalls::sort() {
   permute(trajectories_);
   permute(predictions_);
   permute(collision_data_);
+  if (lists_ != nullptr) lists_->renumber(place);
   grid_->clear();
   for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
     Prediction& p = prediction_of(ball);
@@ -253,12 +311,17 @@ void ManyBalls::sort() {
   }
 }
 
-void ManyBalls::fill_cells() {
+void ManyBalls::make_neighbourhoods() {
   grid_->clear();
   for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
-    prediction_of(ball).cell = grid_->cell_at(level(ball), ball_state(ball).position);
+    const Vec3 position = ball_state(ball).position;
+    prediction_of(ball).cell = grid_->cell_at(level(ball), position);
     grid_->insert(level(ball), ball, prediction_of(ball).cell);
+    if (lists_ != nullptr) lists_->place(ball, trajectory(ball).species, position);
   }
+  if (lists_ == nullptr) return;
+  for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball)
+    renew_list(ball, lists_->centre(ball));
 }
 
 ManyBalls::JarOffset ManyBalls::jar_offset_at(double t) const {

@@ -17,6 +17,7 @@ namespace mahlwerk::tests::collision_prediction_test {
 namespace {
 
 using event::CollisionQuery;
+using event::earliest_collision;
 using event::never;
 using event::PredictedCollision;
 using event::Trajectory;
