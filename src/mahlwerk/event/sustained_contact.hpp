@@ -76,7 +76,8 @@ struct ContactForces {
 /// diagonally dominant by columns (evt.23), so Gaussian elimination needs no pivoting.
 struct NormalForceSystem {
   std::size_t count = 0;
-  std::array<std::array<double, SupportFaces::max_count>, SupportFaces::max_count> matrix{};
+  std::array<std::array<double, SupportFaces::max_count>, SupportFaces::max_count>
+      matrix;  ///< the first `count` rows and columns are set
   std::array<double, SupportFaces::max_count> rhs{};
 
   std::array<double, SupportFaces::max_count> solve() {
@@ -204,7 +205,11 @@ class SustainedContact {
     if (support.friction_state == FrictionState::sliding)  // (evt.14)
       friction = -(rules_.sustained_friction * std::max(normal_force, 0.0)) *
                  along(slip, slip_regularisation);
-    forces = {{normal_force}, sticking_friction, friction, slip};
+    // Member by member: a whole object would be zeroed first.
+    forces.normal_force = {normal_force, 0, 0};
+    forces.sticking_friction = sticking_friction;
+    forces.friction = friction;
+    forces.slip = slip;
     const Vec3 wall_force = normal_force * n + friction;  // per mass
     return {y.velocity, body_acceleration + wall_force,
             2.5 / (r * r) * (torque - r * cross(n, friction)),
