@@ -47,6 +47,14 @@ class Cells {
   std::int64_t ball_count() const;                    ///< in all cells
   int max_neighbours() const { return 27 * capacity_ + 4; }
 
+  /// Whether no ball of near() is across a periodic border: the cell is at least two cells away
+  /// from it, because a ball in the outermost cells may be beyond it.
+  bool is_interior(Cell cell) const {
+    const auto [x, y, z] = split(cell);
+    return std::min({x, y, z}) >= 2 && x < counts_[0] - 2 && y < counts_[1] - 2 &&
+           z < counts_[2] - 2;
+  }
+
   /// Whether the minimum image convention can miss the first collision: a periodic box with fewer
   /// than five cells along an axis.
   bool needs_all_images() const {

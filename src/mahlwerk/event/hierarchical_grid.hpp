@@ -38,6 +38,10 @@ class HierarchicalGrid {
   /// (Cells::needs_all_images).
   bool needs_all_images() const { return needs_all_images_; }
 
+  /// Whether all balls of near() are at their nearest images: no periodic border is close.
+  bool is_interior(int level, Cell cell) const {
+    return levels_.size() == 1 && cells(level).is_interior(cell);
+  }
   /// All balls that a ball of this level in this cell can touch before it leaves the cell, and
   /// possibly more. Valid until the next call with the same `buffer`, 0 or 1.
   std::span<const std::int32_t> near(int level, Cell cell, std::size_t buffer = 0);

@@ -163,10 +163,12 @@ void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::
   Prediction& p = prediction_of(ball);
   const CollisionQuery query{me.at(now_), me.velocity, now_, species(me).radius, ball};
   const PredictedCollision known{p.collision_time, p.partner};
+  const Vec3 none{never, never, never};
   const PredictedCollision found =
       grid_->needs_all_images()
           ? first_of_images(query, others, known)
-          : earliest_collision(query, trajectories_, others, radii_, periods_, known);
+          : earliest_collision(query, trajectories_, others, radii_,
+                               grid_->is_interior(level(ball), p.cell) ? none : periods_, known);
   if (found.time < p.collision_time)
     p = {found.time,        found.partner, trajectory(found.partner).revision,
          p.wall_check_time, p.face,        p.cell};
@@ -288,10 +290,13 @@ void ManyBalls::sort() {
   const auto count = trajectories_.size();
   if (count < 512) return;
   std::vector<std::int32_t> order(count), place(count);
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](std::int32_t i) {
-    return std::pair{level(i), prediction_of(i).cell};
-  });
+  std::vector<std::tuple<int, Cell, std::int32_t>> keys(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto ball = static_cast<std::int32_t>(i);
+    keys[i] = {level(ball), prediction_of(ball).cell, ball};
+  }
+  std::ranges::sort(keys);
+  std::ranges::transform(keys, order.begin(), [](const auto& key) { return std::get<2>(key); });
   for (std::size_t i = 0; i < count; ++i) place[as_index(order[i])] = static_cast<std::int32_t>(i);
   const auto permute = [&](auto& list) {
     std::remove_reference_t<decltype(list)> sorted;
