@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "mahlwerk/event/ball_states.hpp"
 
@@ -31,12 +30,8 @@ using CollisionSearch = PredictedCollision(const CollisionQuery& query,
                                            std::span<const std::int32_t> others,
                                            std::span<const double> radii, const Vec3& periods,
                                            const PredictedCollision& best);
-/// One search for each instruction set of this machine, the narrowest first. All give the same
-/// bits.
-std::vector<CollisionSearch*> collision_searches();
-/// The search for the widest instruction set, or for the one that the environment variable
-/// MAHLWERK_SIMD names (plain, avx2).
-extern CollisionSearch* const earliest_collision;
+/// The search for the instruction set isa(). All instruction sets give the same bits.
+CollisionSearch* collision_search();
 
 /// Minimum image convention (geo.8): the difference `a` [m] of two positions at most 1.5 periods
 /// apart, each component taken to within half a period.

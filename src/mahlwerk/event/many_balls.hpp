@@ -164,6 +164,7 @@ class ManyBalls final : public scene::Engine {
   std::vector<Species> species_;
   std::vector<double> radii_;               // [m] by species
   std::vector<TouchTolerance> tolerances_;  // by species
+  CollisionSearch* earliest_collision_ = collision_search();
   std::unique_ptr<HierarchicalGrid> grid_;
   std::unique_ptr<NeighbourLists> lists_;  // of a dense charge; else the cells name all neighbours
   CalendarQueue queue_;

@@ -167,8 +167,8 @@ void ManyBalls::predict_collisions_with(std::int32_t ball, std::span<const std::
   const PredictedCollision found =
       grid_->needs_all_images()
           ? first_of_images(query, others, known)
-          : earliest_collision(query, trajectories_, others, radii_,
-                               grid_->is_interior(level(ball), p.cell) ? none : periods_, known);
+          : earliest_collision_(query, trajectories_, others, radii_,
+                                grid_->is_interior(level(ball), p.cell) ? none : periods_, known);
   if (found.time < p.collision_time)
     p = {found.time,        found.partner, trajectory(found.partner).revision,
          p.wall_check_time, p.face,        p.cell};
@@ -185,7 +185,7 @@ PredictedCollision ManyBalls::first_of_images(const CollisionQuery& query,
       for (const double z : {0.0, -periods_.z, periods_.z}) {
         CollisionQuery image = query;
         image.position += Vec3{x, y, z};
-        found = earliest_collision(image, trajectories_, others, radii_, none, found);
+        found = earliest_collision_(image, trajectories_, others, radii_, none, found);
       }
   return found;
 }

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "isas.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
@@ -17,7 +18,6 @@ namespace mahlwerk::tests::collision_prediction_test {
 namespace {
 
 using event::CollisionQuery;
-using event::earliest_collision;
 using event::never;
 using event::PredictedCollision;
 using event::Trajectory;
@@ -122,7 +122,7 @@ Scene scene(Random& random, int count, bool periodic, int species) {
 }
 
 PredictedCollision among(const Scene& s, std::span<const std::int32_t> others) {
-  return earliest_collision(s.me, s.trajectories, others, s.radii, s.periods, {});
+  return event::collision_search()(s.me, s.trajectories, others, s.radii, s.periods, {});
 }
 
 bool same_bits(const PredictedCollision& a, const PredictedCollision& b) {
@@ -200,8 +200,11 @@ TEST(Meetings, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
 
 TEST(Meetings, of_balls_in_any_vector_width_have_the_same_bits) {
   Random random(5, 1);
-  const auto searches = event::collision_searches();
-  std::printf("    %zu instruction sets on this machine\n", searches.size());
+  std::vector<event::CollisionSearch*> searches;
+  for (const Isa isa : supported_isas()) {
+    const ChosenIsa chosen(isa);
+    searches.push_back(event::collision_search());
+  }
   for (int i = 0; i < 20'000; ++i) {
     const Scene s = scene(random, i % 150, i % 2 == 0, 1 + i % 3);
     const PredictedCollision plain =
@@ -220,7 +223,7 @@ TEST(Meetings, none_is_found_that_is_not_before_the_best_known) {
     if (found.partner < 0 || found.time < s.me.time + 1e-9) continue;
     const PredictedCollision best{s.me.time + 0.5 * (found.time - s.me.time), 77};
     EXPECT_TRUE(same_bits(
-        earliest_collision(s.me, s.trajectories, s.others, s.radii, s.periods, best), best));
+        event::collision_search()(s.me, s.trajectories, s.others, s.radii, s.periods, best), best));
   }
 }
 
