@@ -16,8 +16,8 @@
 #include "mahlwerk/contact/pair_table.hpp"
 
 // A contact law gives the normal force between two touching bodies, and the tangential stiffness
-// and damping of the contact. It is a template on the number type V: one contact (double) or eight
-// (Lanes). The overlap is > 0 in contact, its rate is > 0 while the bodies approach (dem.1).
+// and damping of the contact. It is a template on the number type V: one contact (double) or those
+// of a register. The overlap is > 0 in contact, its rate is > 0 while the bodies approach (dem.1).
 namespace mahlwerk::contact {
 
 /// Two bodies that may touch: the properties of the pair, R* [m] and m* [kg] (dem.4).
