@@ -80,7 +80,7 @@ void add_speeds(std::vector<Row>& rows, const std::string& what, const std::vect
     std::vector<double> ratios;  // of each turn
     for (std::size_t i = 0; i < std::min(ours.speeds.size(), one.speeds.size()); ++i)
       ratios.push_back(ours.speeds[i] / one.speeds[i]);
-    row(ours, "times_as_fast_as_" + one.code + unit, ratios);
+    row(ours, "times_as_fast_as_" + one.code, ratios);
   }
   for (const Series& one : all) row(one, "peak_memory_MB", one.memories);
 }
