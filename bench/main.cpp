@@ -49,7 +49,8 @@ int usage(const std::string& wrong) {
 std::string processor() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    if (line.starts_with("model name : ") || line.starts_with("model name\t: "))
+      return line.substr(line.find(':') + 2);
   return "unknown processor";
 }
 
@@ -113,8 +114,8 @@ int perform(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace mahlwerk::bench;
-  if (argc > 1 && argv[1] == crowd_run_option) return perform_crowd_run({argv + 2, argv + argc});
   try {
+    if (argc > 1 && argv[1] == crowd_run_option) return perform_crowd_run({argv + 2, argv + argc});
     return perform(argc, argv);
   } catch (const Interrupted& by) {
     std::raise(by.signal);

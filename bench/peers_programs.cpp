@@ -60,6 +60,7 @@ Expected<double> speed_of(const Program& program, const Start& start) {
   if (!brief.fault.empty()) return brief;
   const Expected<double> taken = run(program, start, program.steps, never, silent);
   if (!taken.fault.empty()) return taken;
+  if (!(taken.value > brief.value)) return {NAN, "took no longer for ten times as many steps"};
   const double particle_steps = static_cast<double>(start.size()) * (program.steps - few);
   return {particle_steps / (taken.value - brief.value), {}};
 }

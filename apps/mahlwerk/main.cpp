@@ -40,7 +40,8 @@ class CommandLine {
  public:
   explicit CommandLine(const std::vector<Command>& all) {
     app_.name("mahlwerk");
-    app_.set_version_flag("--version", fmt::format("mahlwerk {} ({})", version(), name_of(isa())));
+    app_.set_version_flag(
+        "--version", [] { return fmt::format("mahlwerk {} ({})", version(), name_of(isa())); });
     app_.require_subcommand(1);
     app_.footer(
         "Exit codes: 0 success, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 "

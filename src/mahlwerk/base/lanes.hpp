@@ -269,8 +269,9 @@ struct alignas(64) Lanes {
   double& operator[](std::size_t lane) { return values[lane]; }
   const double& operator[](std::size_t lane) const { return values[lane]; }
 };
+/// A mask (0 or -1), or an index, for each lane of a packet.
 struct alignas(64) LaneMask {
-  std::int64_t values[lanes];  ///< 0 or -1
+  std::int64_t values[lanes];
 
   std::int64_t& operator[](std::size_t lane) { return values[lane]; }
   const std::int64_t& operator[](std::size_t lane) const { return values[lane]; }

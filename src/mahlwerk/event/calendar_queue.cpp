@@ -148,7 +148,7 @@ void CalendarQueue::open_next() {
   sort_open();
 }
 
-std::int32_t CalendarQueue::look_ahead() {
+std::int32_t CalendarQueue::next_slice_ball() {
   if (ahead_ < 0) return -1;
   const Entry& e = pool_[static_cast<std::size_t>(ahead_)];
   ahead_ = e.next;

@@ -39,7 +39,7 @@ class CalendarQueue {
   }
   /// Ball of one entry of the next slice, another at each call; < 0 if there is none left. Its
   /// event may be obsolete. For prefetching: entries of a slice are scattered in memory.
-  std::int32_t look_ahead();
+  std::int32_t next_slice_ball();
   double time_of(std::int32_t ball) const { return times_[static_cast<std::size_t>(ball)]; }
   std::span<const double> times() const { return times_; }
 
@@ -65,7 +65,7 @@ class CalendarQueue {
   HugePageVector<std::int32_t> buckets_;       // first entry of each, a ring
   HugePageVector<Entry> pool_;                 // entries of all buckets
   std::int32_t free_ = -1;                     // first unused entry of the pool
-  std::int32_t ahead_ = -1;                    // next entry of the next slice for look_ahead()
+  std::int32_t ahead_ = -1;                    // next entry of the next slice for next_slice_ball()
   std::int64_t bucketed_ = 0;                  // entries in buckets
   std::vector<Entry> open_;                    // the open slice, the earliest last
   std::vector<Entry> overflow_;                // too late for the ring

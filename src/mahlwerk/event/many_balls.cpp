@@ -51,9 +51,9 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
 /// what the one before has fetched: the balls of the next slice, the partners of a ball soon due,
 /// the candidates of both.
 void ManyBalls::prefetch_next_events() {
-  if (near_at_hand()) return;
+  if (fits_cache()) return;
   for (int i = 0; i < 2; ++i)
-    if (const std::int32_t later = queue_.look_ahead(); later >= 0) prefetch_ball(later);
+    if (const std::int32_t later = queue_.next_slice_ball(); later >= 0) prefetch_ball(later);
   if (const std::int32_t soon = queue_.upcoming(2); soon >= 0) {
     const Prediction& p = prediction_of(soon);
     if (p.partner >= 0) prefetch_ball(p.partner);

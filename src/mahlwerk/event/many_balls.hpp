@@ -130,7 +130,7 @@ class ManyBalls final : public scene::Engine {
   }
 
   /// Whether the data of all balls stays in the cache, so that prefetching gains nothing.
-  bool near_at_hand() const { return trajectories_.size() <= 4096; }
+  bool fits_cache() const { return trajectories_.size() <= 4096; }
 
   Trajectory& trajectory(std::int32_t ball) {
     return trajectories_[static_cast<std::size_t>(ball)];

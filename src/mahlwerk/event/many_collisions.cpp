@@ -43,7 +43,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   advance_to_now(other);
   if (collision_data(other).id < collision_data(ball).id) std::swap(ball, other);
   const auto near_ball = candidates(ball, 0), near_other = candidates(other, 1);
-  if (lists_ == nullptr && !near_at_hand()) {  // the memory answers during the collision
+  if (lists_ == nullptr && !fits_cache()) {  // the memory answers during the collision
     prefetch_trajectories(near_ball);
     prefetch_trajectories(near_other);
   }

@@ -6,7 +6,7 @@
 #include "mahlwerk/soft/kernel/contact_transitions.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
 
-// Contact forces and torques of eight pairs at a time (docs/theory/soft.md).
+// Contact forces and torques of a group of pairs (docs/theory/soft.md).
 namespace mahlwerk::soft {
 
 /// Constants of a step, for all packets.

@@ -7,7 +7,7 @@
 #include "mahlwerk/soft/kernel/force_rows.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 
-// Gathers the bodies of eight contacts from the ball records, and scatters forces back to the
+// Gathers the bodies of a group of contacts from the ball records, and scatters forces back to the
 // balls.
 namespace mahlwerk::soft {
 

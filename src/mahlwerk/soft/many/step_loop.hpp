@@ -207,8 +207,7 @@ template <class V>
   }
 }
 
-/// Stores the records of a ball for the next step. `next` are the parts of its BallRecord, `turn`
-/// those of its SpinRecord.
+/// Stores the parts of a record, past the cache if `streaming`.
 template <bool streaming, class V, std::size_t parts, class R>
 [[gnu::always_inline]] inline void store_record(R& record, const V (&values)[parts]) {
   for (std::size_t p = 0; p < parts; ++p) {
