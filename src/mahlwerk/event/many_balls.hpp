@@ -85,22 +85,24 @@ class ManyBalls final : public scene::Engine {
   void predict_collisions_with(std::int32_t ball, std::span<const std::int32_t> others);
   void predict_collisions(std::int32_t ball, std::span<const std::int32_t> others);
   std::span<const std::int32_t> candidates(std::int32_t ball, std::size_t buffer = 0);
-  double neighbourhood_safe_time(std::int32_t ball, const BallState& where) const;
-  double cell_safe_time(std::int32_t ball, const BallState& where) const;
-  bool has_left(std::int32_t ball, const BallState& where) const;
   PredictedCollision first_of_images(const CollisionQuery& query,
                                      std::span<const std::int32_t> others,
                                      PredictedCollision found) const;
+  void advance_to_now(std::int32_t ball);
+  void move_frame(double shift);
+  const JarOffset& jar_offset();
+  JarOffset jar_offset_at(double t) const;
+  BallState ball_state(std::int32_t ball);
+
+  // many_neighbourhoods.cpp: cells and neighbour lists
+  double neighbourhood_safe_time(std::int32_t ball, const BallState& where) const;
+  double cell_safe_time(std::int32_t ball, const BallState& where) const;
+  bool has_left(std::int32_t ball, const BallState& where) const;
   void renew_neighbourhood(std::int32_t ball, const BallState& where);
   void change_cell(std::int32_t ball, const BallState& where);
   void make_neighbourhoods();
   void renew_list(std::int32_t ball, const Vec3& position);
-  void advance_to_now(std::int32_t ball);
-  void move_frame(double shift);
   void sort();
-  const JarOffset& jar_offset();
-  JarOffset jar_offset_at(double t) const;
-  BallState ball_state(std::int32_t ball);
 
   // many_collisions.cpp: impulses, records, energy balance
   void hit_wall(std::int32_t ball, int face);

@@ -183,7 +183,6 @@ void FewBodySolver::build_gather_maps() {
     };
     for (std::size_t l = 0; l < lanes; ++l) {
       map.offset_i[l] = offset(p.i[l]), map.offset_j[l] = offset(p.j[l]);
-      map.row_i[l] = p.i[l];
       map.row_j[l] = p.used[l] && p.wall[l] == 0 ? p.j[l] : static_cast<std::int64_t>(no_ball);
     }
     if (w.fits_registers) find_sources(p, map);

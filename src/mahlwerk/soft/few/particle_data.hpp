@@ -28,8 +28,8 @@ struct alignas(64) PairPacket : PairParameters, History {
 struct alignas(64) GatherMap {
   /// [bytes] from the first BodyBlock to the numbers of bodies i and j: address of position.x.
   std::array<std::int64_t, lanes> offset_i{}, offset_j{};
-  /// Rows of ParticleData::force_rows to which the forces on i and j are added.
-  std::array<std::int64_t, lanes> row_i{}, row_j{};
+  /// Row of ParticleData::force_rows to which the force on j is added; that on i goes to row i.
+  std::array<std::int64_t, lanes> row_j{};
   /// If `fits_registers`: for ball l of up to eight, the force of its k-th contact is that on body
   /// i of lane source[k][l], or, if source[k][l] >= lanes, that on body j of lane source[k][l] -
   /// lanes. active[k] masks the balls that have a k-th contact.

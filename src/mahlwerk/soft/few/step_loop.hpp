@@ -123,12 +123,13 @@ template <class V>
 /// Adds the forces and torques of a group to rows in memory, for any number of balls, in the order
 /// of the lanes.
 template <class V>
-[[gnu::always_inline]] inline void scatter(ForceRow* rows, const GatherMap& map,
-                                           const LaneGroup<V>& group, const ContactForce<V>& f) {
+[[gnu::always_inline]] inline void scatter(ForceRow* rows, const PairPacket& p,
+                                           const GatherMap& map, const LaneGroup<V>& group,
+                                           const ContactForce<V>& f) {
   const ForceRows<V> on_i(f.force, f.torque_i), on_j = on_i.opposite(f.force, f.torque_j);
   for (std::size_t l = 0; l < width_of<V>; ++l) {
     const std::size_t lane = static_cast<std::size_t>(group.first) + l;
-    on_i.add(l, rows[map.row_i[lane]].values);
+    on_i.add(l, rows[p.i[lane]].values);
     on_j.add(l, rows[map.row_j[lane]].values);
   }
 }
@@ -259,7 +260,7 @@ template <class Law, class V>
                                       if constexpr (can_permute<V>)
                                         if (bodies.in_registers)
                                           return gather_forces<V>(map, found, force, torque);
-                                      scatter<V>(rows, map, group, found);
+                                      scatter<V>(rows, w.packets[n], map, group, found);
                                     });
   }
   if constexpr (can_permute<V>)
