@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "mahlwerk/contact/laws.hpp"
-#include "mahlwerk/soft/few/solver.hpp"
+#include "mahlwerk/soft/few/replicate_batch.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
 
@@ -21,6 +21,24 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
   if (balls.size() > settings.few_ball_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);
+}
+
+std::vector<std::exception_ptr> advance_together(std::span<scene::Engine* const> engines,
+                                                 double time,
+                                                 std::span<scene::Observer* const> observers) {
+  std::vector<FewBodySolver*> few;
+  for (scene::Engine* engine : engines)
+    if (auto* solver = dynamic_cast<FewBodySolver*>(engine)) few.push_back(solver);
+  if (engines.size() > 1 && few.size() == engines.size())
+    return ReplicateBatch(few).advance(time, observers);
+  std::vector<std::exception_ptr> failures;
+  for (std::size_t k = 0; k < engines.size(); ++k) try {
+      engines[k]->advance(time, *observers[k]);
+      failures.push_back(nullptr);
+    } catch (...) {
+      failures.push_back(std::current_exception());
+    }
+  return failures;
 }
 
 double TimeSteps::recommended(double fraction) const {

@@ -10,21 +10,26 @@
 // Contacts that begin and end, and their collision records.
 namespace mahlwerk::soft {
 
-void FewBodySolver::begin(PairPacket& p, std::uint32_t begun) {
-  for (std::size_t l = 0; l < lanes; ++l)
-    if ((begun >> l & 1) != 0) begin_lane(p, l);
+void FewBodySolver::begin(const PacketLanes& begun) {
+  each_lane(begun, [&](std::size_t lane) { begin_lane(particles_.packets[begun.packet], lane); });
 }
-void FewBodySolver::end(PairPacket& p, std::uint32_t ended) {
-  for (std::size_t l = 0; l < lanes; ++l)
-    if ((ended >> l & 1) != 0) end_lane(p, l);
+void FewBodySolver::record_onset(const PacketLanes& begun, const OnsetSpeeds& speeds) {
+  each_lane(begun, [&](std::size_t lane) {
+    record_onset(particles_.packets[begun.packet], lane, speeds);
+  });
+}
+void FewBodySolver::end(const PacketLanes& ended) {
+  ended_.push_back(ended);
+}
+void FewBodySolver::forces_done() {
+  for (const PacketLanes& ended : ended_)
+    each_lane(ended, [&](std::size_t lane) { end_lane(particles_.packets[ended.packet], lane); });
+  ended_.clear();
 }
 
-void FewBodySolver::record_onset(PairPacket& p, std::uint32_t begun, const OnsetSpeeds& speeds) {
-  for (std::size_t l = 0; l < lanes; ++l) {
-    if ((begun >> l & 1) == 0) continue;
-    p.onset[l] = contact_onset(particles_.step, speeds, l);
-    begin_law_history(p.law_history, p, l, p.onset[l].approach, *settings_.model.law);
-  }
+void FewBodySolver::record_onset(PairPacket& p, std::size_t lane, const OnsetSpeeds& speeds) {
+  p.onset[lane] = contact_onset(particles_.step, speeds, lane);
+  begin_law_history(p.law_history, p, lane, p.onset[lane].approach, *settings_.model.law);
 }
 
 void FewBodySolver::change_contact_count(std::int64_t body, int more) {
@@ -39,6 +44,7 @@ void FewBodySolver::change_contact_count(std::int64_t body, int more) {
 }
 
 void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
+  ++particles_.contacts;
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
   if (p.wall[lane] != 0 && settings_.model.curved_walls)
@@ -53,6 +59,7 @@ void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
 }
 
 void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
+  --particles_.contacts;
   change_contact_count(p.i[lane], -1);
   const bool wall = p.wall[lane] != 0;
   if (!wall) change_contact_count(p.j[lane], -1);

@@ -33,6 +33,7 @@ FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
 scene::EnergyBalance FewBodySolver::energy_balance() const {
   scene::EnergyBalance a = energy_balance_;
   a.time = time_of(now_);
+  a.time_steps = particles_.step - skipped_steps_;
   if (a.time < target_time_ && target_time_ - a.time < 1e-5 * settings_.time_step)
     a.time = target_time_;  // rounding
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(particles_.step));

@@ -12,7 +12,7 @@ namespace mahlwerk::soft {
 /// Starts a skip if one is due and long enough to pay off. Its end does not depend on how calls of
 /// advance() divide a run.
 bool FewBodySolver::start_skip() {
-  if (!skips_ || touched_ || particles_.step < next_skip_) return false;
+  if (!skips_ || particles_.touched || particles_.step < next_skip_) return false;
   constexpr std::int64_t min_skip = 8, retry_after = 4;
   const std::int64_t steps = collision_free_steps();
   if (steps < min_skip) {
@@ -64,6 +64,7 @@ void FewBodySolver::end_skip() {
              particles_.position(b) + way.time * v + way.shift);
     set_lane(particles_.balls[b / lanes].velocity, b % lanes, v + way.gain);
   }
+  skipped_steps_ += skip_end_ - particles_.step;
   particles_.step = skip_end_;
   next_skip_ = skip_end_ + 1;
   skip_end_ = -1;

@@ -3,64 +3,11 @@
 #include <algorithm>
 
 #include "mahlwerk/soft/contacts.hpp"
+#include "mahlwerk/soft/few/packet_lanes.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
 // Lane allocation: assigns each pair a lane of a packet, with its parameters and its wall point.
 namespace mahlwerk::soft {
-namespace {
-
-/// Calls `f` with every column of a packet except inverse_radius, which FewBodySolver does not use.
-template <class F>
-void each_column(PairPacket& p, const F& f) {
-  for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.tensile}) f(*c);
-  for (Lanes* c : {&p.radius_i, &p.radius_j, &p.overlap_share, &p.pull_off_distance, &p.friction,
-                   &p.rolling_coefficient, &p.rolling_stiffness_ratio, &p.inertia,
-                   &p.stiffness_correction, &p.stiffness})
-    f(*c);
-  for (Lanes& c : p.coefficients) f(c);
-  for (Lanes& c : p.law_history) f(c);
-  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.rolling_spring_torque}) f(v->x), f(v->y), f(v->z);
-  ContactWork& d = p.work;
-  for (Lanes* c :
-       {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.max_overlap})
-    f(*c);
-  f(p.face), f(p.species_pair), f(p.used), f(p.onset);
-}
-
-/// Frees a lane. Both bodies become ball 0 with radii 0, which never touch.
-void clear_lane(PairPacket& p, std::size_t lane) {
-  each_column(p, [&](auto& column) {
-    using One = std::remove_reference_t<decltype(column[0])>;
-    column[lane] = std::remove_cvref_t<One>{};
-  });
-}
-
-/// Calls `f` with the same column of both packets.
-template <class F>
-void each_column_of_both(PairPacket& a, PairPacket& b, const F& f) {
-  const auto* here = reinterpret_cast<const char*>(&a);
-  auto* there = reinterpret_cast<char*>(&b);
-  each_column(a, [&](auto& column) {
-    using Column = std::remove_reference_t<decltype(column)>;
-    f(column, *reinterpret_cast<Column*>(there + (reinterpret_cast<const char*>(&column) - here)));
-  });
-}
-
-void swap_lanes(PairPacket& a, std::size_t lane, PairPacket& b, std::size_t other_lane) {
-  each_column_of_both(a, b, [&](auto& one, auto& other) {
-    const auto kept = one[lane];
-    one[lane] = other[other_lane];
-    other[other_lane] = kept;
-  });
-}
-
-void move_lane(PairPacket& from, std::size_t lane, PairPacket& to, std::size_t other_lane) {
-  swap_lanes(from, lane, to, other_lane);
-  clear_lane(from, lane);
-}
-
-}  // namespace
-
 /// Moves touching pairs to the first packets, so that the remaining packets are skipped. Returns
 /// whether a lane moved.
 bool FewBodySolver::sort_touching_first() {
@@ -126,7 +73,9 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
     }
     next_free();
     if (at + 1 >= packets.size()) break;
-    move_lane(last, static_cast<std::size_t>(used - last.used.begin()), packets[at], lane);
+    const auto from = static_cast<std::size_t>(used - last.used.begin());
+    swap_lanes(last, from, packets[at], lane);
+    clear_lane(last, from);
   }
   while (!packets.empty() &&
          std::ranges::find(packets.back().used, true) == packets.back().used.end())
@@ -169,23 +118,38 @@ void FewBodySolver::allocate_wall_points() {
   w.bodies.resize(std::max(blocks, w.bodies.size()));
 }
 
+/// Derives from the packets where lanes find their bodies and leave their forces, and which rows
+/// are those of a ball.
 void FewBodySolver::build_gather_maps() {
   ParticleData& w = particles_;
   w.fits_registers = w.balls.size() == 1 && w.wall_neighbours.size() <= lanes;
-  const std::size_t no_ball = w.balls.size() * lanes;
   w.gather_maps.assign(w.packets.size(), {});
+  w.force_rows.assign(2 * lanes * w.packets.size() + 1, {});
+  ForceRow* unused = &w.force_rows.back();
+  const auto address = [&](std::int64_t body) {
+    return &w.bodies[static_cast<std::size_t>(body / lanes)].position.x[body % lanes];
+  };
+  std::vector<std::vector<std::uint32_t>> rows(lanes * w.balls.size());
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
     GatherMap& map = w.gather_maps[n];
-    const auto offset = [](std::int64_t body) {
-      return body / lanes * static_cast<std::int64_t>(sizeof(BodyBlock)) +
-             body % lanes * static_cast<std::int64_t>(sizeof(double));
-    };
     for (std::size_t l = 0; l < lanes; ++l) {
-      map.offset_i[l] = offset(p.i[l]), map.offset_j[l] = offset(p.j[l]);
-      map.row_j[l] = p.used[l] && p.wall[l] == 0 ? p.j[l] : static_cast<std::int64_t>(no_ball);
+      map.body_i[l] = address(p.i[l]), map.body_j[l] = address(p.j[l]);
+      map.row_i[l] = map.row_j[l] = unused;
+      if (!p.used[l]) continue;
+      const auto row = static_cast<std::uint32_t>(2 * (n * lanes + l));
+      map.row_i[l] = &w.force_rows[row];
+      rows[static_cast<std::size_t>(p.i[l])].push_back(row);
+      if (p.wall[l] != 0) continue;
+      map.row_j[l] = &w.force_rows[row + 1];
+      rows[static_cast<std::size_t>(p.j[l])].push_back(row + 1);
     }
     if (w.fits_registers) find_sources(p, map);
+  }
+  w.first_row.assign(1, 0), w.rows_of_balls.clear();
+  for (const std::vector<std::uint32_t>& of_ball : rows) {
+    w.rows_of_balls.insert(w.rows_of_balls.end(), of_ball.begin(), of_ball.end());
+    w.first_row.push_back(static_cast<std::uint32_t>(w.rows_of_balls.size()));
   }
 }
 

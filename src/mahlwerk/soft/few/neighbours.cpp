@@ -15,10 +15,15 @@ constexpr std::size_t all_pairs_limit = 8;  // up to this many balls, all pairs 
 
 }  // namespace
 
+bool FewBodySolver::rebuild_neighbour_list(std::size_t) {
+  rebuild_neighbour_list();
+  return true;
+}
+
 void FewBodySolver::rebuild_neighbour_list() {
   for (std::size_t b = 0; b < particles_.balls.size(); ++b)
     particles_.balls[b].list_position = particles_.bodies[b].position;
-  list_step_ = particles_.step;
+  particles_.list_step = particles_.step;
   particles_.wall_points_due = true;
   found_pairs_.clear();
   if (particles_.count <= all_pairs_limit) {

@@ -24,12 +24,18 @@ struct alignas(64) PairPacket : PairParameters, History {
   std::array<ContactOnset, lanes> onset{};
 };
 
-/// Where the bodies of a packet are. Derived from PairPacket.
+/// Force [N] and torque [N m] on a body in a contact.
+struct alignas(64) ForceRow {
+  double values[8];
+};
+
+/// Where the lanes of a packet find their bodies and leave their forces. Derived from PairPacket.
 struct alignas(64) GatherMap {
-  /// [bytes] from the first BodyBlock to the numbers of bodies i and j: address of position.x.
-  std::array<std::int64_t, lanes> offset_i{}, offset_j{};
-  /// Row of ParticleData::force_rows to which the force on j is added; that on i goes to row i.
-  std::array<std::int64_t, lanes> row_j{};
+  /// Addresses of position.x of bodies i and j; the other numbers of a body are at constant
+  /// distances from there.
+  std::array<const double*, lanes> body_i{}, body_j{};
+  std::array<ForceRow*, lanes> row_i{}, row_j{};  ///< of the forces on i and j
+  std::uint32_t filled = 0;  ///< lanes (bits) whose rows may hold numbers other than 0
   /// If `fits_registers`: for ball l of up to eight, the force of its k-th contact is that on body
   /// i of lane source[k][l], or, if source[k][l] >= lanes, that on body j of lane source[k][l] -
   /// lanes. active[k] masks the balls that have a k-th contact.
@@ -37,24 +43,28 @@ struct alignas(64) GatherMap {
   int max_contacts = 0;  ///< largest number of contacts of one ball
 };
 
-/// Force [N] and torque [N m] on a ball, summed over contacts.
-struct alignas(64) ForceRow {
-  double values[8];
-};
-
-/// State of all bodies and contacts. Bodies are the balls, padded to whole blocks, followed by the
-/// wall points (MovingWall::wall_points).
+/// State of all bodies and contacts of a charge. Bodies are the balls, padded to whole blocks,
+/// followed by the wall points (MovingWall::wall_points).
 struct ParticleData {
   std::int64_t step = 0;
   std::size_t count = 0;          ///< of balls
   std::vector<BodyBlock> bodies;  ///< blocks of balls, then of wall points
   std::vector<BallBlock> balls;
   std::vector<PairPacket> packets;
-  std::vector<GatherMap> gather_maps;          ///< of each packet
-  std::vector<ForceRow> force_rows;            ///< of each ball; one more for walls
+  std::vector<GatherMap> gather_maps;  ///< of each packet
+  /// Two rows for each lane, the force on i and that on j, in the order of the packets; then one
+  /// row for the forces on walls and in free lanes.
+  std::vector<ForceRow> force_rows;
+  /// The force rows of ball b, in the order of their lanes: the elements first_row[b] to
+  /// first_row[b + 1] of `rows_of_balls`.
+  std::vector<std::uint32_t> first_row, rows_of_balls;
   std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
   bool fits_registers = false;  ///< each column of all bodies fits in two registers of eight
   bool wall_points_due = true;  ///< update every wall point at the next step
+  std::int64_t list_step = 0;   ///< when the neighbour list was built
+  std::int64_t idle_from = 0;   ///< from this step on, a step without contacts ends the block
+  std::int64_t contacts = 0;    ///< that exist
+  bool touched = true;          ///< contacts existed in the last step
 
   Vec3 position(std::size_t body) const {
     return get_lane(bodies[body / lanes].position, body % lanes);
@@ -64,39 +74,5 @@ struct ParticleData {
   }
   Vec3 spin(std::size_t ball) const { return get_lane(balls[ball / lanes].spin, ball % lanes); }
 };
-
-/// Callbacks for rare events, outside the innermost loop.
-class FewContactCallbacks {
- public:
-  virtual ~FewContactCallbacks() = default;
-  /// Rebuilds the neighbour list: a displacement exceeded half the skin.
-  virtual void rebuild_neighbour_list() = 0;
-  /// Contacts of a packet begin: lanes of `begun` (bits).
-  virtual void begin(PairPacket& packet, std::uint32_t begun) = 0;
-  /// The speeds of first touch of `begun`, before their first force.
-  virtual void record_onset(PairPacket& packet, std::uint32_t begun, const OnsetSpeeds& speeds) = 0;
-  /// Contacts end, after their last force was applied.
-  virtual void end(PairPacket& packet, std::uint32_t ended) = 0;
-};
-
-/// Everything a batch of steps needs.
-struct alignas(64) StepBatch {
-  ParticleData& particles;
-  const MovingWall& jar;
-  FewContactCallbacks& callbacks;
-  StepConstants constants;
-  std::span<const DriveSample> drive;  ///< samples: one more than steps
-  double start = 0;                    ///< [s] the mill's clock at step 0
-  double max_displacement = 0;         ///< [m] a larger one rebuilds the neighbour list
-  std::int64_t list_step = 0;          ///< step of the last rebuild
-  bool stop_when_idle = false;         ///< stop after a step without contacts
-};
-
-/// Computes a batch of steps; returns whether the last one had contacts.
-using BatchStepper = bool (*)(StepBatch&);
-
-/// The step function of a law, compiled for the instruction set of this machine.
-template <class Law>
-BatchStepper batch_stepper();
 
 }  // namespace mahlwerk::soft

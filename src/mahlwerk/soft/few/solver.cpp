@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -26,8 +27,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       initial_balls_(balls),
       settings_(settings),
       pairs_(balls, pairs, *settings.model.law),
-      step_batch_(
-          std::visit([]<class L>(const L&) { return batch_stepper<L>(); }, *settings_.model.law)),
+      step_block_(
+          std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *settings_.model.law)),
       start_(start),
       skips_(settings.free_flight_skip && balls.size() <= max_skip_balls),
       periodic_(is_periodic(jar_->periods())),
@@ -39,7 +40,6 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   w.count = balls.size();
   w.balls.resize((w.count + lanes - 1) / lanes);
   w.bodies.resize(w.balls.size() + 1);
-  w.force_rows.resize(w.balls.size() * lanes + 1);
   double smallest = geometry::never;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     BallBlock& block = w.balls[b / lanes];
@@ -49,10 +49,12 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     set_lane(block.spin, l, balls[b].spin);
     block.half_kick_factor[l] = 0.5 * settings.time_step / pairs_.species_of(b).mass;
     block.half_spin_kick_factor[l] = 0.5 * settings.time_step / pairs_.species_of(b).inertia;
+    block.used[l] = -1;
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.species_of(b).mass;
   }
   skin_ = 0.03 * smallest;
+  build_gather_maps();  // of no packets
   rebuild_neighbour_list();
   refuse_overlaps();
   energy_balance_.initial_energy = 0;
@@ -91,13 +93,19 @@ double FewBodySolver::mill_time(std::int64_t step) const {
   return start_ + time_of(step);
 }
 
+/// The step in which the run reaches `time` [s].
+std::int64_t FewBodySolver::last_step(double time) const {
+  return static_cast<std::int64_t>(std::ceil(time / settings_.time_step - 1e-6));
+}
+
+void FewBodySolver::hand_over(scene::Observer& observer) {
+  if (!finished_.empty()) observer.collisions(finished_);
+  finished_.clear();
+}
+
 void FewBodySolver::advance(double time, scene::Observer& observer) {
-  const auto until = static_cast<std::int64_t>(std::ceil(time / settings_.time_step - 1e-6));
+  const std::int64_t until = last_step(time);
   target_time_ = time;
-  const auto hand_over = [&] {
-    if (!finished_.empty()) observer.collisions(finished_);
-    finished_.clear();
-  };
   try {
     while (now_ < until) {
       if (stopped()) break;
@@ -105,41 +113,65 @@ void FewBodySolver::advance(double time, scene::Observer& observer) {
         now_ = std::min(skip_end_, until);
         if (now_ == skip_end_) end_skip();
       } else if (!start_skip()) {
-        advance_batch(until);
-        now_ = particles_.step;
+        advance_block(until);
       }
-      if (finished_.size() > 1000) hand_over();
+      if (finished_.size() > 1000) hand_over(observer);
     }
   } catch (...) {
     now_ = particles_.step;
-    hand_over();
+    hand_over(observer);
     throw;
   }
-  hand_over();
+  hand_over(observer);
 }
 
-/// Steps to `until` or the end of the batch; stops early after a step without contacts, if a skip
+/// Steps to `until` or the end of the block; stops early after a step without contacts, if a skip
 /// may start there.
-void FewBodySolver::advance_batch(std::int64_t until) {
-  ParticleData& w = particles_;
-  std::int64_t end = std::min(until, (w.step / energy_check_interval + 1) * energy_check_interval);
-  const bool waits = skips_ && !touched_ && w.step < next_skip_;
-  if (waits) end = std::min(end, next_skip_);
-  drive_.resize(static_cast<std::size_t>(end - w.step) + 1);
-  jar_->sample_drive(start_, settings_.time_step, w.step, drive_);
-  StepBatch s{.particles = w,
-              .jar = *jar_,
-              .callbacks = *this,
-              .constants = step_constants(settings_, jar_->periods()),
-              .drive = drive_,
-              .start = start_,
-              .max_displacement = 0.5 * skin_,
-              .list_step = list_step_,
-              .stop_when_idle = skips_ && !waits};
-  const std::int64_t before = w.step;
-  touched_ = step_batch_(s);
-  energy_balance_.time_steps += w.step - before;
-  if (w.step % energy_check_interval == 0) check_energy();
+void FewBodySolver::advance_block(std::int64_t until) {
+  std::vector<ParticleData*> charges{&particles_};
+  sample_drive(block_end(until));
+  set_idle_from();
+  StepBlock block = step_block(charges, particles_.packets, particles_.gather_maps, *this);
+  step_block_(block);
+  end_block();
+}
+
+/// Blocks end at the steps at which the energy is checked.
+std::int64_t FewBodySolver::block_end(std::int64_t until) const {
+  return std::min(until, (now_ / energy_check_interval + 1) * energy_check_interval);
+}
+
+/// Samples the drive from the present step to step `end`.
+void FewBodySolver::sample_drive(std::int64_t end) {
+  drive_.resize(static_cast<std::size_t>(end - now_) + 1);
+  jar_->sample_drive(start_, settings_.time_step, now_, drive_);
+}
+
+/// From the step on at which a skip may start, a step without contacts ends the block.
+void FewBodySolver::set_idle_from() {
+  particles_.idle_from = skips_ ? next_skip_ : std::numeric_limits<std::int64_t>::max();
+}
+
+/// The block of steps for which the drive has been sampled.
+StepBlock FewBodySolver::step_block(std::vector<ParticleData*>& charges,
+                                    std::vector<PairPacket>& packets,
+                                    std::vector<GatherMap>& gather_maps,
+                                    StepCallbacks& callbacks) const {
+  return {.charges = charges,
+          .packets = packets,
+          .gather_maps = gather_maps,
+          .jar = *jar_,
+          .callbacks = callbacks,
+          .constants = step_constants(settings_, jar_->periods()),
+          .drive = drive_,
+          .start = start_,
+          .max_displacement = 0.5 * skin_,
+          .step = particles_.step};
+}
+
+void FewBodySolver::end_block() {
+  now_ = particles_.step;
+  if (particles_.step % energy_check_interval == 0) check_energy();
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {

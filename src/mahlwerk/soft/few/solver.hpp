@@ -9,13 +9,15 @@
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/engine.hpp"
-#include "mahlwerk/soft/few/particle_data.hpp"
+#include "mahlwerk/soft/few/step_block.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
 
+class ReplicateBatch;
+
 /// The soft engine for few balls: every neighbour pair has a lane (docs/theory/soft.md).
-class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
+class FewBodySolver final : public scene::Engine, private StepCallbacks {
  public:
   FewBodySolver(std::unique_ptr<const MovingWall> jar, const std::vector<scene::Ball>& balls,
                 const Settings& settings, const contact::PairTable& pairs, double start);
@@ -27,8 +29,19 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   void serialize(Archive& archive) override;
 
  private:
+  friend ReplicateBatch;
+
   // The main loop (solver.cpp).
-  void advance_batch(std::int64_t until);
+  std::int64_t last_step(double time) const;
+  void advance_block(std::int64_t until);
+  std::int64_t block_end(std::int64_t until) const;
+  void sample_drive(std::int64_t end);
+  void set_idle_from();
+  StepBlock step_block(std::vector<ParticleData*>& charges, std::vector<PairPacket>& packets,
+                       std::vector<GatherMap>& gather_maps, StepCallbacks& callbacks) const;
+  void end_block();
+  void hand_over(scene::Observer& observer);
+  bool pause() override { return false; }
   double mill_time(std::int64_t step) const;  // [s] of the mill
   double time_of(std::int64_t step) const;    // [s] since the start of the run
   void refuse_overlaps() const;
@@ -46,7 +59,8 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
     std::int32_t i, j, face;  // face < 0: two balls
     friend auto operator<=>(const NearPair&, const NearPair&) = default;
   };
-  void rebuild_neighbour_list() override;
+  void rebuild_neighbour_list();
+  bool rebuild_neighbour_list(std::size_t) override;
   void find_wall_pairs(std::size_t ball);
   void test_pair(std::size_t i, std::size_t j);
   Vec3 nearest(const Vec3& separation) const {
@@ -63,10 +77,12 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   static void find_sources(const PairPacket& p, GatherMap& map);
 
   // Contacts that begin and end (contacts.cpp).
-  void begin(PairPacket& p, std::uint32_t begun) override;
-  void record_onset(PairPacket& p, std::uint32_t begun, const OnsetSpeeds& speeds) override;
-  void end(PairPacket& p, std::uint32_t ended) override;
+  void begin(const PacketLanes& begun) override;
+  void record_onset(const PacketLanes& begun, const OnsetSpeeds& speeds) override;
+  void end(const PacketLanes& ended) override;
+  void forces_done() override;
   void begin_lane(PairPacket& p, std::size_t lane);
+  void record_onset(PairPacket& p, std::size_t lane, const OnsetSpeeds& speeds);
   void end_lane(PairPacket& p, std::size_t lane);
   // Adds the work of a lane to the energy balance; clears its work and springs.
   void flush_work(PairPacket& p, std::size_t lane);
@@ -86,7 +102,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   std::vector<scene::Ball> initial_balls_;  // radius, density, kind; initial positions
   Settings settings_;
   SpeciesPairs pairs_;
-  BatchStepper step_batch_;
+  BlockStepper step_block_;
   double start_, skin_;
   double mass_ = 0;               // [kg] of all balls
   double pull_off_distance_ = 0;  // [m] largest of all pairs
@@ -95,12 +111,11 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
 
   ParticleData particles_;
   std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; those that have a lane
-  std::int64_t list_step_ = 0;
-  std::int64_t next_skip_ = 0;  // earliest step of the next skip
-  std::int64_t skip_end_ = -1;  // end of the current skip; < 0: none
-  std::int64_t now_ = 0;        // current step; in a skip ahead of particles_.step
-  bool touched_ = true;         // contacts existed in the last step
-  double target_time_ = 0;      // [s] target of the last advance()
+  std::int64_t next_skip_ = 0;                        // earliest step of the next skip
+  std::int64_t skip_end_ = -1;                        // end of the current skip; < 0: none
+  std::int64_t now_ = 0;  // current step; in a skip ahead of particles_.step
+  std::int64_t skipped_steps_ = 0;
+  double target_time_ = 0;  // [s] target of the last advance()
 
   scene::EnergyBalance energy_balance_;    // sums over contacts that have ended
   std::vector<std::int32_t> contacts_of_;  // number of contacts of each ball
@@ -108,6 +123,7 @@ class FewBodySolver final : public scene::Engine, private FewContactCallbacks {
   std::int64_t contact_count_step_ = 0;
   EnergyWatch watch_;
   std::vector<scene::Collision> finished_;
+  std::vector<PacketLanes> ended_;  // in this step
   std::vector<DriveSample> drive_;
 };
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "mahlwerk/soft/few/solver.hpp"
 
 // State of the balls, forces and checkpoints.
@@ -27,13 +29,17 @@ std::vector<Vec3> FewBodySolver::forces() const {
 
 void FewBodySolver::serialize(Archive& archive) {
   ParticleData& w = particles_;
-  archive(w.step)(w.wall_points_due)(now_)(skip_end_)(next_skip_)(list_step_)(touched_);
+  archive(w.step)(w.wall_points_due)(w.list_step)(w.touched);
+  archive(now_)(skip_end_)(next_skip_)(skipped_steps_);
   const std::size_t blocks = w.balls.size();
   archive(w.bodies)(w.balls);
   archive(w.packets)(w.wall_neighbours)(contacts_of_)(listed_pairs_);
   archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(target_time_);
   if (w.bodies.size() <= blocks || w.balls.size() != blocks) throw Archive::broken();
-  if (archive.reading()) build_gather_maps();
+  if (!archive.reading()) return;
+  w.contacts = 0;
+  for (const PairPacket& p : w.packets) w.contacts += std::ranges::count(p.touching.values, -1);
+  build_gather_maps();
 }
 
 }  // namespace mahlwerk::soft

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/soft/few/particle_data.hpp"
+#include "mahlwerk/soft/few/step_block.hpp"
 #include "mahlwerk/soft/kernel/force_rows.hpp"
 
 // The innermost loop of FewBodySolver: a template, compiled for each law and each instruction set.
@@ -51,39 +51,56 @@ struct Bodies {
   const BodyBlock* blocks;
   bool in_registers;
 
-  /// Gathers a column of bodies i or j. `at` are their indices, `offsets` their places in memory.
-  [[gnu::always_inline]] V gather(Lanes Vec<Lanes>::*axis, Vec<Lanes> BodyBlock::*columns,
-                                  const LaneMask& at,
-                                  const std::array<std::int64_t, lanes>& offsets,
+  /// Gathers a column of bodies i or j. `at` are their indices, `bodies` their addresses.
+  template <std::size_t column>
+  [[gnu::always_inline]] V gather(const LaneMask& at,
+                                  const std::array<const double*, lanes>& bodies,
                                   const LaneGroup<V>& group) const {
-    const Lanes& first = blocks[0].*columns.*axis;
     if constexpr (can_permute<V>)
-      if (in_registers) return permute<V>(group(first), group(blocks[1].*columns.*axis), group(at));
-    const auto* base = reinterpret_cast<const char*>(&first);
-    return lanes_from<V>([&](int l) {
-      return *reinterpret_cast<const double*>(base + offsets.data()[group.first + l]);
-    });
+      if (in_registers) {
+        const auto columns = [&](std::size_t b) {
+          return group(reinterpret_cast<const Lanes*>(blocks + b)[column]);
+        };
+        return permute<V>(columns(0), columns(1), group(at));
+      }
+    return lanes_from<V>([&](int l) { return bodies.data()[group.first + l][column * lanes]; });
   }
-  [[gnu::always_inline]] Vec<V> gather(Vec<Lanes> BodyBlock::*columns, const LaneMask& at,
-                                       const std::array<std::int64_t, lanes>& offsets,
-                                       const LaneGroup<V>& group) const {
-    return {gather(&Vec<Lanes>::x, columns, at, offsets, group),
-            gather(&Vec<Lanes>::y, columns, at, offsets, group),
-            gather(&Vec<Lanes>::z, columns, at, offsets, group)};
+  /// Gathers three columns, from `column` on.
+  template <std::size_t column>
+  [[gnu::always_inline]] Vec<V> gather_vector(const LaneMask& at,
+                                              const std::array<const double*, lanes>& bodies,
+                                              const LaneGroup<V>& group) const {
+    return {gather<column>(at, bodies, group), gather<column + 1>(at, bodies, group),
+            gather<column + 2>(at, bodies, group)};
+  }
+  [[gnu::always_inline]] Vec<V> position(const LaneMask& at,
+                                         const std::array<const double*, lanes>& bodies,
+                                         const LaneGroup<V>& group) const {
+    return gather_vector<0>(at, bodies, group);
+  }
+  [[gnu::always_inline]] Vec<V> velocity(const LaneMask& at,
+                                         const std::array<const double*, lanes>& bodies,
+                                         const LaneGroup<V>& group) const {
+    return gather_vector<3>(at, bodies, group);
+  }
+  [[gnu::always_inline]] Vec<V> angular_velocity(const LaneMask& at,
+                                                 const std::array<const double*, lanes>& bodies,
+                                                 const LaneGroup<V>& group) const {
+    return gather_vector<6>(at, bodies, group);
   }
 };
 
 /// Half a kick, a drift, and the velocities predicted for the contacts of this step (velocity
 /// Verlet, dem.26). Returns whether a displacement since the last rebuild exceeds the limit.
 template <class V>
-[[gnu::always_inline]] inline bool half_kick_and_drift(StepBatch& s, const DriveSample& before,
+[[gnu::always_inline]] inline bool half_kick_and_drift(const StepBlock& s, ParticleData& w,
+                                                       const DriveSample& before,
                                                        const DriveSample& after) {
-  ParticleData& w = s.particles;
   const V zero{}, step = zero + s.constants.dt, half = 0.5 * step;
   const Vec<V> acceleration_before = in_all_lanes<V>(before.body_acceleration),
                acceleration_after = in_all_lanes<V>(after.body_acceleration);
   const double slack = s.max_displacement - s.jar.max_wall_speed() *
-                                                static_cast<double>(w.step - s.list_step) *
+                                                static_cast<double>(w.step - w.list_step) *
                                                 s.constants.dt;
   const double limit = slack > 0 ? slack * slack : -1;
   BodyBlock* body = w.bodies.data();
@@ -106,7 +123,7 @@ template <class V>
       const Vec<V> displacement = x - group(ball->list_position);
       const V moved = dot(displacement, displacement);
       group.put(ball->displacement_squared, moved);
-      moved_far |= ~less(moved, zero + limit);
+      moved_far |= ~less(moved, zero + limit) & group(ball->used);
     }
   return any(moved_far);
 }
@@ -120,18 +137,35 @@ template <class V>
   group.put(ball.spin, group(ball.spin) + group(ball.half_spin_kick_factor) * torque);
 }
 
-/// Adds the forces and torques of a group to rows in memory, for any number of balls, in the order
-/// of the lanes.
+/// The bits of a group's lanes among those of a packet.
 template <class V>
-[[gnu::always_inline]] inline void scatter(ForceRow* rows, const PairPacket& p,
-                                           const GatherMap& map, const LaneGroup<V>& group,
-                                           const ContactForce<V>& f) {
+[[gnu::always_inline]] inline std::uint32_t bits_of(const LaneGroup<V>& group) {
+  return ((1U << width_of<V>)-1) << group.first;
+}
+
+/// Puts the forces and torques of a group to the rows of its lanes.
+template <class V>
+[[gnu::always_inline]] inline void put_forces(GatherMap& map, const LaneGroup<V>& group,
+                                              const ContactForce<V>& f) {
   const ForceRows<V> on_i(f.force, f.torque_i), on_j = on_i.opposite(f.force, f.torque_j);
+  ForceRow *const *row_i = map.row_i.data() + group.first, *const *row_j =
+                                                               map.row_j.data() + group.first;
+  unrolled<width_of<V>>([&](std::size_t l) __attribute__((always_inline)) {
+    on_i.put(l, row_i[l]->values);
+    on_j.put(l, row_j[l]->values);
+  });
+  map.filled |= bits_of(group);
+}
+
+/// Clears the rows of a group in which nothing touches any more.
+template <class V>
+[[gnu::always_inline]] inline void clear_forces(GatherMap& map, const LaneGroup<V>& group) {
+  if ((map.filled & bits_of(group)) == 0) return;
   for (std::size_t l = 0; l < width_of<V>; ++l) {
     const std::size_t lane = static_cast<std::size_t>(group.first) + l;
-    on_i.add(l, rows[p.i[lane]].values);
-    on_j.add(l, rows[map.row_j[lane]].values);
+    *map.row_i[lane] = *map.row_j[lane] = ForceRow{};
   }
+  map.filled &= ~bits_of(group);
 }
 
 /// Positions of a group's pairs, and which of them touch.
@@ -142,12 +176,12 @@ struct TouchTest {
   MaskOf<V> touching;
 };
 template <class V>
-[[gnu::always_inline]] inline TouchTest<V> test_touch(const StepBatch& s, const Bodies<V>& bodies,
+[[gnu::always_inline]] inline TouchTest<V> test_touch(const StepBlock& s, const Bodies<V>& bodies,
                                                       const PairPacket& p, const GatherMap& map,
                                                       const LaneGroup<V>& group) {
   TouchTest<V> test;
-  test.separation = bodies.gather(&BodyBlock::position, p.j, map.offset_j, group) -
-                    bodies.gather(&BodyBlock::position, p.i, map.offset_i, group);
+  test.separation =
+      bodies.position(p.j, map.body_j, group) - bodies.position(p.i, map.body_i, group);
   if (s.constants.periodic) test.separation = folded(test.separation, s.constants.periods);
   test.squared = dot(test.separation, test.separation);
   const V near = touch_distance<V>(group, p, group(p.touching));
@@ -155,23 +189,26 @@ template <class V>
   return test;
 }
 
-/// Computes the forces of a group in a step. `begun` and `ended` are bits of lanes.
+/// Computes the forces of a group in a step. `begun` and `ended` are lanes of packet `n`.
 template <class Law, class V>
-[[gnu::always_inline]] inline ContactForce<V> apply_group(
-    StepBatch& s, const Bodies<V>& bodies, PairPacket& p, const GatherMap& map,
-    const LaneGroup<V>& group, const TouchTest<V>& test, std::uint32_t begun, std::uint32_t ended) {
+[[gnu::always_inline]] inline ContactForce<V> apply_group(StepBlock& s, const Bodies<V>& bodies,
+                                                          std::size_t n, const LaneGroup<V>& group,
+                                                          const TouchTest<V>& test,
+                                                          std::uint32_t begun,
+                                                          std::uint32_t ended) {
+  PairPacket& p = s.packets[n];
+  const GatherMap& map = s.gather_maps[n];
   PairMotion<V> motion;
   motion.separation = test.separation;
-  motion.vj = bodies.gather(&BodyBlock::velocity, p.j, map.offset_j, group);
-  motion.relative_velocity =
-      bodies.gather(&BodyBlock::velocity, p.i, map.offset_i, group) - motion.vj;
-  motion.wi = bodies.gather(&BodyBlock::angular_velocity, p.i, map.offset_i, group);
-  motion.wj = bodies.gather(&BodyBlock::angular_velocity, p.j, map.offset_j, group);
+  motion.vj = bodies.velocity(p.j, map.body_j, group);
+  motion.relative_velocity = bodies.velocity(p.i, map.body_i, group) - motion.vj;
+  motion.wi = bodies.angular_velocity(p.i, map.body_i, group);
+  motion.wj = bodies.angular_velocity(p.j, map.body_j, group);
   const ContactGeometry<V> geometry = contact_geometry<V>(group, p, motion, test.squared);
   if (begun != 0) {
     OnsetSpeeds speeds;
     put_onset_speeds<V>(group, geometry, motion, speeds);
-    s.callbacks.record_onset(p, begun, speeds);
+    s.callbacks.record_onset({n, begun}, speeds);
   }
   GroupHistory<V> history{{group(p.law_history[0]), group(p.law_history[1])},
                           group(p.spring),
@@ -205,111 +242,134 @@ template <class Law, class V>
   return out;
 }
 
-/// Computes the forces of a packet in a step and gives those of each group to `add`. Returns false
-/// if no lane touches and none touched at the last step.
-template <class Law, class V, class Add>
-[[gnu::always_inline]] inline bool apply_packet(StepBatch& s, const Bodies<V>& bodies,
-                                                PairPacket& p, const GatherMap& map,
-                                                const Add& add) {
+/// Computes the forces of packet `n` in a step and gives those of each group to `put`. Returns
+/// whether contacts ended.
+template <class Law, class V, class Put>
+[[gnu::always_inline]] inline bool apply_packet(StepBlock& s, const Bodies<V>& bodies,
+                                                std::size_t n, const Put& put) {
   constexpr int groups = lanes / width_of<V>;
+  PairPacket& p = s.packets[n];
+  GatherMap& map = s.gather_maps[n];
   TouchTest<V> tests[groups];
   std::uint32_t touched = 0, touching = 0;
-  for (int n = 0; n < groups; ++n) {
-    const LaneGroup<V> group{n * width_of<V>};
-    tests[n] = test_touch<V>(s, bodies, p, map, group);
+  for (int k = 0; k < groups; ++k) {
+    const LaneGroup<V> group{k * width_of<V>};
+    tests[k] = test_touch<V>(s, bodies, p, map, group);
     touched |= group.bits(group(p.touching));
-    touching |= group.bits(tests[n].touching);
+    touching |= group.bits(tests[k].touching);
   }
-  if ((touched | touching) == 0) return false;
   const std::uint32_t begun = touching & ~touched, ended = touched & ~touching;
-  if (begun != 0) s.callbacks.begin(p, begun);
-  for (int n = 0; n < groups; ++n) {
-    const LaneGroup<V> group{n * width_of<V>};
-    const std::uint32_t own = ((1U << width_of<V>)-1) << group.first;
-    if (((touched | touching) & own) == 0) continue;
-    add(group, apply_group<Law, V>(s, bodies, p, map, group, tests[n], begun & own, ended & own));
+  if (begun != 0) s.callbacks.begin({n, begun});
+  if (ended != 0) s.callbacks.end({n, ended});
+  for (int k = 0; k < groups; ++k) {
+    const LaneGroup<V> group{k * width_of<V>};
+    const std::uint32_t own = bits_of(group);
+    if (((touched | touching) & own) == 0)
+      clear_forces<V>(map, group);
+    else
+      put(map, group, apply_group<Law, V>(s, bodies, n, group, tests[k], begun & own, ended & own));
   }
-  if (ended != 0) s.callbacks.end(p, ended);
-  return true;
+  return ended != 0;
 }
 
-/// Updates the wall contact points.
-[[gnu::always_inline]] inline void update_wall_points(StepBatch& s, const DriveSample& drive) {
-  ParticleData& w = s.particles;
+/// Updates the wall contact points of a charge.
+[[gnu::always_inline]] inline void update_wall_points(const StepBlock& s, ParticleData& w,
+                                                      const DriveSample& drive) {
+  if (w.wall_neighbours.empty()) return;
   s.jar.wall_points(w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.dt,
                     drive, w.bodies.data(), w.balls.data(), w.bodies.data() + w.balls.size(),
                     w.wall_points_due);
   w.wall_points_due = false;
 }
 
-/// Computes all packets and the second half kick. Returns whether any contact touches.
-template <class Law, class V>
-[[gnu::always_inline]] inline bool apply_contacts(StepBatch& s) {
-  ParticleData& w = s.particles;
-  const Bodies<V> bodies{w.bodies.data(), can_permute<V> && w.fits_registers};
-  BallBlock* balls = w.balls.data();
-  ForceRow* rows = w.force_rows.data();
-  bool touched = false;
-  Vec<V> force{}, torque{};
-  if (!bodies.in_registers) std::fill_n(rows, w.force_rows.size(), ForceRow{});
-  const std::size_t packets = w.packets.size();
-  for (std::size_t n = 0; n < packets; ++n) {
-    const GatherMap& map = w.gather_maps[n];
-    touched |= apply_packet<Law, V>(s, bodies, w.packets[n], map,
-                                    [&](const LaneGroup<V>& group, const ContactForce<V>& found) {
-                                      if constexpr (can_permute<V>)
-                                        if (bodies.in_registers)
-                                          return gather_forces<V>(map, found, force, torque);
-                                      scatter<V>(rows, w.packets[n], map, group, found);
-                                    });
+/// Sums the force rows of each ball, in the order of its lanes; then the second half kick.
+template <class V>
+[[gnu::always_inline]] inline void sum_forces(ParticleData& w) {
+  const ForceRow* rows = w.force_rows.data();
+  const std::uint32_t *first = w.first_row.data(), *rows_of_balls = w.rows_of_balls.data(),
+                      *row = rows_of_balls;
+  for (std::size_t ball = 0; ball < w.count; ball += width_of<V>) {
+    ForceRow sums[width_of<V>];
+    for (std::size_t l = 0; l < width_of<V>; ++l) {
+      RowSum<V> sum;
+      for (const std::uint32_t* end = rows_of_balls + first[ball + l + 1]; row != end; ++row)
+        sum.add(rows[*row].values);
+      sum.put(sums[l].values);
+    }
+    V f[4], t[4];
+    load_columns<V>([&](std::size_t l) -> const ForceRow& { return sums[l]; }, 0, f);
+    load_columns<V>([&](std::size_t l) -> const ForceRow& { return sums[l]; }, 4, t);
+    second_half_kick<V>(w.balls[ball / lanes], {static_cast<int>(ball % lanes)}, {f[0], f[1], f[2]},
+                        {t[0], t[1], t[2]});
   }
-  if constexpr (can_permute<V>)
-    if (bodies.in_registers) {
-      second_half_kick<V>(balls[0], {0}, force, torque);
-      return touched;
-    }
-  for (std::size_t b = 0; b < w.balls.size(); ++b)
-    for (int first = 0; first < lanes; first += width_of<V>) {
-      const ForceRow* row = rows + b * lanes + first;
-      V f[4], t[4];
-      load_columns<V>([&](std::size_t l) -> const ForceRow& { return row[l]; }, 0, f);
-      load_columns<V>([&](std::size_t l) -> const ForceRow& { return row[l]; }, 4, t);
-      second_half_kick<V>(balls[b], {first}, {f[0], f[1], f[2]}, {t[0], t[1], t[2]});
-    }
-  return touched;
 }
 
-/// The main loop over the steps of a batch.
+/// Computes all packets, and the second half kick of all charges.
 template <class Law, class V>
-[[gnu::always_inline]] inline bool step_batch(StepBatch& s) {
-  ParticleData& w = s.particles;
-  bool touched = false;
-  for (std::size_t k = 0; k + 1 < s.drive.size(); ++k) {
-    const DriveSample& drive = s.drive[k + 1];
-    const bool moved_far = half_kick_and_drift<V>(s, s.drive[k], drive);
-    ++w.step;
-    if (moved_far) {
-      s.callbacks.rebuild_neighbour_list();
-      s.list_step = w.step;
-    }
-    if (!w.wall_neighbours.empty()) update_wall_points(s, drive);
-    s.constants.jar_velocity = drive.velocity;
-    touched = apply_contacts<Law, V>(s);
-    if (!touched && s.stop_when_idle) return false;
+[[gnu::always_inline]] inline void apply_contacts(StepBlock& s) {
+  const bool in_registers = can_permute<V> && !s.shared && s.charges.front()->fits_registers;
+  const Bodies<V> bodies{s.shared ? nullptr : s.charges.front()->bodies.data(), in_registers};
+  Vec<V> force{}, torque{};
+  bool ended = false;
+  for (std::size_t n = 0; n < s.packets.size(); ++n) {
+    const auto put = [&](GatherMap & map, const LaneGroup<V>& group, const ContactForce<V>& found)
+        __attribute__((always_inline)) {
+      if constexpr (can_permute<V>)
+        if (in_registers) return gather_forces<V>(map, found, force, torque);
+      put_forces<V>(map, group, found);
+    };
+    ended |= apply_packet<Law, V>(s, bodies, n, put);
   }
-  return touched;
+  for (ParticleData* w : s.charges) {
+    w->touched = w->contacts > 0;
+    if constexpr (can_permute<V>)
+      if (in_registers) {
+        second_half_kick<V>(w->balls[0], {0}, force, torque);
+        continue;
+      }
+    sum_forces<V>(*w);
+  }
+  if (ended) s.callbacks.forces_done();
+}
+
+/// Moves all charges by a step, and their wall contact points. Charges that fail are taken out.
+template <class V>
+[[gnu::always_inline]] inline void move_charges(StepBlock& s, const DriveSample& before,
+                                                const DriveSample& after) {
+  for (std::size_t c = 0; c < s.charges.size();) {
+    ParticleData& w = *s.charges[c];
+    const bool moved_far = half_kick_and_drift<V>(s, w, before, after);
+    ++w.step;
+    if (moved_far && !s.callbacks.rebuild_neighbour_list(c)) continue;
+    update_wall_points(s, w, after);
+    ++c;
+  }
+}
+
+/// The main loop over the steps of a block.
+template <class Law, class V>
+[[gnu::always_inline]] inline void step_block(StepBlock& s) {
+  for (std::size_t k = 0; k + 1 < s.drive.size() && !s.charges.empty(); ++k) {
+    ++s.step;
+    move_charges<V>(s, s.drive[k], s.drive[k + 1]);
+    s.constants.jar_velocity = s.drive[k + 1].velocity;
+    apply_contacts<Law, V>(s);
+    bool pause = s.step == s.pause;
+    for (const ParticleData* w : s.charges) pause |= !w->touched && w->step >= w->idle_from;
+    if (pause && k + 2 < s.drive.size() && !s.callbacks.pause()) return;
+  }
 }
 
 template <class Law>
-struct BatchLoop {
+struct BlockLoop {
   template <int width>
-  [[gnu::always_inline]] static bool run(StepBatch& s) {
-    return step_batch<Law, Register<width>>(s);
+  [[gnu::always_inline]] static void run(StepBlock& s) {
+    step_block<Law, Register<width>>(s);
   }
 };
 template <class Law>
-BatchStepper batch_stepper() {
-  return Multiversioned<BatchLoop<Law>, BatchStepper>::best();
+BlockStepper block_stepper() {
+  return Multiversioned<BlockLoop<Law>, BlockStepper>::best();
 }
 
 }  // namespace mahlwerk::soft

@@ -31,6 +31,7 @@ struct BallBlock {
   Lanes displacement_squared{};   ///< [m2] since then
   Lanes half_kick_factor{};       ///< [s/kg] half a step over mass
   Lanes half_spin_kick_factor{};  ///< [s/(kg m2)] half a step over inertia
+  LaneMask used{};                ///< lanes of balls; the other lanes of the last block fall freely
 };
 
 }  // namespace mahlwerk::soft

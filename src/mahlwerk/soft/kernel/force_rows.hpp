@@ -3,12 +3,22 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 
 // Forces and torques as a row of eight numbers for each body, in the order of VectorPair: adding a
 // row takes one or two instructions, adding six columns takes six for each lane.
 namespace mahlwerk::soft {
+
+/// f(0) to f(count - 1). No loop: GCC 12 does not unroll loops at -O1.
+template <std::size_t count, class F>
+[[gnu::always_inline]] inline void unrolled(const F& f) {
+  [&]<std::size_t... n>(std::index_sequence<n...>) __attribute__((always_inline)) {
+    (f(n), ...);
+  }
+  (std::make_index_sequence<count>{});
+}
 
 /// Force and torque of each lane as a row.
 template <class V>
@@ -37,19 +47,30 @@ class ForceRows {
 
   /// Adds the row of a lane to eight numbers in memory.
   [[gnu::always_inline]] void add(std::size_t lane, double* sum) const {
-    const auto add_part = [sum](std::size_t first, const V& part) {
-      store<V>(sum + first, load<V>(sum + first) + part);
-    };
-    if constexpr (whole) return add_part(0, rows_[lane]);
-    constexpr std::size_t parts = 4 / std::min(width_of<V>, 4);
-    for (std::size_t p = 0; p < parts; ++p) {
-      add_part(p * width_of<V>, rows_[lane * parts + p]);
-      add_part(4 + p * width_of<V>, rows_[4 + lane * parts + p]);
-    }
+    each_part(
+        lane, [sum](std::size_t first, const V& part) __attribute__((always_inline)) {
+          store<V>(sum + first, load<V>(sum + first) + part);
+        });
+  }
+  /// Stores the row of a lane as eight numbers.
+  [[gnu::always_inline]] void put(std::size_t lane, double* row) const {
+    each_part(
+        lane, [row](std::size_t first, const V& part)
+                  __attribute__((always_inline)) { store<V>(row + first, part); });
   }
 
  private:
   static constexpr bool whole = width_of<V> == 8;  // a row fills a register
+
+  template <class F>
+  [[gnu::always_inline]] void each_part(std::size_t lane, const F& f) const {
+    if constexpr (whole) return f(0, rows_[lane]);
+    constexpr std::size_t parts = 4 / std::min(width_of<V>, 4);
+    unrolled<parts>([&](std::size_t p) __attribute__((always_inline)) {
+      f(p * width_of<V>, rows_[lane * parts + p]);
+      f(4 + p * width_of<V>, rows_[4 + lane * parts + p]);
+    });
+  }
 
   [[gnu::always_inline]] static void put_columns(const Vec<V>& a, V* columns) {
     columns[0] = a.x, columns[1] = a.y, columns[2] = a.z, columns[3] = V{};
@@ -70,6 +91,26 @@ class ForceRows {
   }
 
   V rows_[8];
+};
+
+/// Sum of rows.
+template <class V>
+class RowSum {
+ public:
+  [[gnu::always_inline]] void add(const double* row) {
+    unrolled<parts>([&](std::size_t p) __attribute__((always_inline)) {
+      sums_[p] += load<V>(row + p * width_of<V>);
+    });
+  }
+  [[gnu::always_inline]] void put(double* row) const {
+    unrolled<parts>([&](std::size_t p) __attribute__((always_inline)) {
+      store<V>(row + p * width_of<V>, sums_[p]);
+    });
+  }
+
+ private:
+  static constexpr std::size_t parts = 8 / width_of<V>;
+  V sums_[parts]{};
 };
 
 }  // namespace mahlwerk::soft
