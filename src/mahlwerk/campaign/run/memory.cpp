@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 
@@ -82,7 +83,8 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
   double replicates = 0;
   for (const cases::Case& mill_case : points)
     replicates += static_cast<double>(mill_case.run.replicates);
-  const double running = std::min(replicates, static_cast<double>(at_once));
+  const double running =
+      std::min(replicates, at_once * static_cast<double>(replicates_together(largest)));
   const double each = memory_needed(largest), needed = each * running;
   if (needed <= *available) return {};
   const auto balls = static_cast<double>(cases::balls_count(largest.balls));

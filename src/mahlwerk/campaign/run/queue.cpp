@@ -12,6 +12,7 @@
 #include <mutex>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
@@ -96,10 +97,18 @@ struct ActivePoint {
   Clock::time_point began = Clock::now();
 };
 
-/// A replicate to be run.
+/// Replicates of a point to be run by one thread.
 struct Task {
   std::shared_ptr<ActivePoint> point;
-  std::size_t replicate = 0;
+  std::size_t first = 0, count = 0;
+};
+
+/// A replicate that runs.
+struct ActiveReplicate {
+  std::size_t index;
+  CheckpointSlot slot;
+  std::size_t job;
+  std::unique_ptr<ReplicateRun> run;
 };
 
 class CampaignRunner {
@@ -135,13 +144,13 @@ class CampaignRunner {
     changed_.notify_all();
   }
 
-  /// The next replicate of an active point, else of a new point; empty once all have begun.
+  /// The next replicates of an active point, else of a new point; empty once all have begun.
   std::optional<Task> next_task() {
     std::unique_lock lock(mutex_);
     for (;;) {
       if (failed_) return std::nullopt;
       for (const auto& point : open_)
-        if (point->next < point->outcome.replicates.size()) return Task{point, point->next++};
+        if (point->next < point->outcome.replicates.size()) return task_of(point);
       if (next_ < queue_.size && !stopped())
         open_next(lock);
       else if (opening_ > 0)
@@ -149,6 +158,23 @@ class CampaignRunner {
       else
         return std::nullopt;
     }
+  }
+
+  Task task_of(const std::shared_ptr<ActivePoint>& point) const {
+    Task task{point, point->next,
+              std::min(batch_size(*point), point->outcome.replicates.size() - point->next)};
+    point->next += task.count;
+    return task;
+  }
+
+  /// Number of replicates that one thread runs together. Towards the end of the queue, all threads
+  /// share the replicates of a point.
+  std::size_t batch_size(const ActivePoint& point) const {
+    const std::size_t count = point.outcome.replicates.size(),
+                      workers = static_cast<std::size_t>(threads());
+    const bool last_points = queue_.size - next_ < workers;
+    return std::min(last_points ? (count + workers - 1) / workers : count,
+                    replicates_together(point.decided));
   }
 
   /// Unlocks the mutex while the case is read, so that other threads continue.
@@ -184,21 +210,19 @@ class CampaignRunner {
 
   int threads() const { return std::max(1, options_.threads); }
 
-  /// Runs a replicate; after the last one of a point, passes on the outcome.
+  /// Runs replicates; after the last one of a point, passes on the outcome.
   void finish(const Task& task) {
     ActivePoint& point = *task.point;
     std::exception_ptr error;
     try {
-      point.outcome.replicates[task.replicate] = simulate(point, task.replicate);
-    } catch (const Interrupted&) {  // stopped before the replicate began
-      point.outcome.replicates[task.replicate].complete = false;
+      simulate(task);
     } catch (...) {
       error = std::current_exception();
     }
     {
       const std::lock_guard lock(mutex_);
       if (error && !point.failure) drop(point, error);
-      if (--point.left > 0) return;
+      if ((point.left -= task.count) > 0) return;
       open_.remove(task.point);
     }
     if (point.failure) return failed(point.index, point.failure);
@@ -235,46 +259,84 @@ class CampaignRunner {
     queue_.failed(index, e);
   }
 
-  results::Replicate simulate(const ActivePoint& point, std::size_t replicate) {
-    const int r = static_cast<int>(replicate);
-    const CheckpointSlot slot =
-        queue_.checkpoint_slot ? queue_.checkpoint_slot(point.index) : CheckpointSlot{};
-    const std::size_t job = slot.first_job + replicate;
-    // A kept state is restored even after a stop, so that the outcome includes it.
-    const bool begun = slot.checkpoint != nullptr && slot.checkpoint->has_state(job);
-    ReplicateRun replica(point.decided, r,
-                         options_.records ? options_.records(point.index, r) : nullptr,
-                         options_.frames ? options_.frames(point.index, r) : nullptr,
-                         queue_.threads_per_replicate, begun ? nullptr : options_.stop);
-    replica.stop_on(options_.stop);
-    if (slot.checkpoint != nullptr) slot.checkpoint->restore(job, replica);
-    const double weight = queue_.weight ? queue_.weight(point.index) : 1;
-    progress_.add(weight * replica.energy_balance().time, 0,
-                  0);  // simulated by an earlier process
-    const double cpu = thread_cpu_seconds() - replica.cpu_seconds();
-    while (!replica.done() && !stopped() && !point.dropped) {
-      const scene::EnergyBalance before = replica.energy_balance();
-      replica.run_slice();
-      const scene::EnergyBalance& now = replica.energy_balance();
-      replica.cpu_seconds() = thread_cpu_seconds() - cpu;
-      progress_.add(weight * (now.time - before.time),
-                    static_cast<double>(now.collisions - before.collisions), now.worst_collision);
-      if (slot.checkpoint != nullptr && slot.checkpoint->due(job))
-        slot.checkpoint->save(job, replica);
+  /// Runs replicates side by side and puts their results into the outcome of their point.
+  void simulate(const Task& task) {
+    ActivePoint& point = *task.point;
+    std::vector<ActiveReplicate> active;
+    for (std::size_t r = task.first; r < task.first + task.count; ++r) try {
+        active.push_back(begin(point, r));
+      } catch (const Interrupted&) {  // stopped before the replicate began
+        point.outcome.replicates[r].complete = false;
+      }
+    double cpu = thread_cpu_seconds();
+    while (!active.empty()) {
+      std::erase_if(active, [&](const ActiveReplicate& one) {
+        const bool ends = one.run->done() || stopped() || point.dropped;
+        if (ends) end(point, one);
+        return ends;
+      });
+      if (!active.empty()) run_slice(point, active, cpu);
     }
-    if (slot.checkpoint != nullptr && !point.dropped) save_final_state(slot, job, replica, cpu);
-    return replica.result();
   }
 
-  /// `cpu`: [s] CPU time of the thread minus that of the replicate.
-  void save_final_state(const CheckpointSlot& slot, std::size_t job, ReplicateRun& replica,
-                        double cpu) const {
+  ActiveReplicate begin(const ActivePoint& point, std::size_t replicate) {
+    const int r = static_cast<int>(replicate);
+    ActiveReplicate one{.index = replicate, .slot = {}, .job = replicate, .run = nullptr};
+    if (queue_.checkpoint_slot) one.slot = queue_.checkpoint_slot(point.index);
+    one.job += one.slot.first_job;
+    Checkpoint* const states = one.slot.checkpoint;
+    // A kept state is restored even after a stop, so that the outcome includes it.
+    const bool begun = states != nullptr && states->has_state(one.job);
+    one.run = std::make_unique<ReplicateRun>(
+        point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
+        options_.frames ? options_.frames(point.index, r) : nullptr, queue_.threads_per_replicate,
+        begun ? nullptr : options_.stop);
+    one.run->stop_on(options_.stop);
+    if (states != nullptr) states->restore(one.job, *one.run);
+    progress_.add(weight(point) * one.run->energy_balance().time, 0,
+                  0);  // simulated by an earlier process
+    return one;
+  }
+
+  double weight(const ActivePoint& point) const {
+    return queue_.weight ? queue_.weight(point.index) : 1;
+  }
+
+  /// `cpu`: [s] CPU time of the thread up to which it has been attributed.
+  void run_slice(const ActivePoint& point, const std::vector<ActiveReplicate>& active,
+                 double& cpu) {
+    std::vector<ReplicateRun*> runs;
+    std::vector<scene::EnergyBalance> before;
+    for (const ActiveReplicate& one : active) {
+      runs.push_back(one.run.get());
+      before.push_back(one.run->energy_balance());
+    }
+    ReplicateRun::run_slice_together(runs);
+    const double now_cpu = thread_cpu_seconds();
+    const double share = (now_cpu - std::exchange(cpu, now_cpu)) / static_cast<double>(runs.size());
+    for (std::size_t k = 0; k < active.size(); ++k) {
+      const ActiveReplicate& one = active[k];
+      const scene::EnergyBalance& now = one.run->energy_balance();
+      one.run->cpu_seconds() += share;
+      progress_.add(weight(point) * (now.time - before[k].time),
+                    static_cast<double>(now.collisions - before[k].collisions),
+                    now.worst_collision);
+      if (one.slot.checkpoint != nullptr && one.slot.checkpoint->due(one.job))
+        one.slot.checkpoint->save(one.job, *one.run);
+    }
+  }
+
+  /// Keeps the state of a replicate, if that is asked, and its result.
+  void end(ActivePoint& point, const ActiveReplicate& one) const {
     constexpr double min_cpu_time = 0.05;  // [s] CPU time worth a write
-    const bool long_enough = thread_cpu_seconds() - cpu > min_cpu_time;
-    if (stopped() || slot.on_end == CheckpointSlot::OnEnd::write)
-      slot.checkpoint->save(job, replica, true);
-    else if (slot.on_end == CheckpointSlot::OnEnd::write_when_due && long_enough)
-      slot.checkpoint->save(job, replica);
+    using OnEnd = CheckpointSlot::OnEnd;
+    if (one.slot.checkpoint != nullptr && !point.dropped) {
+      if (stopped() || one.slot.on_end == OnEnd::write)
+        one.slot.checkpoint->save(one.job, *one.run, true);
+      else if (one.slot.on_end == OnEnd::write_when_due && one.run->cpu_seconds() > min_cpu_time)
+        one.slot.checkpoint->save(one.job, *one.run);
+    }
+    point.outcome.replicates[one.index] = one.run->result();
   }
 
   const RunQueue& queue_;

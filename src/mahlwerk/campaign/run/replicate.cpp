@@ -13,6 +13,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/event/engine.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
@@ -94,6 +95,12 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
 
 }  // namespace
 
+std::size_t replicates_together(const cases::Case& mill_case) {
+  const auto balls = static_cast<std::size_t>(cases::balls_count(mill_case.balls));
+  const bool few = balls <= soft::Settings{}.few_ball_limit;
+  return mill_case.run.engine == cases::EngineName::soft && few ? 8 : 1;
+}
+
 std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,
                                       const std::atomic<bool>* stop) {
   auto made = make_engine(mill_case, cases::starting_balls(mill_case, index, stop), threads);
@@ -156,19 +163,6 @@ bool ReplicateRun::done() const {
   return finished() || !result_.stop_reason.empty();
 }
 
-/// Advances to `time`, or until a RunError.
-void ReplicateRun::advance(double time) {
-  RecordingObserver recording(*this);
-  try {
-    engine_->advance(time, recording);
-  } catch (const RunError& e) {
-    result_.stop_reason = fmt::format("{}. State of the balls at that time: {}.csv", e.what(),
-                                      results::stopped_name(index_));
-    result_.balls_at_stop = engine_->balls();
-  }
-  result_.energy_balance = engine_->energy_balance();
-}
-
 /// [s] The next time at which the charge is sampled. The golden ratio spreads the times over all
 /// phases of a periodic motion.
 double ReplicateRun::next_charge_sample() const {
@@ -207,15 +201,52 @@ void ReplicateRun::take_samples() {
     result_.charge.sample(time, balls, window_length_ / charge_samples_);
 }
 
-void ReplicateRun::run_slice() {
-  using Clock = std::chrono::steady_clock;
+/// [s] The time at which the next slice ends, unless another replicate ends it earlier.
+double ReplicateRun::slice_end() const {
   const double end = window_end(window_);
   const double stop = std::min({end, frames_ ? frame_times_.next() : end,
                                 result_.replay.next_frame_time(), next_charge_sample()});
+  return std::min(stop, result_.energy_balance.time + slice_);
+}
+
+void ReplicateRun::run_slice() {
+  ReplicateRun* const alone = this;
+  run_slice_together({&alone, 1});
+}
+
+void ReplicateRun::run_slice_together(std::span<ReplicateRun* const> runs) {
+  using Clock = std::chrono::steady_clock;
+  const auto time_of = [](const ReplicateRun* run) { return run->result_.energy_balance.time; };
+  const double now = time_of(*std::ranges::min_element(runs, {}, time_of));
+  double end = std::numeric_limits<double>::infinity();
+  std::vector<ReplicateRun*> behind;
+  for (ReplicateRun* run : runs) {
+    end = std::min(end, time_of(run) > now ? time_of(run) : run->slice_end());
+    if (time_of(run) == now) behind.push_back(run);
+  }
+  std::vector<RecordingObserver> recording;
+  std::vector<scene::Engine*> engines;
+  std::vector<scene::Observer*> observers;
+  for (ReplicateRun* run : behind) recording.emplace_back(*run), engines.push_back(&*run->engine_);
+  for (RecordingObserver& observer : recording) observers.push_back(&observer);
   const Clock::time_point began = Clock::now();
-  advance(std::min(stop, result_.energy_balance.time + slice_));
-  take_samples();
+  const auto failures = soft::advance_together(engines, end, observers);
   const double worked = std::chrono::duration<double>(Clock::now() - began).count();
+  for (std::size_t k = 0; k < behind.size(); ++k) behind[k]->end_slice(failures[k], worked);
+}
+
+/// Takes samples and ends the window, if they are due; adapts the slice to the time `worked` [s].
+void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
+  try {
+    if (failure) std::rethrow_exception(failure);
+  } catch (const RunError& e) {
+    result_.stop_reason = fmt::format("{}. State of the balls at that time: {}.csv", e.what(),
+                                      results::stopped_name(index_));
+    result_.balls_at_stop = engine_->balls();
+  }
+  result_.energy_balance = engine_->energy_balance();
+  const double end = window_end(window_);
+  take_samples();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
   slice_ = std::min(std::max(slice_, 1e-15), mill_case_->run.settle + mill_case_->run.time);
   if (result_.energy_balance.time >= end || !result_.stop_reason.empty()) end_window();

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <memory>
+#include <span>
 
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/files/frames.hpp"
@@ -29,6 +31,9 @@ class ReplicateRun {
   /// Advances by about a twentieth of a second of computing. The division of a run into slices
   /// changes no bit of its results.
   void run_slice();
+  /// Advances unfinished replicates of one case, those that are furthest behind, with the same
+  /// results as run_slice() of each. The soft engine computes few balls faster this way.
+  static void run_slice_together(std::span<ReplicateRun* const> runs);
   const scene::EnergyBalance& energy_balance() const { return result_.energy_balance; }
   double& cpu_seconds() { return result_.cpu_seconds; }  ///< measured by the caller
   /// The result so far.
@@ -45,7 +50,8 @@ class ReplicateRun {
   double window_end(int window) const;  // [s]
   bool finished() const;
   void add_partial_window(results::Replicate& given) const;
-  void advance(double time);
+  double slice_end() const;  // [s]
+  void end_slice(const std::exception_ptr& failure, double worked);
   void take_samples();
   void end_window();
   void plan_charge_samples(const scene::EnergyBalance& before, const scene::EnergyBalance& now);
@@ -70,6 +76,10 @@ class ReplicateRun {
   observe::CollisionSums all_, above_;  // at the start of the window
   double slice_ = 1e-3;                 // [s] simulated time of a slice
 };
+
+/// Number of replicates that one thread should run together (ReplicateRun::run_slice_together), if
+/// there are as many: several for few balls in the soft engine.
+std::size_t replicates_together(const cases::Case& mill_case);
 
 /// The engine of one replicate at its start: run.engine, where "auto" counts as "event". `threads`
 /// threads share its work; the result does not depend on their number. `stop` takes effect from the
