@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <tuple>
+#include <vector>
 
 #include "mahlwerk/base/random.hpp"
 #include "register_types.hpp"
@@ -109,6 +111,34 @@ TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
   stays_below("difference between gradient and inward normal", worst, 1e-3, "geo.1");
   // Ridges are surfaces: a share of 2 h area / volume of the points, about 1e-5, lies across one.
   stays_below("points whose gradient is not 1", across, 5, "geo.1");
+}
+
+/// Compares each lane of gaps() with gap(), bit by bit.
+template <class V, class S>
+void expect_gaps_of_lanes(const S& shape, std::span<const Vec3> points) {
+  for (std::size_t first = 0; first + width_of<V> <= points.size(); ++first) {
+    V face{};
+    Vec<V> p{};
+    for (int l = 0; l < width_of<V>; ++l) {
+      const Vec3& point = points[first + static_cast<std::size_t>(l)];
+      face[l] = static_cast<double>((first + static_cast<std::size_t>(l)) % S::faces);
+      p.x[l] = point.x, p.y[l] = point.y, p.z[l] = point.z;
+    }
+    const geometry::LaneGap<V> found = shape.gaps(face, p);
+    for (int l = 0; l < width_of<V>; ++l) {
+      const geometry::Gap gap = shape.gap(static_cast<int>(face[l]), {p.x[l], p.y[l], p.z[l]});
+      EXPECT_EQ(found.distance[l], gap.distance);
+      EXPECT_EQ((Vec3{found.inward.x[l], found.inward.y[l], found.inward.z[l]}), gap.inward);
+    }
+  }
+}
+
+TYPED_TEST(Shapes, gaps_of_a_register_have_the_bits_of_a_gap) {
+  if constexpr (requires(Register<2> face, Vec<Register<2>> p) { this->shape.gaps(face, p); }) {
+    std::vector<Vec3> points{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0.01}};
+    for (int i = 0; i < 1000; ++i) points.push_back(this->anywhere());
+    expect_gaps_of_lanes<Register<2>>(this->shape, points);
+  }
 }
 
 TYPED_TEST(Shapes, normal_rate_is_the_derivative_of_the_inward_normal) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mahlwerk/geometry/lane_gap.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
@@ -34,6 +35,16 @@ struct Box {
   Gap gap(int face, const Vec3& p) const {
     const Vec3 inward = into(face);
     return {half(face) + dot(p, inward), inward, 0};
+  }
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> gaps(const V& face, const Vec<V>& p) const {
+    const V zero{}, one = zero + 1.0;
+    const auto below = [&](double limit) { return less(face, zero + limit); };
+    const MaskOf<V> x = below(1.5), y = ~x & below(3.5), z = ~(x | y);
+    const V up = select<V>(below(0.5) | (y & below(2.5)) | (z & below(4.5)), one, -one);
+    const Vec<V> inward{where<V>(x, up), where<V>(y, up), where<V>(z, up)};
+    const V half = 0.5 * select<V>(x, zero + width, select<V>(y, zero + depth, zero + height));
+    return {half + dot(p, inward), inward};
   }
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }
   double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "mahlwerk/geometry/lane_gap.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
@@ -36,6 +37,13 @@ struct Capsule {
     const Vec3 e = from_core(p);
     const double r = norm(e), big = 0.5 * diameter;
     return {big - r, r > 0 ? -e / r : Vec3{1, 0, 0}, 1 / big};
+  }
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> gaps(const V&, const Vec<V>& p) const {
+    const V zero{}, one = zero + 1.0, h = zero + 0.5 * height;
+    const Vec<V> e{p.x, p.y, p.z - select<V>(less(p.z, -h), -h, select<V>(less(h, p.z), h, p.z))};
+    const V r = sqrt(dot(e, e));
+    return {0.5 * diameter - r, inward_from_core<V>(e, r, {one, zero, zero})};
   }
   Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const {
     const Vec3 e = from_core(p);

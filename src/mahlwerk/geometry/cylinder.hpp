@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "mahlwerk/geometry/lane_gap.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
@@ -34,6 +35,15 @@ struct Cylinder {
     }
     const double r = std::sqrt(p.x * p.x + p.y * p.y), big = 0.5 * diameter;
     return {big - r, r > 0 ? Vec3{-p.x / r, -p.y / r, 0} : Vec3{1, 0, 0}, 1 / big};
+  }
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> gaps(const V& face, const Vec<V>& p) const {
+    const V zero{}, one = zero + 1.0, r = sqrt(p.x * p.x + p.y * p.y);
+    const V up = select<V>(less(face, zero + 1.5), one, -one);
+    const MaskOf<V> side = less(face, zero + 0.5);
+    const Vec<V> from_side = inward_from_core<V>({p.x, p.y, zero}, r, {one, zero, zero});
+    return {select<V>(side, 0.5 * diameter - r, 0.5 * height + up * p.z),
+            select<V>(side, {from_side.x, from_side.y, zero}, {zero, zero, up})};
   }
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
     if (face != 0) return {};

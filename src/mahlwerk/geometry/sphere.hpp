@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "mahlwerk/geometry/lane_gap.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 
 namespace mahlwerk::geometry {
@@ -26,6 +27,11 @@ struct Sphere {
   Gap gap(int, const Vec3& p) const {
     const double r = norm(p), big = 0.5 * diameter;
     return {big - r, r > 0 ? -p / r : Vec3{0, 0, 1}, 1 / big};
+  }
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> gaps(const V&, const Vec<V>& p) const {
+    const V zero{}, r = sqrt(dot(p, p));
+    return {0.5 * diameter - r, inward_from_core<V>(p, r, {zero, zero, zero + 1.0})};
   }
   Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const { return rate_about_core(p, v); }
   double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }

@@ -10,6 +10,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "mahlwerk/scene/typed_chamber.hpp"
+#include "mahlwerk/soft/walls/wall_point_loop.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 template <class S>
 class ChamberWall final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
+  static constexpr bool in_registers = HasLaneGaps<S> && !has_rotor;
 
  public:
   explicit ChamberWall(const scene::TypedChamber<S>& jar) : jar_(jar) {
@@ -29,6 +31,8 @@ class ChamberWall final : public MovingWall {
       max_wall_speed_ += geometry::rotor_tip_speed_of(jar.shape());
     }
     reach_ = jar.shape().reach();
+    if constexpr (in_registers)
+      wall_points_ = Multiversioned<WallPointLoop<S>, PointFunction>::best();
   }
 
   void sample_drive(double start, double step, std::int64_t first,
@@ -69,6 +73,8 @@ class ChamberWall final : public MovingWall {
                    bool all) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
+    if constexpr (in_registers)
+      return wall_points_({jar_.shape(), near, plain ? nullptr : &own, drive.spin, bodies, points});
     const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball) / lanes,
@@ -161,6 +167,8 @@ class ChamberWall final : public MovingWall {
   }
 
   scene::TypedChamber<S> jar_;
+  using PointFunction = void (*)(const WallPointLoop<S>&);
+  PointFunction wall_points_ = nullptr;  // for the instruction set of this machine
 };
 
 }  // namespace
