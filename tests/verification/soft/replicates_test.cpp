@@ -21,7 +21,7 @@ struct Replicates {
   std::vector<Recorder> recorders;
 
   Replicates(const Make& make, std::size_t count) : recorders(count) {
-    for (std::size_t k = 0; k < count; ++k) engines.push_back(make(k));
+    for (std::uint32_t k = 0; k < count; ++k) engines.push_back(make(k));
   }
   void advance_alone(double time) {
     for (std::size_t k = 0; k < engines.size(); ++k) engines[k]->advance(time, recorders[k]);
@@ -88,7 +88,7 @@ TEST(Replicates, have_archives_that_go_on_alone_to_the_bit) {
     Replicates alone(make, 3), together(make, 3);
     alone.advance_alone(0.04);
     together.advance_together(0.0173);
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
       Archive out;
       together.engines[k]->serialize(out);
       Archive in(out.bytes());

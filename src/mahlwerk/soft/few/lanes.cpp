@@ -8,11 +8,39 @@
 
 // Lane allocation: assigns each pair a lane of a packet, with its parameters and its wall point.
 namespace mahlwerk::soft {
-/// Moves touching pairs to the first packets, so that the remaining packets are skipped. Returns
-/// whether a lane moved.
-bool FewBodySolver::sort_touching_first() {
+/// The pair that has a lane.
+FewBodySolver::NearPair FewBodySolver::pair_of(const PairPacket& p, std::size_t lane) {
+  const bool wall = p.face[lane] >= 0;
+  return {static_cast<std::int32_t>(p.i[lane]), wall ? -1 : static_cast<std::int32_t>(p.j[lane]),
+          p.face[lane]};
+}
+
+/// Whether the found pairs are not those that have lanes, or a pair that touches is in a later
+/// packet than a lane that does not touch.
+bool FewBodySolver::lanes_due() const {
+  if (found_pairs_ != listed_pairs_) return true;
+  bool waiting = false;
+  for (const PairPacket& p : particles_.packets) {
+    if (waiting && std::ranges::count(p.touching.values, -1) > 0) return true;
+    waiting = waiting || std::ranges::count(p.touching.values, -1) < lanes;
+  }
+  return false;
+}
+
+/// Gives the found pairs lanes.
+void FewBodySolver::update_lanes() {
+  if (found_pairs_ != listed_pairs_) {
+    listed_pairs_ = found_pairs_;
+    fill_lanes(found_pairs_);
+  }
+  sort_touching_first();
+  allocate_wall_points();
+  build_gather_maps();
+}
+
+/// Moves touching pairs to the first packets, so that the remaining packets are skipped.
+void FewBodySolver::sort_touching_first() {
   std::vector<PairPacket>& packets = particles_.packets;
-  bool moved = false;
   std::size_t from = packets.size(), to = 0, lane = 0, other_lane = 0;
   const auto next_waiting = [&] {  // the first lane without contact
     for (; to < packets.size(); ++to, other_lane = 0)
@@ -23,11 +51,9 @@ bool FewBodySolver::sort_touching_first() {
     for (lane = 0; lane < lanes; ++lane) {
       if (packets[from].touching[lane] == 0) continue;
       next_waiting();
-      if (to >= from) return moved;
+      if (to >= from) return;
       swap_lanes(packets[from], lane, packets[to], other_lane);
-      moved = true;
     }
-  return moved;
 }
 
 /// Updates the lanes for the sorted neighbour list `wanted`. A pair that remains keeps its lane,
@@ -39,9 +65,7 @@ void FewBodySolver::fill_lanes(const std::vector<NearPair>& wanted) {
   for (PairPacket& p : packets)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (!p.used[l]) continue;
-      const bool wall = p.face[l] >= 0;
-      const NearPair c{static_cast<std::int32_t>(p.i[l]),
-                       wall ? -1 : static_cast<std::int32_t>(p.j[l]), p.face[l]};
+      const NearPair c = pair_of(p, l);
       const auto at = std::ranges::lower_bound(wanted, c);
       if (at != wanted.end() && *at == c) {
         listed[static_cast<std::size_t>(at - wanted.begin())] = true;
@@ -119,7 +143,7 @@ void FewBodySolver::allocate_wall_points() {
 }
 
 /// Derives from the packets where lanes find their bodies and leave their forces, and which rows
-/// are those of a ball.
+/// are those of a ball; from the wall neighbours, where wall points find their balls.
 void FewBodySolver::build_gather_maps() {
   ParticleData& w = particles_;
   w.fits_registers = w.balls.size() == 1 && w.wall_neighbours.size() <= lanes;
@@ -145,6 +169,12 @@ void FewBodySolver::build_gather_maps() {
       rows[static_cast<std::size_t>(p.j[l])].push_back(row + 1);
     }
     if (w.fits_registers) find_sources(p, map);
+  }
+  w.wall_point_lanes.assign((w.wall_neighbours.size() + lanes - 1) / lanes, {});
+  for (std::size_t k = 0; k < lanes * w.wall_point_lanes.size(); ++k) {
+    const WallNeighbour& n = w.wall_neighbours[std::min(k, w.wall_neighbours.size() - 1)];
+    WallPointLanes& of = w.wall_point_lanes[k / lanes];
+    of.ball[k % lanes] = address(n.ball), of.face[k % lanes] = n.face;
   }
   w.first_row.assign(1, 0), w.rows_of_balls.clear();
   for (const std::vector<std::uint32_t>& of_ball : rows) {

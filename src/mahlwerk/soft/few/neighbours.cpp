@@ -21,6 +21,13 @@ bool FewBodySolver::rebuild_neighbour_list(std::size_t) {
 }
 
 void FewBodySolver::rebuild_neighbour_list() {
+  find_pairs();
+  if (lanes_due()) update_lanes();
+  update_slacks();
+}
+
+/// Finds all pairs whose gap is within the skin. Stops the run if the state of a ball is invalid.
+void FewBodySolver::find_pairs() {
   for (std::size_t b = 0; b < particles_.balls.size(); ++b)
     particles_.balls[b].list_position = particles_.bodies[b].position;
   particles_.list_step = particles_.step;
@@ -31,26 +38,21 @@ void FewBodySolver::rebuild_neighbour_list() {
       find_wall_pairs(b);
       for (std::size_t other = b + 1; other < particles_.count; ++other) test_pair(b, other);
     }
-  } else {
-    find_ball_pairs();
-    for (std::size_t b = 0; b < particles_.count; ++b) find_wall_pairs(b);
-    std::ranges::sort(found_pairs_);
+    return;
   }
-  const bool same = found_pairs_ == listed_pairs_;
-  if (!same) {
-    listed_pairs_ = found_pairs_;
-    fill_lanes(found_pairs_);
-  }
-  if (sort_touching_first() || !same) {
-    allocate_wall_points();
-    build_gather_maps();
-  }
+  find_ball_pairs();
+  for (std::size_t b = 0; b < particles_.count; ++b) find_wall_pairs(b);
+  std::ranges::sort(found_pairs_);
+}
+
+/// Of the pairs to faces: how far the ball must move before it can touch.
+void FewBodySolver::update_slacks() {
   if (jar_->max_wall_speed() > 0) return;  // the wall itself moves towards the balls
   for (WallNeighbour& n : particles_.wall_neighbours)
     n.slack = gaps_[static_cast<std::size_t>(n.ball * jar_->faces() + n.face)] - pull_off_distance_;
 }
 
-/// Finds the faces near a ball. Stops the run if the ball's state is invalid.
+/// Finds the faces near a ball.
 void FewBodySolver::find_wall_pairs(std::size_t b) {
   const Vec3 x = particles_.position(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity(b))))

@@ -58,7 +58,8 @@ struct ParticleData {
   /// The force rows of ball b, in the order of their lanes: the elements first_row[b] to
   /// first_row[b + 1] of `rows_of_balls`.
   std::vector<std::uint32_t> first_row, rows_of_balls;
-  std::vector<WallNeighbour> wall_neighbours;  ///< wall point k belongs to wall_neighbours[k]
+  std::vector<WallNeighbour> wall_neighbours;    ///< wall point k belongs to wall_neighbours[k]
+  std::vector<WallPointLanes> wall_point_lanes;  ///< of wall_neighbours
   bool fits_registers = false;  ///< each column of all bodies fits in two registers of eight
   bool wall_points_due = true;  ///< update every wall point at the next step
   std::int64_t list_step = 0;   ///< when the neighbour list was built

@@ -25,15 +25,23 @@ class ReplicateBatch final : private StepCallbacks {
   std::vector<std::exception_ptr> advance(double time, std::span<scene::Observer* const> observers);
 
  private:
+  /// A lane of a packet.
+  struct Place {
+    std::size_t packet = 0, lane = 0;
+  };
+  using Pair = FewBodySolver::NearPair;
   struct Replicate {
     FewBodySolver* solver;
     std::exception_ptr failure = nullptr;
+    std::vector<Pair> pairs = {};    // sorted, those in the shared packets
+    std::vector<Place> places = {};  // of `pairs`, in the shared packets
+
     bool sleeps() const { return solver->skip_end_ >= 0; }  // in a free-flight skip
   };
   /// The pair that has a lane of a shared packet.
   struct Owner {
-    Replicate* replicate = nullptr;    // null: the lane is free
-    std::size_t packet = 0, lane = 0;  // of the replicate
+    Replicate* replicate = nullptr;
+    Place own;  // in the packets of the replicate
   };
 
   // Blocks of steps.
@@ -48,14 +56,19 @@ class ReplicateBatch final : private StepCallbacks {
   void deactivate(std::size_t charge);
 
   // Lanes of the shared packets.
+  template <class F>
+  static void each_own(const Replicate& r, const F& f);
   void load_all();
-  void load(Replicate& r, bool touching);
-  void store(const Replicate& r);
-  struct Place {
-    std::size_t packet, lane;
-  };
+  void add_packets(std::size_t count);
+  void load(Replicate& r);
+  void reload(Replicate& r);
+  void connect(Replicate& r, const Place& own, const Place& place);
+  void store(Replicate& r);
+  void store_lane(const Place& place);
+  void store_touching(const Replicate& r);
+  void store_missing(const Replicate& r);
   Place free_place(bool first);
-  void clear(std::size_t packet, std::size_t lane);
+  void clear(const Place& place);
 
   // Contacts that begin and end.
   void begin(const PacketLanes& begun) override;
@@ -71,9 +84,10 @@ class ReplicateBatch final : private StepCallbacks {
   std::vector<PairPacket> packets_;
   std::vector<GatherMap> gather_maps_;
   std::vector<std::array<Owner, lanes>> owners_;
-  std::vector<Place> ended_;    // in this step
-  StepBlock* block_ = nullptr;  // the present one
-  BodyBlock no_body_;           // of free lanes
+  std::vector<std::uint32_t> free_lanes_;  // bits
+  std::vector<Place> ended_;               // in this step
+  StepBlock* block_ = nullptr;             // the present one
+  BodyBlock no_body_;                      // of free lanes
   ForceRow no_row_;
 };
 

@@ -61,15 +61,20 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   };
   void rebuild_neighbour_list();
   bool rebuild_neighbour_list(std::size_t) override;
+  void find_pairs();
   void find_wall_pairs(std::size_t ball);
   void test_pair(std::size_t i, std::size_t j);
   Vec3 nearest(const Vec3& separation) const {
     return periodic_ ? nearest_image(separation, jar_->periods()) : separation;
   }
   void find_ball_pairs();
+  void update_slacks();
 
   // Lane of each pair (lanes.cpp).
-  bool sort_touching_first();
+  static NearPair pair_of(const PairPacket& p, std::size_t lane);
+  bool lanes_due() const;
+  void update_lanes();
+  void sort_touching_first();
   void fill_lanes(const std::vector<NearPair>& wanted);
   void assign_lane(PairPacket& p, std::size_t lane, const NearPair& c);
   void allocate_wall_points();

@@ -276,9 +276,9 @@ template <class Law, class V, class Put>
 [[gnu::always_inline]] inline void update_wall_points(const StepBlock& s, ParticleData& w,
                                                       const DriveSample& drive) {
   if (w.wall_neighbours.empty()) return;
-  s.jar.wall_points(w.wall_neighbours, s.start + static_cast<double>(w.step) * s.constants.dt,
-                    drive, w.bodies.data(), w.balls.data(), w.bodies.data() + w.balls.size(),
-                    w.wall_points_due);
+  s.jar.wall_points(w.wall_neighbours, w.wall_point_lanes,
+                    s.start + static_cast<double>(w.step) * s.constants.dt, drive, w.bodies.data(),
+                    w.balls.data(), w.bodies.data() + w.balls.size(), w.wall_points_due);
   w.wall_points_due = false;
 }
 

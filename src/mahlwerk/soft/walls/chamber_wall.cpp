@@ -68,19 +68,22 @@ class ChamberWall final : public MovingWall {
     const Rotation q = axes(face, t);
     return geometry::distance(jar_.shape(), face, q.apply_inverse(position), within);
   }
-  void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
-                   const BodyBlock* bodies, const BallBlock* balls, BodyBlock* points,
-                   bool all) const override {
+  void wall_points(std::span<WallNeighbour> near, std::span<const WallPointLanes> near_lanes,
+                   double t, const DriveSample& drive, const BodyBlock* bodies,
+                   const BallBlock* balls, BodyBlock* points, bool all) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     if constexpr (in_registers)
-      return wall_points_({jar_.shape(), near, plain ? nullptr : &own, drive.spin, bodies, points});
+      return wall_points_({jar_.shape(), near_lanes, plain ? nullptr : &own, drive.spin, points});
     const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball) / lanes,
                  l = static_cast<std::size_t>(near[k].ball) % lanes;
-      const double slack = near[k].slack;
-      if (!all && slack > 0 && balls[b].displacement_squared[l] < slack * slack) continue;
+      double& slack = near[k].slack;
+      if (!all && slack > 0) {
+        if (balls[b].displacement_squared[l] < slack * slack) continue;
+        slack = 0;  // it may touch from now on: also after it has come back
+      }
       const Vec3 position = get_lane(bodies[b].position, l);
       const bool turns = near[k].face >= first_rotor_face_;
       const Rotation& q = turns ? rotor : own;

@@ -34,6 +34,13 @@ struct WallNeighbour {
   double slack = 0;   ///< [m]
 };
 
+/// Eight wall contact points: faces, and where the numbers of their balls are, as in GatherMap.
+/// Derived from WallNeighbour.
+struct alignas(64) WallPointLanes {
+  std::array<const double*, lanes> ball{};  ///< address of BodyBlock::position.x
+  Lanes face{};
+};
+
 /// Wall for the soft engines (that of the event engine is event::MovingWall): a jar on its mill,
 /// with shape and motion types erased. Times are mill times [s], positions [m] and velocities [m/s]
 /// those of the jar frame.
@@ -55,11 +62,13 @@ class MovingWall {
                          std::span<double> out) const = 0;
   virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
   /// Updates the wall contact points of balls near a face, in the order of `near`, with the
-  /// velocity and spin of the wall there; those of balls that have moved little only if `all`. A
-  /// wall contact point is the point of a face nearest to a ball's centre.
-  virtual void wall_points(std::span<const WallNeighbour> near, double t, const DriveSample& drive,
-                           const BodyBlock* bodies, const BallBlock* balls, BodyBlock* points,
-                           bool all) const = 0;
+  /// velocity and spin of the wall there; those of balls that cannot touch yet possibly only if
+  /// `all`. A wall contact point is the point of a face nearest to a ball's centre. `near_lanes`
+  /// are the same neighbours in blocks of eight.
+  virtual void wall_points(std::span<WallNeighbour> near,
+                           std::span<const WallPointLanes> near_lanes, double t,
+                           const DriveSample& drive, const BodyBlock* bodies,
+                           const BallBlock* balls, BodyBlock* points, bool all) const = 0;
   /// Wall points of eight balls, for the lanes in `touching` (bits); other lanes may be inexact.
   /// Exact for gaps up to `beyond` [m].
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <span>
 
 #include "mahlwerk/base/rotation.hpp"
@@ -21,41 +20,34 @@ concept HasLaneGaps = requires(const S s, Register<2> face, Vec<Register<2>> p) 
 template <class S>
 struct WallPointLoop {
   const S& shape;
-  std::span<const WallNeighbour> near;
+  std::span<const WallPointLanes> near;
   const Rotation* axes;  ///< from the shape's axes to those of the jar frame; null: the same
   Vec3 spin;             ///< [rad/s] of the wall
-  const BodyBlock* balls;
-  BodyBlock* points;  ///< point k is that of near[k]
+  BodyBlock* points;     ///< block k is that of near[k]
 
   template <int width>
   [[gnu::always_inline]] static void run(const WallPointLoop& loop) {
-    for (std::size_t k = 0; k < loop.near.size(); k += width) loop.template put<Register<width>>(k);
+    for (std::size_t k = 0; k < loop.near.size(); ++k)
+      for (int first = 0; first < lanes; first += width)
+        loop.template put<Register<width>>(loop.near[k], {first}, loop.points[k]);
   }
 
  private:
-  /// Points k to k + width - 1. Those after the last one of `near` are computed from its ball.
   template <class V>
-  [[gnu::always_inline]] void put(std::size_t k) const {
-    const auto at = [&](int l) __attribute__((always_inline))->const WallNeighbour& {
-      return near[std::min(k + static_cast<std::size_t>(l), near.size() - 1)];
+  [[gnu::always_inline]] void put(const WallPointLanes& of, const LaneGroup<V>& group,
+                                  BodyBlock& block) const {
+    const double* const* ball = of.ball.data() + group.first;
+    const auto column = [&](int c) __attribute__((always_inline)) {
+      return lanes_from<V>([&](int l)
+                               __attribute__((always_inline)) { return ball[l][c * lanes]; });
     };
-    const auto column = [&](Lanes Vec<Lanes>::*axis) __attribute__((always_inline)) {
-      return lanes_from<V>([&](int l) __attribute__((always_inline)) {
-        const auto ball = static_cast<std::size_t>(at(l).ball);
-        return (balls[ball / lanes].position.*axis)[ball % lanes];
-      });
-    };
-    const V face = lanes_from<V>([&](int l) __attribute__((always_inline)) {
-      return static_cast<double>(at(l).face);
-    });
-    const Vec<V> position{column(&Vec<Lanes>::x), column(&Vec<Lanes>::y), column(&Vec<Lanes>::z)};
-    geometry::LaneGap<V> gap = shape.gaps(face, axes == nullptr ? position : to_shape(position));
+    const Vec<V> position{column(0), column(1), column(2)};
+    geometry::LaneGap<V> gap =
+        shape.gaps(group(of.face), axes == nullptr ? position : to_shape(position));
     if (axes != nullptr) gap.inward = from_shape(gap.inward);
     const Vec<V> point = position - gap.distance * gap.inward;
     const V zero{};
     const Vec<V> w{zero + spin.x, zero + spin.y, zero + spin.z};
-    BodyBlock& block = points[k / lanes];
-    const LaneGroup<V> group{static_cast<int>(k % lanes)};
     group.put(block.position, point);
     group.put(block.velocity, cross(w, point));
     group.put(block.angular_velocity, w);
