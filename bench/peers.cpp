@@ -21,7 +21,7 @@
 namespace mahlwerk::bench {
 namespace {
 
-constexpr int turns = 5, replicates = 5, our_steps = 1000000;
+constexpr int turns = 5, replicates = 5, together = 8, our_steps = 1000000;
 constexpr double between_modes = 3.5;  // [W] separates the power of the two modes
 constexpr const char* name = "peers";
 constexpr const char* what = "planetary mill, 5 balls of 15 mm";
@@ -64,35 +64,48 @@ Row row(const std::string& code, const std::string& metric, const std::vector<do
   return {name, what, code, metric, value, *least, *most};
 }
 
-void add_speeds(std::vector<Row>& rows, const std::vector<Speeds>& all) {
-  const std::vector<double>& ours = all.front().found;
-  for (const Speeds& one : all)
-    if (!one.found.empty())
-      rows.push_back(row(one.code, "particle_steps_per_cpu_second", one.found, median(one.found)));
-  for (const Speeds& one : all)
-    if (&one != &all.front() && !one.found.empty()) {
-      std::vector<double> ratios;  // of each turn
-      for (std::size_t i = 0; i < std::min(ours.size(), one.found.size()); ++i)
-        ratios.push_back(ours[i] / one.found[i]);
-      if (!ratios.empty())
-        rows.push_back(row("mahlwerk", "times_as_fast_as_" + one.code, ratios, median(ratios)));
-    }
+void add_ratios(std::vector<Row>& rows, const Speeds& ours, const Speeds& other) {
+  std::vector<double> ratios;  // of each turn
+  for (std::size_t i = 0; i < std::min(ours.found.size(), other.found.size()); ++i)
+    ratios.push_back(ours.found[i] / other.found[i]);
+  if (!ratios.empty())
+    rows.push_back(row(ours.code, "times_as_fast_as_" + other.code, ratios, median(ratios)));
 }
 
-/// Speeds of all codes, measured in turns, so that drifts of the machine affect all alike. Mahlwerk
-/// comes first. A code that fails is not run again.
-std::vector<Speeds> measure_speeds(const std::vector<Program>& peers) {
-  std::vector<Speeds> all{{"mahlwerk", {}}};
-  for (const Program& peer : peers) all.push_back({std::string(peer.name), {}});
+/// Speeds of Mahlwerk, of one run and of replicates side by side, and of the other codes.
+struct AllSpeeds {
+  Speeds one{"mahlwerk", {}}, side_by_side{fmt::format("mahlwerk_{}_replicates", together), {}};
+  std::vector<Speeds> peers;
+};
+
+void add_speeds(std::vector<Row>& rows, const AllSpeeds& all) {
+  const auto add = [&](const Speeds& one) {
+    if (!one.found.empty())
+      rows.push_back(row(one.code, "particle_steps_per_cpu_second", one.found, median(one.found)));
+  };
+  add(all.one), add(all.side_by_side);
+  for (const Speeds& peer : all.peers) add(peer);
+  add_ratios(rows, all.side_by_side, all.one);
+  for (const Speeds& peer : all.peers) add_ratios(rows, all.one, peer);
+  for (const Speeds& peer : all.peers) add_ratios(rows, all.side_by_side, peer);
+}
+
+/// Speeds of all codes, measured in turns, so that drifts of the machine affect all alike. A code
+/// that fails is not run again.
+AllSpeeds measure_speeds(const std::vector<Program>& peers) {
+  std::vector<Start> starts;
+  for (int i = 0; i < together; ++i) starts.push_back(start(i));
+  AllSpeeds all;
+  for (const Program& peer : peers) all.peers.push_back({std::string(peer.name), {}});
   for (int turn = 0; turn < turns; ++turn) {
     say(fmt::format("speeds, turn {} of {}", turn + 1, turns));
-    if (const auto ours = mahlwerk_speed(start(0), our_steps))
-      all[0].found.push_back(ours->particle_steps_per_second);
+    all.one.found.push_back(mahlwerk_speed(std::span(starts).first(1), our_steps));
+    all.side_by_side.found.push_back(mahlwerk_speed(starts, our_steps));
     for (std::size_t i = 0; i < peers.size(); ++i) {
-      if (std::ssize(all[i + 1].found) < turn) continue;
+      if (std::ssize(all.peers[i].found) < turn) continue;
       const Expected<double> speed = speed_of(peers[i], start(0));
       if (speed.fault.empty())
-        all[i + 1].found.push_back(speed.value);
+        all.peers[i].found.push_back(speed.value);
       else
         say(fmt::format("{} {}", peers[i].name, speed.fault));
     }
@@ -144,19 +157,18 @@ std::vector<Physics> observe(const Program& peer) {
 
 std::vector<Physics> observe_ours() {
   std::vector<Physics> all;
-  for (int i = 0; i < replicates; ++i)
-    if (const auto found = mahlwerk_physics(start(i))) all.push_back(*found);
+  for (int i = 0; i < replicates; ++i) all.push_back(mahlwerk_physics(start(i)));
   return all;
 }
 
 std::vector<Row> measure() {
   std::vector<Row> rows;
   const std::vector<Program> peers = present();
-  const std::vector<Speeds> speeds = measure_speeds(peers);
+  const AllSpeeds speeds = measure_speeds(peers);
   add_speeds(rows, speeds);
   add_physics(rows, "mahlwerk", observe_ours());
   for (std::size_t i = 0; i < peers.size(); ++i)
-    if (!speeds[i + 1].found.empty()) add_physics(rows, speeds[i + 1].code, observe(peers[i]));
+    if (!speeds.peers[i].found.empty()) add_physics(rows, speeds.peers[i].code, observe(peers[i]));
   return rows;
 }
 

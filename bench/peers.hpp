@@ -4,7 +4,7 @@
 
 #include <array>
 #include <numbers>
-#include <optional>
+#include <span>
 
 #include "mahlwerk/geometry/cylinder.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -44,13 +44,9 @@ using Start = std::array<scene::Ball, 5>;
 /// Replicate 0 is the start of the case. In the others each ball is displaced by up to 0.1 mm.
 Start start(int replicate);
 
-struct MahlwerkSpeed {
-  double particle_steps_per_second = 0;
-};
-
-/// Speed of Mahlwerk's own soft engine on one core over `steps` steps; empty while there is no such
-/// engine.
-std::optional<MahlwerkSpeed> mahlwerk_speed(const Start& start, int steps);
-std::optional<Physics> mahlwerk_physics(const Start& start);
+/// Ball-steps per second of CPU time of Mahlwerk's soft engine on one core: replicates from the
+/// given starts side by side, each over `steps` steps.
+double mahlwerk_speed(std::span<const Start> starts, int steps);
+Physics mahlwerk_physics(const Start& start);
 
 }  // namespace mahlwerk::bench

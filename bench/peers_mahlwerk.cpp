@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <exception>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -33,15 +35,22 @@ std::unique_ptr<scene::Engine> engine(const Start& start) {
 
 }  // namespace
 
-std::optional<MahlwerkSpeed> mahlwerk_speed(const Start& start, int steps) {
-  const auto run = engine(start);
-  NullObserver observer;
+double mahlwerk_speed(std::span<const Start> starts, int steps) {
+  std::vector<std::unique_ptr<scene::Engine>> engines;
+  for (const Start& start : starts) engines.push_back(engine(start));
+  NullObserver none;
+  std::vector<scene::Engine*> all;
+  for (const auto& one : engines) all.push_back(one.get());
+  const std::vector<scene::Observer*> observers(engines.size(), &none);
   const double began = cpu_seconds();
-  run->advance(steps * planetary_case.step, observer);
-  return MahlwerkSpeed{static_cast<double>(start.size()) * steps / (cpu_seconds() - began)};
+  for (const std::exception_ptr& failure :
+       soft::advance_together(all, steps * planetary_case.step, observers))
+    if (failure) std::rethrow_exception(failure);
+  const double balls = static_cast<double>(starts.size() * starts.front().size());
+  return balls * steps / (cpu_seconds() - began);
 }
 
-std::optional<Physics> mahlwerk_physics(const Start& start) {
+Physics mahlwerk_physics(const Start& start) {
   const auto run = engine(start);
   NullObserver observer;
   const PlanetaryCase& c = planetary_case;

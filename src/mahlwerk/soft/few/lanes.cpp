@@ -153,7 +153,7 @@ void FewBodySolver::build_gather_maps() {
   const auto address = [&](std::int64_t body) {
     return &w.bodies[static_cast<std::size_t>(body / lanes)].position.x[body % lanes];
   };
-  std::vector<std::vector<std::uint32_t>> rows(lanes * w.balls.size());
+  std::vector<std::vector<std::uint32_t>> rows(w.count);
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
     GatherMap& map = w.gather_maps[n];
@@ -176,10 +176,11 @@ void FewBodySolver::build_gather_maps() {
     WallPointLanes& of = w.wall_point_lanes[k / lanes];
     of.ball[k % lanes] = address(n.ball), of.face[k % lanes] = n.face;
   }
-  w.first_row.assign(1, 0), w.rows_of_balls.clear();
+  w.rows_of_ball.clear(), w.row_offsets.clear();
   for (const std::vector<std::uint32_t>& of_ball : rows) {
-    w.rows_of_balls.insert(w.rows_of_balls.end(), of_ball.begin(), of_ball.end());
-    w.first_row.push_back(static_cast<std::uint32_t>(w.rows_of_balls.size()));
+    w.rows_of_ball.push_back(static_cast<std::uint16_t>(of_ball.size()));
+    for (const std::uint32_t row : of_ball)
+      w.row_offsets.push_back(row * static_cast<std::uint32_t>(sizeof(ForceRow)));
   }
 }
 

@@ -55,9 +55,10 @@ struct ParticleData {
   /// Two rows for each lane, the force on i and that on j, in the order of the packets; then one
   /// row for the forces on walls and in free lanes.
   std::vector<ForceRow> force_rows;
-  /// The force rows of ball b, in the order of their lanes: the elements first_row[b] to
-  /// first_row[b + 1] of `rows_of_balls`.
-  std::vector<std::uint32_t> first_row, rows_of_balls;
+  /// The force rows of each ball, in the order of their lanes, one ball after the other: number of
+  /// rows of each, and their distances [bytes] from the first element of `force_rows`.
+  std::vector<std::uint16_t> rows_of_ball;
+  std::vector<std::uint32_t> row_offsets;
   std::vector<WallNeighbour> wall_neighbours;    ///< wall point k belongs to wall_neighbours[k]
   std::vector<WallPointLanes> wall_point_lanes;  ///< of wall_neighbours
   bool fits_registers = false;  ///< each column of all bodies fits in two registers of eight

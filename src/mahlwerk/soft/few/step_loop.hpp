@@ -189,15 +189,12 @@ template <class V>
   return test;
 }
 
-/// Computes the forces of a group in a step. `begun` and `ended` are lanes of packet `n`.
+/// Computes the forces of a group in a step. `begun` and `ended` are lanes of the packet, number
+/// `n`.
 template <class Law, class V>
-[[gnu::always_inline]] inline ContactForce<V> apply_group(StepBlock& s, const Bodies<V>& bodies,
-                                                          std::size_t n, const LaneGroup<V>& group,
-                                                          const TouchTest<V>& test,
-                                                          std::uint32_t begun,
-                                                          std::uint32_t ended) {
-  PairPacket& p = s.packets[n];
-  const GatherMap& map = s.gather_maps[n];
+[[gnu::always_inline]] inline ContactForce<V> apply_group(
+    const StepBlock& s, const Bodies<V>& bodies, std::size_t n, PairPacket& p, const GatherMap& map,
+    const LaneGroup<V>& group, const TouchTest<V>& test, std::uint32_t begun, std::uint32_t ended) {
   PairMotion<V> motion;
   motion.separation = test.separation;
   motion.vj = bodies.velocity(p.j, map.body_j, group);
@@ -267,7 +264,8 @@ template <class Law, class V, class Put>
     if (((touched | touching) & own) == 0)
       clear_forces<V>(map, group);
     else
-      put(map, group, apply_group<Law, V>(s, bodies, n, group, tests[k], begun & own, ended & own));
+      put(map, group,
+          apply_group<Law, V>(s, bodies, n, p, map, group, tests[k], begun & own, ended & own));
   }
   return ended != 0;
 }
@@ -285,15 +283,16 @@ template <class Law, class V, class Put>
 /// Sums the force rows of each ball, in the order of its lanes; then the second half kick.
 template <class V>
 [[gnu::always_inline]] inline void sum_forces(ParticleData& w) {
-  const ForceRow* rows = w.force_rows.data();
-  const std::uint32_t *first = w.first_row.data(), *rows_of_balls = w.rows_of_balls.data(),
-                      *row = rows_of_balls;
+  const auto* rows = reinterpret_cast<const char*>(w.force_rows.data());
+  const std::uint32_t* offset = w.row_offsets.data();
+  const std::uint16_t* rows_of_ball = w.rows_of_ball.data();
+  ForceRow sums[width_of<V>]{};
   for (std::size_t ball = 0; ball < w.count; ball += width_of<V>) {
-    ForceRow sums[width_of<V>];
-    for (std::size_t l = 0; l < width_of<V>; ++l) {
+    const std::size_t end = std::min<std::size_t>(width_of<V>, w.count - ball);
+    for (std::size_t l = 0; l < end; ++l) {
       RowSum<V> sum;
-      for (const std::uint32_t* end = rows_of_balls + first[ball + l + 1]; row != end; ++row)
-        sum.add(rows[*row].values);
+      for (int left = rows_of_ball[ball + l]; left > 0; --left)
+        sum.add(reinterpret_cast<const double*>(rows + *offset++));
       sum.put(sums[l].values);
     }
     V f[4], t[4];
