@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "mahlwerk/base/random.hpp"
 
@@ -26,10 +27,14 @@ std::vector<Vec3> cloud(int count, const Vec3& size, std::uint32_t seed) {
 void expect_all_found(int count, const Vec3& size, double radius, double margin, double reach,
                       const Vec3& periods, std::uint32_t seed) {
   std::vector<Vec3> places = cloud(count, size, seed);
-  Grid grid(places, radius, margin, periods);
+  PositionBounds bounds;
+  for (const Vec3& p : places) bounds.add(p);
+  Grid grid(bounds, radius, margin, periods);
   std::ranges::sort(places, {}, [&](const Vec3& p) { return grid.key(p); });
   constexpr std::int32_t first = 100;
-  grid.fill(places, first);
+  std::vector<BallRecord> rows(first);
+  for (const Vec3& p : places) rows.push_back({p.x, p.y, p.z, radius, 0, 0, 0, 0});
+  grid.fill(rows.data(), first, static_cast<std::int32_t>(rows.size()));
   const auto apart = [&](const Vec3& a, const Vec3& b) {
     Vec3 d = b - a;
     if (std::isfinite(periods.x)) d.x = std::remainder(d.x, periods.x);

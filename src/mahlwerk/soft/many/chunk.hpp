@@ -10,6 +10,7 @@
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
+#include "mahlwerk/soft/many/block_list.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
 namespace mahlwerk::soft {
@@ -45,23 +46,23 @@ enum class ContactKind { own, halo, wall };
 
 /// Contacts of one kind, and the free lanes.
 struct ContactPackets {
-  std::vector<ContactPacket> packets;
-  std::vector<std::array<ContactOnset, lanes>> onsets;
-  std::vector<OptionalHistory>
+  BlockList<ContactPacket> packets;
+  BlockList<std::array<ContactOnset, lanes>> onsets;
+  BlockList<OptionalHistory>
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
-  std::vector<PairParameters> parameters;  ///< of each packet, if curved walls change them
-  std::vector<WallNormals> wall_normals;   ///< of each packet, for walls
-  std::vector<std::int32_t> free;          ///< lane l of packet g: 8 g + l
-  /// Countdown in distribute_contacts(): copies still to be made from this list; at 0 its memory is
-  /// freed.
-  std::int32_t copies_left = 0;
+  BlockList<PairParameters> parameters;  ///< of each packet, if curved walls change them
+  BlockList<WallNormals> wall_normals;   ///< of each packet, for walls
+  std::vector<std::int32_t> free;        ///< lane l of packet g: 8 g + l
+  /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
+  /// its memory is freed.
+  std::vector<std::int32_t> copies_left;
 
-  /// Reserves memory for `count` packets, including optional histories and curved-wall parameters.
-  void reserve(std::size_t count, bool with_history, bool curved) {
-    packets.reserve(count);
-    onsets.reserve(count);
-    if (with_history) optional_histories.reserve(count);
-    if (curved) parameters.reserve(count);
+  void free_block(std::size_t block) {
+    packets.free_block(block);
+    onsets.free_block(block);
+    optional_histories.free_block(block);
+    parameters.free_block(block);
+    wall_normals.free_block(block);
   }
 };
 

@@ -61,11 +61,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
   if (list.free.empty()) {
     const auto g = static_cast<std::int32_t>(list.packets.size());
     const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
-    // Grows by an eighth instead of doubling: packets take most of the memory.
-    if (const std::size_t n = list.packets.size(); n == list.packets.capacity())
-      list.reserve(n + n / 8 + 4, has_history_, settings_.model.curved_walls && wall);
-    list.packets.emplace_back();
-    ContactPacket& fresh = list.packets.back();
+    ContactPacket& fresh = list.packets.emplace_back();
     fresh.species_pair.fill(species_pair);
     fresh.i.fill(ball);
     fresh.j.fill(wall ? 0 : ball);
@@ -73,7 +69,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     if (has_history_) list.optional_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
     if (settings_.model.curved_walls && wall)
-      list.parameters.push_back(parameters_[static_cast<std::size_t>(species_pair)]);
+      list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
     for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
   }
   const std::int32_t at = list.free.back();

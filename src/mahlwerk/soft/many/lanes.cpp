@@ -12,6 +12,7 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int32_t contact_kinds = 3;
+constexpr std::size_t contact_block = BlockList<ContactPacket>::block_size;  // packets
 
 // List numbers: the lists of all chunks in turn, those of a chunk in the order of ContactKind.
 ContactKind kind_of(std::int32_t list) {
@@ -23,6 +24,14 @@ ContactPackets& list_of(std::vector<Chunk>& chunks, std::int32_t list) {
   return kind == ContactKind::own ? chunk.own : kind == ContactKind::halo ? chunk.halo : chunk.wall;
 }
 
+/// The block of a contact in its list.
+std::size_t block_of(const auto& contact) {
+  return static_cast<std::size_t>(contact.lane / lanes) / contact_block;
+}
+std::int32_t& copies_left_of(std::vector<Chunk>& chunks, const auto& contact) {
+  return list_of(chunks, contact.list).copies_left[block_of(contact)];
+}
+
 }  // namespace
 
 /// Lists every contact once, sorted by the new rows of its balls; `to` maps old rows to new rows.
@@ -32,7 +41,7 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
   const auto each = [&](const auto& f) {
     for (std::int32_t number = 0; number < contact_kinds * std::ssize(chunks_); ++number) {
       const ContactPackets& list = list_of(chunks_, number);
-      for (std::int32_t at = 0; at < lanes * std::ssize(list.packets); ++at) {
+      for (std::int32_t at = 0; at < lanes * static_cast<std::int32_t>(list.packets.size()); ++at) {
         const ContactPacket& g = list.packets[static_cast<std::size_t>(at / lanes)];
         const auto l = static_cast<std::size_t>(at % lanes);
         if (!g.touches(l)) continue;
@@ -44,7 +53,6 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
       }
     }
   };
-  for (Chunk& chunk : chunks_) chunk.ball_pairs = chunk.wall_pairs = {};
   all.first.assign(to.size() + 2, 0);
   each([&](const ContactAddress& k) { ++all.first[static_cast<std::size_t>(k.i) + 2]; });
   std::partial_sum(all.first.begin(), all.first.end(), all.first.begin());
@@ -65,53 +73,43 @@ ManyBodySolver::ContactsByBall ManyBodySolver::collect_contacts(
 
 /// Copies the contacts from the old chunks to the new ones, in parallel by new chunk.
 void ManyBodySolver::distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old) {
+  for (std::int32_t number = 0; number < contact_kinds * std::ssize(old); ++number) {
+    ContactPackets& list = list_of(old, number);
+    list.copies_left.assign(list.packets.blocks().size(), 0);
+  }
   // Halo contacts that are listed under a ball of another chunk.
   std::vector<std::vector<std::int32_t>> incoming(chunks_.size());
   for (std::size_t n = 0; n < all.contacts.size(); ++n) {
     const ContactAddress& k = all.contacts[n];
-    ContactPackets& from = list_of(old, k.list);
-    ++from.copies_left;
+    std::int32_t& copies_left = copies_left_of(old, k);
+    ++copies_left;
     if (kind_of(k.list) == ContactKind::wall) continue;
     const std::int32_t other = chunk_of(k.j);
     if (other == chunk_of(k.i)) continue;
-    ++from.copies_left;
+    ++copies_left;
     incoming[static_cast<std::size_t>(other)].push_back(static_cast<std::int32_t>(n));
+  }
+  for (std::int32_t number = 0; number < contact_kinds * std::ssize(old); ++number) {
+    ContactPackets& list = list_of(old, number);
+    for (std::size_t block = 0; block < list.copies_left.size(); ++block)
+      if (list.copies_left[block] == 0) list.free_block(block);
   }
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
     Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     const std::vector<std::int32_t>& arrivals = incoming[static_cast<std::size_t>(c)];
     const std::int32_t begin = all.first[static_cast<std::size_t>(chunk.first)];
     const std::int32_t end = all.first[static_cast<std::size_t>(chunk.last)];
-    reserve_contacts(chunk, {all.contacts.begin() + begin, all.contacts.begin() + end},
-                     arrivals.size());
     const auto give = [&](std::int32_t n) {
       const ContactAddress& k = all.contacts[static_cast<std::size_t>(n)];
       ContactPackets& from = list_of(old, k.list);
       place_contact(chunk, k, from);
-      if (std::atomic_ref(from.copies_left).fetch_sub(1) == 1) from = {};  // frees its memory
+      if (std::atomic_ref(copies_left_of(old, k)).fetch_sub(1) == 1) from.free_block(block_of(k));
     };
     auto at = arrivals.begin();
     for (; at != arrivals.end() && *at < begin; ++at) give(*at);
     for (std::int32_t n = begin; n < end; ++n) give(n);
     for (; at != arrivals.end(); ++at) give(*at);
   });
-}
-
-/// Reserves memory for the contacts of the chunk's balls, `incoming_count` halo contacts, and some
-/// new ones.
-void ManyBodySolver::reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
-                                      std::size_t incoming_count) const {
-  std::size_t own = 0, halo = incoming_count, wall = 0;
-  for (const ContactAddress& k : kept)
-    ++(kind_of(k.list) == ContactKind::wall     ? wall
-       : k.j >= chunk.first && k.j < chunk.last ? own
-                                                : halo);
-  const auto packet_count = [](std::size_t contacts) {
-    return contacts / lanes + contacts / 64 + 2;
-  };
-  chunk.own.reserve(packet_count(own), has_history_, false);
-  chunk.halo.reserve(packet_count(halo), has_history_, false);
-  chunk.wall.reserve(packet_count(wall), has_history_, settings_.model.curved_walls);
 }
 
 /// Copies a contact to the chunk. Ball i of the copy is the first ball of the contact, or the

@@ -27,6 +27,7 @@ void bin_by_gap(VerletList& w, const std::vector<NeighbourPair>& found,
   }
   for (std::size_t b = 1; b < count.size(); ++b) count[b] += count[b - 1];
   w.end = count;
+  if (w.pairs.capacity() < found.size()) w.pairs = {};  // otherwise its memory would double
   w.pairs.resize(found.size());
   for (std::size_t k = 0; k < found.size(); ++k)
     w.pairs[static_cast<std::size_t>(count[bins[k]]++)] = found[k];
@@ -172,8 +173,9 @@ std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t 
 void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
   for (const ContactPackets* list : {&chunk.own, &chunk.halo})
-    for (const ContactPacket& g : list->packets)
+    for (std::size_t n = 0; n < list->packets.size(); ++n)
       for (std::size_t l = 0; l < lanes; ++l) {
+        const ContactPacket& g = list->packets[n];
         if (!g.touches(l)) continue;
         const bool own = list == &chunk.own;
         touching.emplace_back(own ? std::min(g.i[l], g.j[l]) : g.i[l],
@@ -214,9 +216,10 @@ void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
 /// if any.
 ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<std::pair<std::int32_t, std::int32_t>> touching;
-  for (const ContactPacket& g : chunk.wall.packets)
+  for (std::size_t n = 0; n < chunk.wall.packets.size(); ++n)
     for (std::size_t l = 0; l < lanes; ++l)
-      if (g.touches(l)) touching.emplace_back(g.i[l], g.j[l]);
+      if (const ContactPacket& g = chunk.wall.packets[n]; g.touches(l))
+        touching.emplace_back(g.i[l], g.j[l]);
   std::ranges::sort(touching);
   std::vector<NeighbourPair> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));

@@ -62,6 +62,7 @@ void sort_by_key(std::vector<KeyedRow>& all) {
 
 /// Sorts the balls along the curve, divides them into new chunks, and moves their contacts.
 void ManyBodySolver::sort_into_chunks() {
+  for (Chunk& chunk : chunks_) chunk.ball_pairs = {}, chunk.wall_pairs = {};  // frees memory
   const std::vector<std::int32_t> from = sort_balls();
   std::vector<std::int32_t> to(from.size());
   for (std::size_t k = 0; k < from.size(); ++k)
@@ -76,25 +77,24 @@ void ManyBodySolver::sort_into_chunks() {
 
 /// Returns the old row of each new row: sorted by size class, then along the curve.
 std::vector<std::int32_t> ManyBodySolver::sort_balls() {
-  std::vector<std::vector<Vec3>> positions(class_radius_.size());
+  std::vector<PositionBounds> bounds(class_radius_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Vec3 x = rows_[k].position();
     if (!std::isfinite(squared(x))) stop(k, "its position or velocity is not a finite number");
-    positions[class_of(k)].push_back(x);
+    bounds[class_of(k)].add(x);
   }
   grids_.clear();
   class_first_.assign(1, 0);
-  for (std::size_t c = 0; c < positions.size(); ++c) {
-    grids_.emplace_back(positions[c], class_radius_[c], skin_ + pull_off_distance_,
-                        jar_->periods());
-    class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(positions[c].size()));
+  for (std::size_t c = 0; c < bounds.size(); ++c) {
+    grids_.emplace_back(bounds[c], class_radius_[c], skin_ + pull_off_distance_, jar_->periods());
+    class_first_.push_back(class_first_.back() + static_cast<std::int32_t>(bounds[c].count));
   }
-  positions = {};
   std::vector<std::int32_t> from;
   from.reserve(rows_.size());
   std::vector<KeyedRow> order;
   for (std::size_t c = 0; c < grids_.size(); ++c) {
     order.clear();
+    order.reserve(bounds[c].count);
     for (std::size_t k = 0; k < rows_.size(); ++k)
       if (class_of(k) == c)
         order.push_back({grids_[c].key(rows_[k].position()), static_cast<std::int32_t>(k)});
@@ -111,13 +111,8 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);
-  std::vector<Vec3> positions;
-  for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
-    positions.clear();
-    for (std::int32_t row = class_first_[c]; row < class_first_[c + 1]; ++row)
-      positions.push_back(rows_[static_cast<std::size_t>(row)].position());
-    grids_[c].fill(positions, class_first_[c]);
-  }
+  for (std::size_t c = 0; c + 1 < class_first_.size(); ++c)
+    grids_[c].fill(rows_.data(), class_first_[c], class_first_[c + 1]);
 }
 
 /// Makes chunks of about equal size; returns the old ones.

@@ -13,7 +13,7 @@ class PrefetchQueue {
  public:
   template <class T>
   void add(const T* from, std::size_t count) {
-    if (count == 0) return;
+    if (count == 0 || count_ == ranges_.size()) return;
     const auto* first = reinterpret_cast<const char*>(from);
     const std::size_t bytes = count * sizeof(T);
     ranges_[count_++] = {first, first + bytes};
@@ -37,7 +37,7 @@ class PrefetchQueue {
   struct Range {
     const char *next = nullptr, *end = nullptr;
   };
-  std::array<Range, 9> ranges_;
+  std::array<Range, 128> ranges_;
   std::size_t count_ = 0, at_ = 0, share_ = 0;  // lines
 };
 

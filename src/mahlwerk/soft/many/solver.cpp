@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t in_cache = 30000;  // balls that fit in a processor's cache, with contacts
 constexpr std::int64_t energy_check_interval = 64;  // steps between two checks of the energy
-constexpr std::size_t max_records = 8192;  // buffered for the observer, to bound the memory
+constexpr std::size_t max_records = 2048;  // buffered for the observer, to bound the memory
 
 /// Largest useful number of threads.
 int useful_threads(std::size_t balls) {

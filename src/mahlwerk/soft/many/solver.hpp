@@ -85,8 +85,6 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   };
   ContactsByBall collect_contacts(const std::vector<std::int32_t>& to);
   void distribute_contacts(const ContactsByBall& all, std::vector<Chunk>& old);
-  void reserve_contacts(Chunk& chunk, std::span<const ContactAddress> kept,
-                        std::size_t incoming_count) const;
   void place_contact(Chunk& chunk, const ContactAddress& kept, const ContactPackets& from);
   void copy_contact(ContactPackets& list, const ContactAddress& kept, const ContactPackets& from,
                     std::int32_t i, std::int32_t j, std::int32_t species_pair, double sign);

@@ -4,6 +4,18 @@
 
 // State of the balls, forces and checkpoints.
 namespace mahlwerk::soft {
+namespace {
+
+/// In the format of a vector.
+template <class T>
+void serialize_list(Archive& archive, BlockList<T>& list) {
+  auto count = static_cast<std::uint64_t>(list.size());
+  archive(count);
+  for (std::size_t n = 0; n < count; ++n)
+    archive(archive.reading() ? list.emplace_back() : list[n]);
+}
+
+}  // namespace
 
 Vec3 ManyBodySolver::body_kick_change() const {
   const std::vector<DriveSample> b = drive_samples(step_, step_ + 1);
@@ -62,14 +74,19 @@ void ManyBodySolver::serialize(Archive& archive) {
   archive(count);
   if (archive.reading()) {
     if (count > rows_.size() + 1) throw Archive::broken();
-    chunks_.assign(count, {});
+    chunks_ = std::vector<Chunk>(count);
   }
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.max_gap_decrease)(c.max_wall_gap_decrease)(c.balls_in_contact)(
         c.sums)(c.neighbour_chunks);
-    for (ContactPackets* list : {&c.own, &c.halo, &c.wall})
-      archive(list->packets)(list->onsets)(list->optional_histories)(list->parameters)(
-          list->wall_normals)(list->free);
+    for (ContactPackets* list : {&c.own, &c.halo, &c.wall}) {
+      serialize_list(archive, list->packets);
+      serialize_list(archive, list->onsets);
+      serialize_list(archive, list->optional_histories);
+      serialize_list(archive, list->parameters);
+      serialize_list(archive, list->wall_normals);
+      archive(list->free);
+    }
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
   }
   archive(energy_balance_)(watch_)(target_time_);

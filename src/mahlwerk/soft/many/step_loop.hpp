@@ -218,8 +218,8 @@ template <class V>
   prefetches.add(&s.rows[c.first], balls);
   prefetches.add(&s.spins[c.first], balls);
   prefetches.add(c.ball_pairs.pairs.data(), c.ball_pairs.due(c.max_gap_decrease, s.bin));
-  prefetches.add(c.own.packets.data(), c.own.packets.size());
-  prefetches.add(c.halo.packets.data(), c.halo.packets.size());
+  for (const ContactPackets* list : {&c.own, &c.halo})
+    for (const auto& block : list->packets.blocks()) prefetches.add(block->data(), block->size());
   prefetches.add(&s.half_step[c.first], balls);
   prefetches.add(&s.reference_positions[c.first], balls);
   prefetches.divide(chunk.own.packets.size() + chunk.halo.packets.size());

@@ -20,7 +20,7 @@ std::uint64_t spread(std::uint64_t a) {
 
 }  // namespace
 
-Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods)
+Grid::Grid(const PositionBounds& bounds, double radius, double margin, const Vec3& periods)
     : radius_(radius) {
   constexpr double max_cells_per_axis = 1 << 20;
   const double cell = 2 * radius + margin;
@@ -29,16 +29,12 @@ Grid::Grid(std::span<const Vec3> positions, double radius, double margin, const 
     period_[a] = at(periods, a);
     periodic_[a] = std::isfinite(period_[a]);
     double least = -0.5 * period_[a], most = 0.5 * period_[a];
-    if (!periodic_[a]) {
-      least = INFINITY, most = -INFINITY;
-      for (const Vec3& p : positions)
-        least = std::min(least, at(p, a)), most = std::max(most, at(p, a));
-    }
+    if (!periodic_[a]) least = at(bounds.low, a), most = at(bounds.high, a);
     origin_[a] = least;
     extent[a] = most - least;
   }
   // Enlarges the cells if a few balls in a large volume would need too many.
-  const double enough = 4096 + 8.0 * static_cast<double>(positions.size());
+  const double enough = 4096 + 8.0 * static_cast<double>(bounds.count);
   double wide = cell;
   const auto cells_of = [&](double size) {
     double all = 1;
@@ -72,14 +68,13 @@ std::size_t Grid::cell(const Vec3& p) const {
   return cell(index(folded(p.x, 0), 0), index(folded(p.y, 1), 1), index(folded(p.z, 2), 2));
 }
 
-void Grid::fill(std::span<const Vec3> sorted, std::int32_t first) {
+void Grid::fill(const BallRecord* rows, std::int32_t first, std::int32_t last) {
   const auto count = static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
                      static_cast<std::size_t>(count_[2]);
   from_.assign(count, 0);
   to_.assign(count, 0);
-  for (std::size_t k = 0; k < sorted.size(); ++k) {
-    const std::size_t c = cell(sorted[k]);
-    const auto ball = first + static_cast<std::int32_t>(k);
+  for (std::int32_t ball = first; ball < last; ++ball) {
+    const std::size_t c = cell(rows[ball].position());
     if (from_[c] == to_[c]) from_[c] = ball;
     to_[c] = ball + 1;
   }

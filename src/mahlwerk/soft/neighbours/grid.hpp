@@ -2,29 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 
 namespace mahlwerk::soft {
 
+/// Bounds of positions [m], and their number.
+struct PositionBounds {
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  std::size_t count = 0;
+
+  void add(const Vec3& a) {
+    low = {std::min(low.x, a.x), std::min(low.y, a.y), std::min(low.z, a.z)};
+    high = {std::max(high.x, a.x), std::max(high.y, a.y), std::max(high.z, a.z)};
+    ++count;
+  }
+};
+
 /// Cell grid (linked-cell method) for balls of similar size. Balls are sorted along a space-filling
 /// curve (Z-order, Morton code), so that neighbours in space are close in memory.
 class Grid {
  public:
-  /// For balls with radii up to `radius` [m] at `positions` [m], and pairs with gaps up to `margin`
+  /// For balls with radii up to `radius` [m] within `bounds`, and pairs with gaps up to `margin`
   /// [m]. `periods` [m] are infinite where the box is not periodic.
-  Grid(std::span<const Vec3> positions, double radius, double margin, const Vec3& periods);
+  Grid(const PositionBounds& bounds, double radius, double margin, const Vec3& periods);
 
   double radius() const { return radius_; }  ///< [m] of the largest ball
   /// Morton code of the cell of a position.
   std::uint64_t key(const Vec3& position) const;
-  /// Fills the cells with balls `first`, `first` + 1, ... at the positions `sorted`, in the order
-  /// of their keys.
-  void fill(std::span<const Vec3> sorted, std::int32_t first);
+  /// Fills the cells with the balls of rows first to last - 1, which are in the order of their
+  /// keys.
+  void fill(const BallRecord* rows, std::int32_t first, std::int32_t last);
 
   std::size_t cell(const Vec3& position) const;
   /// Calls `f(first, last)` for ranges of balls. The ranges contain all balls whose centres are
