@@ -29,7 +29,7 @@ std::vector<std::exception_ptr> advance_together(std::span<scene::Engine* const>
   std::vector<FewBodySolver*> few;
   for (scene::Engine* engine : engines)
     if (auto* solver = dynamic_cast<FewBodySolver*>(engine)) few.push_back(solver);
-  if (engines.size() > 1 && few.size() == engines.size())
+  if (few.size() > 1 && few.size() == engines.size() && ReplicateBatch::fits(few))
     return ReplicateBatch(few).advance(time, observers);
   std::vector<std::exception_ptr> failures;
   for (std::size_t k = 0; k < engines.size(); ++k) try {

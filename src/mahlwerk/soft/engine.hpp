@@ -25,12 +25,16 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const contact::PairTable& pairs, double start = 0);
 
 /// Advances the engines of replicates of one case to `time` [s], each with its observer and with
-/// the same bits as alone. Charges of few balls step side by side, which is faster than one after
-/// the other. Returns for each engine the exception that stopped it (scene::Engine::advance), or
-/// null.
+/// the same bits as alone. Charges that FewBodySolver computes step side by side, if all engines
+/// are at the same time. Returns for each engine the exception that stopped it
+/// (scene::Engine::advance), or null.
 std::vector<std::exception_ptr> advance_together(std::span<scene::Engine* const> engines,
                                                  double time,
                                                  std::span<scene::Observer* const> observers);
+
+/// Largest number of balls for which advance_together() is faster than one engine after the other:
+/// larger charges fill the registers themselves (docs/performance.md).
+constexpr std::size_t side_by_side_limit = 8;
 
 /// Limits of the time step for collisions at up to `speed` [m/s], the smallest over all pairs
 /// (dem.28 to dem.31, dem.33). In s unless stated otherwise.

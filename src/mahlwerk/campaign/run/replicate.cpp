@@ -97,8 +97,8 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
 
 std::size_t replicates_together(const cases::Case& mill_case) {
   const auto balls = static_cast<std::size_t>(cases::balls_count(mill_case.balls));
-  const bool few = balls <= soft::Settings{}.few_ball_limit;
-  return mill_case.run.engine == cases::EngineName::soft && few ? 8 : 1;
+  const bool in_soft_engine = mill_case.run.engine == cases::EngineName::soft;
+  return in_soft_engine && balls <= soft::side_by_side_limit ? 8 : 1;
 }
 
 std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,

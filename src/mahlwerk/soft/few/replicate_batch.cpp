@@ -21,6 +21,11 @@ std::size_t index_in(const std::vector<T>& sorted, const T& member) {
 
 }  // namespace
 
+bool ReplicateBatch::fits(std::span<FewBodySolver* const> solvers) {
+  return std::ranges::all_of(
+      solvers, [&](const FewBodySolver* one) { return one->now_ == solvers.front()->now_; });
+}
+
 ReplicateBatch::ReplicateBatch(std::span<FewBodySolver* const> solvers)
     : step_(solvers.front()->now_) {
   for (FewBodySolver* solver : solvers) replicates_.push_back({solver});
