@@ -161,10 +161,10 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline void clear_forces(GatherMap& map, const LaneGroup<V>& group) {
   if ((map.filled & bits_of(group)) == 0) return;
-  for (std::size_t l = 0; l < width_of<V>; ++l) {
-    const std::size_t lane = static_cast<std::size_t>(group.first) + l;
-    *map.row_i[lane] = *map.row_j[lane] = ForceRow{};
-  }
+  ForceRow *const *row_i = map.row_i.data() + group.first, *const *row_j =
+                                                               map.row_j.data() + group.first;
+  unrolled<width_of<V>>([&](std::size_t l)
+                            __attribute__((always_inline)) { *row_i[l] = *row_j[l] = ForceRow{}; });
   map.filled &= ~bits_of(group);
 }
 

@@ -2,12 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <utility>
+
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 // Ball data as an array of structures: the data that contacts read of a ball lie in one cache line.
 // Eight arbitrary balls are eight loads and a transposition to columns in registers.
 namespace mahlwerk::soft {
+
+/// f(0) to f(count - 1) with constant indices. No loop: GCC 12 does not unroll loops at -O1 and
+/// keeps an array that a loop indexes in memory.
+template <std::size_t count, class F>
+[[gnu::always_inline]] inline void unrolled(const F& f) {
+  [&]<std::size_t... n>(std::index_sequence<n...>) __attribute__((always_inline)) {
+    (f(n), ...);
+  }
+  (std::make_index_sequence<count>{});
+}
 
 /// Data of a ball that contacts read, in the jar frame.
 struct alignas(64) BallRecord {
@@ -124,20 +136,21 @@ template <class R>
 /// Transposes eight rows to eight columns in place, or back.
 [[gnu::always_inline]] inline void transpose(Register<8> (&r)[8]) {
   Register<8> t[8], s[8];
-  for (int k = 0; k < 8; k += 2) {
+  unrolled<4>([&](std::size_t n) __attribute__((always_inline)) {
+    const std::size_t k = 2 * n;
     t[k] = __builtin_shufflevector(r[k], r[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
     t[k + 1] = __builtin_shufflevector(r[k], r[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  for (int k = 0; k < 8; k += 4)
-    for (int odd = 0; odd < 2; ++odd) {
-      const Register<8>&a = t[k + odd], &b = t[k + 2 + odd];
-      s[k + odd] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-      s[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  for (int k = 0; k < 4; ++k) {
+  });
+  unrolled<4>([&](std::size_t n) __attribute__((always_inline)) {
+    const std::size_t k = n / 2 * 4, odd = n % 2;
+    const Register<8>&a = t[k + odd], &b = t[k + 2 + odd];
+    s[k + odd] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    s[k + 2 + odd] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+  });
+  unrolled<4>([&](std::size_t k) __attribute__((always_inline)) {
     r[k] = __builtin_shufflevector(s[k], s[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
     r[k + 4] = __builtin_shufflevector(s[k], s[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
+  });
 }
 
 /// Four numbers from `first` on of the record of each lane, as four columns. `record(lane)` returns
@@ -158,11 +171,12 @@ template <class V, class Record>
     columns[3] = load_part<V>(record(3), first);
     transpose(columns);
   } else {
-    for (std::size_t half = 0; half < 4; half += 2) {
+    unrolled<2>([&](std::size_t n) __attribute__((always_inline)) {
+      const std::size_t half = 2 * n;
       const V a = load_part<V>(record(0), first + half), b = load_part<V>(record(1), first + half);
       columns[half] = __builtin_shufflevector(a, b, 0, 2);
       columns[half + 1] = __builtin_shufflevector(a, b, 1, 3);
-    }
+    });
   }
 }
 

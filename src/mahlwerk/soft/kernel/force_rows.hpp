@@ -3,22 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
 
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 
 // Forces and torques as a row of eight numbers for each body, in the order of VectorPair: adding a
 // row takes one or two instructions, adding six columns takes six for each lane.
 namespace mahlwerk::soft {
-
-/// f(0) to f(count - 1). No loop: GCC 12 does not unroll loops at -O1.
-template <std::size_t count, class F>
-[[gnu::always_inline]] inline void unrolled(const F& f) {
-  [&]<std::size_t... n>(std::index_sequence<n...>) __attribute__((always_inline)) {
-    (f(n), ...);
-  }
-  (std::make_index_sequence<count>{});
-}
 
 /// Force and torque of each lane as a row.
 template <class V>
@@ -39,7 +29,8 @@ class ForceRows {
       return {-force, torque};
     } else {
       ForceRows other;
-      for (int n = 0; n < 4; ++n) other.rows_[n] = -rows_[n];
+      unrolled<4>([&](std::size_t n)
+                      __attribute__((always_inline)) { other.rows_[n] = -rows_[n]; });
       put_rows(torque, other.rows_ + 4);
       return other;
     }
@@ -80,7 +71,7 @@ class ForceRows {
       V r[4];
       put_columns(a, r);
       transpose(r);
-      for (int n = 0; n < 4; ++n) rows[n] = r[n];
+      unrolled<4>([&](std::size_t n) __attribute__((always_inline)) { rows[n] = r[n]; });
     } else {
       const V zero{};
       rows[0] = __builtin_shufflevector(a.x, a.y, 0, 2);

@@ -37,21 +37,21 @@ template <class V>
                                                       Vec<V>& velocity) {
   if constexpr (width_of<V> == 8) {  // half the transpositions
     V x[4], v[4];
-    for (std::size_t k = 0; k < 4; ++k) {
+    unrolled<4>([&](std::size_t k) __attribute__((always_inline)) {
       const BallRecord &a = rows[i[k]], &a4 = rows[i[k + 4]];
       const BallRecord &b = rows[j[k]], &b4 = rows[j[k + 4]];
       x[k] = load_fours(b, b4, 0) - load_fours(a, a4, 0);
       v[k] = load_fours(b, b4, 4) - load_fours(a, a4, 4);
-    }
+    });
     transpose(x), transpose(v);
     position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
   } else if constexpr (width_of<V> == 4) {
     V x[4], v[4];
-    for (std::size_t k = 0; k < 4; ++k) {
+    unrolled<4>([&](std::size_t k) __attribute__((always_inline)) {
       const BallRecord &a = rows[i[k]], &b = rows[j[k]];
       x[k] = load_part<V>(b, 0) - load_part<V>(a, 0);
       v[k] = load_part<V>(b, 4) - load_part<V>(a, 4);
-    }
+    });
     transpose(x), transpose(v);
     position = {x[0], x[1], x[2]}, velocity = {v[0], v[1], v[2]};
   } else {
@@ -72,7 +72,9 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline void add_rows(VectorPair* ball_forces, std::int32_t first,
                                             const std::int32_t* at, const ForceRows<V>& rows) {
-  for (std::size_t l = 0; l < width_of<V>; ++l) rows.add(l, &ball_forces[at[l] - first].x);
+  unrolled<width_of<V>>([&](std::size_t l) __attribute__((always_inline)) {
+    rows.add(l, &ball_forces[at[l] - first].x);
+  });
 }
 
 /// Relative motion of the pairs of a group. `points` are the wall contact points of its packet.

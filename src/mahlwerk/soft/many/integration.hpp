@@ -13,12 +13,12 @@ namespace mahlwerk::soft {
 /// Stores the parts of a record, past the cache if `streaming`.
 template <bool streaming, class V, std::size_t parts, class R>
 [[gnu::always_inline]] inline void store_record(R& record, const V (&values)[parts]) {
-  for (std::size_t p = 0; p < parts; ++p) {
+  unrolled<parts>([&](std::size_t p) __attribute__((always_inline)) {
     if constexpr (streaming)
       stream_part<V>(record, p * width_of<V>, values[p]);
     else
       store_part<V>(record, p * width_of<V>, values[p]);
-  }
+  });
 }
 
 /// A ball's numbers in a step of the integration, in parts of a register: four of the position,
@@ -41,7 +41,8 @@ template <class V>
   using Part = typename Ball::Part;
   const Lanes& factor = s.half_kick_factors[s.species[i]];
   Ball ball;
-  for (std::size_t part = 0; part < 8; part += w) {
+  unrolled<8 / w>([&](std::size_t n) __attribute__((always_inline)) {
+    const std::size_t part = n * w;
     const V half_kick = load<V>(factor.values + part) * load_part<V>(ball_force, part);
     const V half =
         load_part<V>(s.half_step[i], part) + 2.0 * half_kick + load_part<V>(body_kick_before, part);
@@ -57,7 +58,7 @@ template <class V>
       (part < 4 ? ball.velocity : ball.spin)[p] = predicted;
       if (part < 4) ball.position[p] = load_part<V>(s.rows[i], part) + s.constants.dt * half;
     }
-  }
+  });
   return ball;
 }
 
@@ -85,18 +86,19 @@ template <class V, bool streaming>
       store_record<streaming>(s.next_rows[i], next);
     } else {
       Part next[2 * count];
-      for (std::size_t p = 0; p < count; ++p)
+      unrolled<count>([&](std::size_t p) __attribute__((always_inline)) {
         next[p] = ball.position[p], next[count + p] = ball.velocity[p];
+      });
       store_record<streaming>(s.next_rows[i], next);
     }
     store_record<streaming>(s.next_spins[i], ball.spin);
-    for (std::size_t p = 0; p < count; ++p) {
+    unrolled<count>([&](std::size_t p) __attribute__((always_inline)) {
       const Part way = ball.position[p] - reference_part<Part>(s.reference_positions[i], p * w);
       const Part deviation = way - load<Part>(predicted_mean + p * w);
       sum[p] += way;
       max_deviation[p] = max(max_deviation[p], deviation);
       max_deviation[p] = max(max_deviation[p], -deviation);
-    }
+    });
   }
   if constexpr (streaming) store_fence();
   const auto number = [](const Part(&parts)[count], std::size_t k) { return parts[k / w][k % w]; };
