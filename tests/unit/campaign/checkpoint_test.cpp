@@ -29,12 +29,12 @@ TEST(Checkpoint, one_that_cannot_be_written_is_told_once_until_it_can_be_again) 
     EXPECT_EQ(why.code, "bad-checkpoint");
     EXPECT_EQ(why.where, file.generic_string());
   });
-  for (int i = 0; i < 3; ++i) states.save(0, replica, true);
+  for (int i = 0; i < 3; ++i) states.save(0, replica), states.flush();
   EXPECT_EQ(told, 1);
   EXPECT_TRUE(states.write_error());
   EXPECT_FALSE(fs::exists(file.string() + ".part")) << "nothing half written stays";
   fs::remove_all(file);
-  states.save(0, replica, true);
+  states.save(0, replica), states.flush();
   EXPECT_FALSE(states.write_error());
   EXPECT_TRUE(fs::is_regular_file(file));
 }

@@ -135,7 +135,7 @@ TEST(Replicates, are_merged_to_the_same_bits_by_any_number_of_threads) {
     const results::Outcome alone = run(what, options);
     const std::string spectrum = results::csv(results::spectrum(alone));
     EXPECT_GT(spectrum.size(), 1000U) << name;
-    for (const int threads : {2, 3}) {
+    for (const int threads : {2, 3, 5}) {
       options.threads = threads;
       const results::Outcome shared = run(what, options);
       EXPECT_EQ(bits(shared), bits(alone)) << name << ", " << threads << " threads";
@@ -143,6 +143,36 @@ TEST(Replicates, are_merged_to_the_same_bits_by_any_number_of_threads) {
     }
     what.seed = 2;
     EXPECT_NE(bits(run(what, options)), bits(alone)) << name << ": another seed";
+  }
+}
+
+/// As after an interruption: states of replicates are saved at different times.
+TEST(Replicates, together_have_the_same_bits_from_different_times) {
+  for (const auto& [name, what] : kinds()) {
+    std::vector<std::unique_ptr<ReplicateRun>> alone, together;
+    for (int k = 0; k < 3; ++k) {
+      alone.push_back(std::make_unique<ReplicateRun>(what, k));
+      together.push_back(std::make_unique<ReplicateRun>(what, k));
+      to_the_end(*alone.back());
+      for (int slices = 0; slices < 7 * k; ++slices) together.back()->run_slice();
+    }
+    for (;;) {
+      std::vector<ReplicateRun*> left;
+      for (const auto& run : together)
+        if (!run->done()) left.push_back(run.get());
+      if (left.empty()) break;
+      ReplicateRun::run_slice_together(left);
+    }
+    const auto outcome_of = [&](const std::unique_ptr<ReplicateRun>& run) {
+      results::Outcome outcome{.mill_case = what, .replicates = {run->result()}};
+      outcome.engine = what.run.engine;
+      return outcome;
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const results::Outcome found = outcome_of(together[k]), expected = outcome_of(alone[k]);
+      EXPECT_GT(expected.replicates[0].energy_balance.collisions, 20) << name;
+      EXPECT_EQ(bits(found), bits(expected)) << name << ", replicate " << k;
+    }
   }
 }
 

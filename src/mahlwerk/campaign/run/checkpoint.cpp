@@ -114,14 +114,18 @@ bool Checkpoint::due(std::size_t job) const {
   return std::chrono::steady_clock::now() - saved_at_[job] > interval_;
 }
 
-void Checkpoint::save(std::size_t job, ReplicateRun& replica, bool now) {
+void Checkpoint::save(std::size_t job, ReplicateRun& replica) {
   Archive archive;
   replica.serialize(archive);
   const std::lock_guard lock(mutex_);
   states_[job] = archive.bytes();
   saved_at_[job] = std::chrono::steady_clock::now();
   unwritten_ = true;
-  if (now || saved_at_[job] - written_at_ > interval_) write();
+}
+
+void Checkpoint::write_if_due() {
+  const std::lock_guard lock(mutex_);
+  if (unwritten_ && std::chrono::steady_clock::now() - written_at_ > interval_) write();
 }
 
 void Checkpoint::flush() {

@@ -36,11 +36,12 @@ class Checkpoint {
   bool has_state(std::size_t job) const;                 ///< whether a state of it is kept
   void restore(std::size_t job, ReplicateRun& replica);  ///< sets its kept state, if there is one
   bool due(std::size_t job) const;                       ///< whether a save of its state is due
-  /// Keeps the state of a replicate. Writes the file if `now` or if a write is due; otherwise the
-  /// next due write or flush() writes the state.
-  void save(std::size_t job, ReplicateRun& replica, bool now = false);
-  void flush();   ///< writes states that are not yet in the file
-  void remove();  ///< removes the file once the run has ended
+  /// Keeps the state of a replicate in memory.
+  void save(std::size_t job, ReplicateRun& replica);
+  void
+  write_if_due();  ///< writes states that are not yet in the file, if the last write is long ago
+  void flush();    ///< writes states that are not yet in the file
+  void remove();   ///< removes the file once the run has ended
 
   /// Why the last write of the file failed; empty if it succeeded.
   std::optional<Fault> write_error() const;

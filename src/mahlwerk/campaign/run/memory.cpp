@@ -83,15 +83,15 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
   double replicates = 0;
   for (const cases::Case& mill_case : points)
     replicates += static_cast<double>(mill_case.run.replicates);
-  const double running =
-      std::min(replicates, at_once * static_cast<double>(replicates_together(largest)));
+  const auto together = static_cast<double>(replicates_together(largest));  // in each thread
+  const double running = std::min(replicates, at_once * together);
   const double each = memory_needed(largest), needed = each * running;
   if (needed <= *available) return {};
   const auto balls = static_cast<double>(cases::balls_count(largest.balls));
   const double fits = balls * std::max(0.0, *available / each - 0.01);
   std::string remedy = running > 1 && each <= *available
                            ? fmt::format("run fewer replicates at once, --threads {:.0f}, or take ",
-                                         std::max(1.0, std::floor(*available / each)))
+                                         std::max(1.0, std::floor(*available / (each * together))))
                            : std::string("take ");
   remedy += fmt::format("fewer or larger balls: one replicate of about {:.2g} balls fits", fits);
   return {{largest.powder && largest.powder->grain_size

@@ -20,7 +20,8 @@ double memory_needed(const cases::Case& mill_case);
 /// read.
 std::optional<double> memory_available(const std::string& root = "");
 
-/// A fault if `at_once` replicates of the largest case need more than `available` [bytes].
+/// A fault if the replicates that `at_once` threads run of the largest case need more than
+/// `available` [bytes].
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
                                  std::optional<double> available);
 

@@ -167,14 +167,17 @@ class CampaignRunner {
     return task;
   }
 
-  /// Number of replicates that one thread runs together. Towards the end of the queue, all threads
-  /// share the replicates of a point.
+  /// Number of replicates that one thread runs together, in batches of equal size. Towards the end
+  /// of the queue, all threads share the replicates of a point.
   std::size_t batch_size(const ActivePoint& point) const {
     const std::size_t count = point.outcome.replicates.size(),
-                      workers = static_cast<std::size_t>(threads());
-    const bool last_points = queue_.size - next_ < workers;
-    return std::min(last_points ? (count + workers - 1) / workers : count,
-                    replicates_together(point.decided));
+                      most = replicates_together(point.decided),
+                      workers = queue_.size - next_ < static_cast<std::size_t>(threads())
+                                    ? static_cast<std::size_t>(threads())
+                                    : 1;
+    const std::size_t share = (count + workers - 1) / workers;  // of a worker
+    const std::size_t batches = (share + most - 1) / most;
+    return (share + batches - 1) / batches;
   }
 
   /// Unlocks the mutex while the case is read, so that other threads continue.
@@ -270,12 +273,20 @@ class CampaignRunner {
       }
     double cpu = thread_cpu_seconds();
     while (!active.empty()) {
-      std::erase_if(active, [&](const ActiveReplicate& one) {
+      Checkpoint* const states = active.front().slot.checkpoint;  // of all
+      const bool end_writes =
+          stopped() || active.front().slot.on_end == CheckpointSlot::OnEnd::write;
+      const auto ended = std::erase_if(active, [&](const ActiveReplicate& one) {
         const bool ends = one.run->done() || stopped() || point.dropped;
         if (ends) end(point, one);
         return ends;
       });
       if (!active.empty()) run_slice(point, active, cpu);
+      if (states == nullptr) continue;
+      if (ended > 0 && end_writes)
+        states->flush();
+      else
+        states->write_if_due();
     }
   }
 
@@ -312,9 +323,13 @@ class CampaignRunner {
       before.push_back(one.run->energy_balance());
     }
     ReplicateRun::run_slice_together(runs);
+    std::vector<std::size_t> moved;  // the others were ahead
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      if (runs[k]->energy_balance().time != before[k].time || runs[k]->done()) moved.push_back(k);
     const double now_cpu = thread_cpu_seconds();
-    const double share = (now_cpu - std::exchange(cpu, now_cpu)) / static_cast<double>(runs.size());
-    for (std::size_t k = 0; k < active.size(); ++k) {
+    const double share = (now_cpu - std::exchange(cpu, now_cpu)) /
+                         static_cast<double>(std::max<std::size_t>(1, moved.size()));
+    for (const std::size_t k : moved) {
       const ActiveReplicate& one = active[k];
       const scene::EnergyBalance& now = one.run->energy_balance();
       one.run->cpu_seconds() += share;
@@ -331,9 +346,9 @@ class CampaignRunner {
     constexpr double min_cpu_time = 0.05;  // [s] CPU time worth a write
     using OnEnd = CheckpointSlot::OnEnd;
     if (one.slot.checkpoint != nullptr && !point.dropped) {
-      if (stopped() || one.slot.on_end == OnEnd::write)
-        one.slot.checkpoint->save(one.job, *one.run, true);
-      else if (one.slot.on_end == OnEnd::write_when_due && one.run->cpu_seconds() > min_cpu_time)
+      const bool worth_it =
+          one.slot.on_end == OnEnd::write_when_due && one.run->cpu_seconds() > min_cpu_time;
+      if (stopped() || one.slot.on_end == OnEnd::write || worth_it)
         one.slot.checkpoint->save(one.job, *one.run);
     }
     point.outcome.replicates[one.index] = one.run->result();

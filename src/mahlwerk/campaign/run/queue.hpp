@@ -41,9 +41,10 @@ struct RunQueue {
   std::function<double(std::size_t point)> weight;
 };
 
-/// Runs all points of a queue, at most options.threads replicates at a time, the replicates of a
-/// point together. Returns when all have ended, or when options.stop is set. Outcomes do not depend
-/// on the number of threads.
+/// Runs all points of a queue in options.threads threads, the replicates of a point together; a
+/// thread runs one replicate at a time, or several side by side (replicates_together()). Returns
+/// when all have ended, or when options.stop is set. Outcomes do not depend on the number of
+/// threads.
 void run_queue(const RunQueue& queue, const RunOptions& options);
 
 }  // namespace mahlwerk::campaign
