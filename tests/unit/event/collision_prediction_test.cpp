@@ -129,7 +129,7 @@ bool same_bits(const PredictedCollision& a, const PredictedCollision& b) {
   return a.time == b.time && a.partner == b.partner;
 }
 
-TEST(Meetings, of_a_pair_are_those_of_the_plain_formula_with_more_digits) {
+TEST(CollisionPredictions, of_a_pair_are_those_of_the_plain_formula_with_more_digits) {
   Random random(1, 1);
   constexpr int pairs = 1'000'000;
   int met = 0, unclear = 0, wrong = 0;
@@ -159,7 +159,7 @@ TEST(Meetings, of_a_pair_are_those_of_the_plain_formula_with_more_digits) {
               "rounding of each operation, added up");
 }
 
-TEST(Meetings, of_many_are_the_earliest_of_all_pairs_to_the_bit) {
+TEST(CollisionPredictions, of_many_are_the_earliest_of_all_pairs_to_the_bit) {
   Random random(2, 1);
   for (int i = 0; i < 100'000; ++i) {
     const int count = i % 37;
@@ -177,7 +177,7 @@ TEST(Meetings, of_many_are_the_earliest_of_all_pairs_to_the_bit) {
   }
 }
 
-TEST(Meetings, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
+TEST(CollisionPredictions, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
   Random random(3, 1);
   for (int i = 0; i < 20'000; ++i) {
     Scene s = scene(random, 1 + i % 21, i % 2 == 0, 1);
@@ -198,7 +198,7 @@ TEST(Meetings, do_not_depend_on_who_else_is_asked_or_how_sizes_are_listed) {
   }
 }
 
-TEST(Meetings, of_balls_in_any_vector_width_have_the_same_bits) {
+TEST(CollisionPredictions, of_balls_in_any_vector_width_have_the_same_bits) {
   Random random(5, 1);
   std::vector<event::CollisionSearch*> searches;
   for (const Isa isa : supported_isas()) {
@@ -215,7 +215,7 @@ TEST(Meetings, of_balls_in_any_vector_width_have_the_same_bits) {
   }
 }
 
-TEST(Meetings, none_is_found_that_is_not_before_the_best_known) {
+TEST(CollisionPredictions, none_is_found_that_is_not_before_the_best_known) {
   Random random(4, 1);
   for (int i = 0; i < 20'000; ++i) {
     const Scene s = scene(random, 8, false, 2);

@@ -8,6 +8,7 @@
 
 // Lane allocation: assigns each pair a lane of a packet, with its parameters and its wall point.
 namespace mahlwerk::soft {
+
 /// The pair that has a lane.
 FewBodySolver::NearPair FewBodySolver::pair_of(const PairPacket& p, std::size_t lane) {
   const bool wall = p.face[lane] >= 0;

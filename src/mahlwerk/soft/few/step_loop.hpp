@@ -280,7 +280,8 @@ template <class Law, class V, class Put>
   w.wall_points_due = false;
 }
 
-/// Sums the force rows of each ball, in the order of its lanes; then the second half kick.
+/// Sums the force rows of each ball, in the order of its lanes; then the second half kick. Unused
+/// lanes of the last group may get forces of other balls, which their factor 0 cancels.
 template <class V>
 [[gnu::always_inline]] inline void sum_forces(ParticleData& w) {
   const auto* rows = reinterpret_cast<const char*>(w.force_rows.data());
