@@ -3,6 +3,7 @@
 
 // The soft engine for many balls (ManyBodySolver): the same physics as for few balls, and the same
 // bits however a run is cut, stopped, divided among threads or compiled.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

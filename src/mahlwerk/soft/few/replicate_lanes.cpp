@@ -51,7 +51,8 @@ ReplicateBatch::Place ReplicateBatch::free_place(bool first) {
     const std::size_t n = first ? k : count - 1 - k;
     const std::uint32_t free = free_lanes_[n];
     if (free == 0) continue;
-    return {n, static_cast<std::size_t>(first ? std::countr_zero(free) : std::bit_width(free) - 1)};
+    return {n, static_cast<std::size_t>(first ? std::countr_zero(free)
+                                              : static_cast<int>(std::bit_width(free)) - 1)};
   }
   add_packets(1);
   return {count, 0};
