@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 
@@ -19,6 +18,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "same_bits.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -155,25 +155,6 @@ TEST(ManyBodySolver, moves_as_few_balls_do) {
     EXPECT_NEAR(x.contact_time, y.contact_time, 20 * w.step);
     EXPECT_EQ(x.lasting_contacts, y.lasting_contacts);
   }
-}
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-void expect_same(const scene::Engine& a, const scene::Engine& b) {
-  EXPECT_TRUE(same_bits(a.energy_balance(), b.energy_balance()));
-  const auto balls = a.balls(), others = b.balls();
-  ASSERT_EQ(balls.size(), others.size());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    ASSERT_EQ(balls[i].position, others[i].position) << i;
-    ASSERT_EQ(balls[i].velocity, others[i].velocity) << i;
-    ASSERT_EQ(balls[i].spin, others[i].spin) << i;
-  }
-}
-void expect_same(const Recorder& a, const Recorder& b) {
-  ASSERT_EQ(a.all.size(), b.all.size());
-  for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
 }
 
 TEST(ManyBodySolver, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared) {

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstring>
 #include <functional>
 #include <string>
 #include <utility>
@@ -14,6 +11,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "same_bits.hpp"
 #include "soft.hpp"
 
 // Runs of the soft engine with few balls, and the comparison of their results bit by bit.
@@ -55,25 +53,6 @@ inline Make made(const scene::Chamber& mill, int count, const contact::AnyLaw& l
     return soft_engine(mill, charge(count, replicate), of_law(law, rolling), soft_pair(), 2e-6, hop,
                        0.37);
   };
-}
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-inline void expect_same(const scene::Engine& a, const scene::Engine& b) {
-  EXPECT_TRUE(same_bits(a.energy_balance(), b.energy_balance()));
-  const auto balls = a.balls(), others = b.balls();
-  ASSERT_EQ(balls.size(), others.size());
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    EXPECT_EQ(balls[i].position, others[i].position) << i;
-    EXPECT_EQ(balls[i].velocity, others[i].velocity) << i;
-    EXPECT_EQ(balls[i].spin, others[i].spin) << i;
-  }
-}
-inline void expect_same(const Recorder& a, const Recorder& b) {
-  ASSERT_EQ(a.all.size(), b.all.size());
-  for (std::size_t i = 0; i < a.all.size(); ++i) ASSERT_TRUE(same_bits(a.all[i], b.all[i])) << i;
 }
 
 /// Runs of different kinds, with free-flight skips (hops) and without.

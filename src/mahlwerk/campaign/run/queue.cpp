@@ -16,6 +16,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/progress_reporter.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -37,32 +38,6 @@ double thread_cpu_seconds() {
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
-
-/// Progress of all replicates together, reported at most ten times a second.
-class ProgressReporter {
- public:
-  ProgressReporter(const RunOptions& options, double total) : options_(&options) {
-    sum_.total = total;
-  }
-
-  void add(double simulated, double collisions, double residual) {
-    if (!options_->progress) return;
-    const std::lock_guard lock(mutex_);
-    sum_.simulated += simulated;
-    sum_.collisions += collisions;
-    sum_.residual = std::max(sum_.residual, residual);
-    const auto now = Clock::now();
-    if (now - reported_ < std::chrono::milliseconds(100)) return;
-    reported_ = now;
-    options_->progress(sum_);
-  }
-
- private:
-  const RunOptions* options_;
-  Progress sum_;
-  std::mutex mutex_;
-  Clock::time_point reported_ = Clock::now();
-};
 
 /// Whether a failure concerns one point only. A file that cannot be written concerns all points.
 bool is_point_failure(const std::exception& why) {
