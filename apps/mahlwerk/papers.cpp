@@ -15,12 +15,14 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/report/paper/overview.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "messages.hpp"
 #include "output.hpp"
+#include "paper_folders.hpp"
 #include "progress.hpp"
 
 namespace mahlwerk::app {
@@ -36,37 +38,10 @@ struct PaperJob {
   std::unique_ptr<results::Folder> folder;
 };
 
-/// Folders with a paper.toml: the one that `target` names by path or name, or all.
-std::vector<fs::path> folders(const std::string& target) {
-  const fs::path home = fs::path(MAHLWERK_HOME) / "papers";
-  if (!target.empty()) {
-    const fs::path named =
-        fs::exists(fs::path(target) / "paper.toml") ? fs::path(target) : home / target;
-    if (fs::exists(named / "paper.toml")) return {named};
-    throw InputError(Fault{target,
-                           "there is no paper with this name, and no folder with a paper.toml",
-                           "the names are those of the folders in papers/", "no-such-paper"});
-  }
-  std::vector<fs::path> found;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(home, failed))
-    if (fs::exists(entry.path() / "paper.toml")) found.push_back(entry.path());
-  if (found.empty())
-    throw InputError(Fault{home.string(), "there is no paper", "name a folder with a paper.toml",
-                           "no-such-paper"});
-  std::ranges::sort(found);
-  return found;
-}
-
-/// The name of a folder, also if its path ends in a slash.
-std::string name_of(const fs::path& folder) {
-  return fs::weakly_canonical(folder).filename().string();
-}
-
-PaperJob prepare_paper(const Request& request, const fs::path& folder, bool several,
+PaperJob prepare_paper(const Request& request, report::Paper paper, const fs::path& results,
                        const cases::Catalogue& catalogue) {
   PaperJob job;
-  job.paper = report::read_paper(folder / "paper.toml");
+  job.paper = std::move(paper);
   const std::vector<cases::Override> set = overrides(request);
   std::vector<Fault> wrong;
   for (const std::string& name : job.paper.campaigns()) try {
@@ -80,12 +55,26 @@ PaperJob prepare_paper(const Request& request, const fs::path& folder, bool seve
     }
   if (wrong.empty()) wrong = report::paper_faults(job.paper, job.whole);
   if (!wrong.empty()) throw InputError(std::move(wrong));
-  const fs::path usual = fs::path("results") / "papers" / name_of(folder);
-  const fs::path place = !request.out ? usual
-                         : several    ? *request.out / name_of(folder)
-                                      : *request.out;
-  job.folder = std::make_unique<results::Folder>(place, request.force);
+  job.folder = std::make_unique<results::Folder>(results, request.force);
   return job;
+}
+
+/// The papers that the request names. --quick leaves out those that take long.
+std::vector<PaperJob> prepare_papers(const Request& request, const cases::Catalogue& catalogue) {
+  std::vector<PaperJob> jobs;
+  const std::vector<PaperFolder> folders = paper_folders(request.target);
+  for (const PaperFolder& folder : folders) {
+    report::Paper paper = report::read_paper(folder.place / "paper.toml");
+    if (request.quick_only && !paper.quick) continue;
+    const fs::path results = !request.out         ? folder.results
+                             : folders.size() > 1 ? *request.out / folder.results.filename()
+                                                  : *request.out;
+    jobs.push_back(prepare_paper(request, std::move(paper), results, catalogue));
+  }
+  if (jobs.empty())
+    throw InputError(Fault{request.target, "--quick leaves out all of these papers",
+                           "leave out --quick", "no-such-paper"});
+  return jobs;
 }
 
 std::string below(const std::string& campaign, std::size_t point) {
@@ -206,12 +195,40 @@ results::Json as_json(const PaperJob& job, const report::PaperResult& result) {
                        {"notices", results::notices_json(result.notices)}});
 }
 
+/// The claims of all sets of measured data, written beside their results.
+class Overview {
+ public:
+  explicit Overview(const Request& request)
+      : request_(request),
+        folder_(request.out.value_or(fs::path("results") / "validation") / "overview",
+                request.force) {}
+
+  void add(const PaperJob& job, const report::PaperResult& result) {
+    for (report::OverviewRow& row :
+         report::overview_rows(result, job.folder->target().filename().string()))
+      rows_.push_back(std::move(row));
+  }
+  void write() {
+    folder_.write("validation.md", report::overview_markdown(rows_));
+    folder_.write("validation.csv", report::overview_csv(rows_));
+    folder_.write("validation.html", report::overview_page(rows_, version()));
+    folder_.commit();
+    if (request_.json || request_.quiet) return;
+    to_stdout(fmt::format("{}\n", report::overview_score(rows_)));
+    fmt::print("overview: {}\n", (folder_.target() / "validation.html").string());
+  }
+
+ private:
+  const Request& request_;
+  results::Folder folder_;
+  std::vector<report::OverviewRow> rows_;
+};
+
 int papers(const Request& request) {
   const cases::Catalogue known = catalogue();
-  const std::vector<fs::path> places = folders(request.target);
-  std::vector<PaperJob> jobs;
-  for (const fs::path& place : places)
-    jobs.push_back(prepare_paper(request, place, places.size() > 1, known));
+  const std::vector<PaperJob> jobs = prepare_papers(request, known);
+  std::optional<Overview> overview;
+  if (is_validation(request.target)) overview.emplace(request);
   catch_ctrl_c();
   int ended = success;
   results::Json list = results::Json::array();
@@ -234,6 +251,7 @@ int papers(const Request& request) {
       result.changed.push_back(fmt::format("{} = {}", key, value));
     write(job, run, result);
     kept.remove();
+    if (overview) overview->add(job, result);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (request.json) list.push_back(as_json(job, result));
@@ -241,6 +259,7 @@ int papers(const Request& request) {
     for (const auto& [name, one] : run)
       if (const int how = report_exit_status(one.outcomes); how != success) ended = how;
   }
+  if (overview && ended != interrupted) overview->write();
   if (request.json) json_to_stdout(list);
   return ended;
 }
@@ -250,8 +269,12 @@ int papers(const Request& request) {
 Command papers_command() {
   return {"papers", "regenerate every figure of a paper and test its claims",
           joined({{{"PAPER", &Request::target,
-                    "a folder of papers/, or any folder with a paper.toml (default: all papers)"}},
+                    "a folder of papers/ or validation/, any folder with a paper.toml, or "
+                    "\"validation\": all "
+                    "sets of measured data (default: all papers)"}},
                   changes(),
+                  {{"--quick", &Request::quick_only,
+                    "leave out the papers whose file says quick = false"}},
                   running("; papers in results/papers"),
                   {resumable_checkpoint(), json()}}),
           papers};

@@ -98,32 +98,116 @@ TEST(Claims, what_is_alike_stays_within_its_bound) {
   EXPECT_EQ(judge(alike, campaign({100, 200, 300}, {1, 1.03, 1.01}, 0.2)).holds, Holds::undecided);
 }
 
-TEST(Claims, a_law_is_found_with_its_slope_or_exponent) {
+TEST(Claims, a_line_is_straight_if_its_curvature_is_surely_small) {
   Claim law = claim(Kind::law);
   law.law = LawForm::line;
   const Verdict line = judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1));
   EXPECT_EQ(line.holds, Holds::yes);
   EXPECT_TRUE(has(line, "mW for each rpm")) << line.finding;
   EXPECT_TRUE(line.finding.starts_with("20")) << line.finding;  // 2 W for each 100 rpm
-  EXPECT_TRUE(has(line, "R² = 1.00000")) << line.finding;
+  EXPECT_TRUE(has(line, "R² = 1.0000")) << line.finding;
 
+  // y = x^2 over 1 to 5: the middle is at 9, the chord at 13, the rise is 24: 16.7 %.
+  const Campaign square = campaign({100, 200, 300, 400, 500}, {1, 4, 9, 16, 25}, 0.1);
+  const Verdict bent = judge(law, square);
+  EXPECT_EQ(bent.holds, Holds::no);
+  EXPECT_TRUE(has(bent, "deviates by -16.66")) << bent.finding;
+  law.within = 0.2;
+  EXPECT_EQ(judge(law, square).holds, Holds::yes);
+  // A scatter as large as the rise leaves both open.
+  law.within = 0.1;
+  EXPECT_EQ(judge(law, campaign({100, 200, 300, 400, 500}, {1, 9, 2, 12, 8}, 1)).holds,
+            Holds::undecided);
+  law.is = "falls";
+  EXPECT_EQ(judge(law, campaign({100, 200, 300, 400}, {5, 7, 9, 11}, 0.1)).holds, Holds::no);
+}
+
+TEST(Claims, an_exponent_is_judged_by_its_interval_alone) {
+  Claim law = claim(Kind::law);
   law.law = LawForm::power;
   law.exponent = 2;
   law.within = 0.05;
   const Campaign square = campaign({100, 200, 300, 400}, {1, 4, 9, 16}, 0.1);
   EXPECT_EQ(judge(law, square).holds, Holds::yes);
-  law.exponent = 1.9;  // off by twice `within`
-  EXPECT_EQ(judge(law, square).holds, Holds::partly);
-  law.exponent = 1;
+  law.exponent = 1.9;
   EXPECT_EQ(judge(law, square).holds, Holds::no);
+  law.exponent = 1;
   law.is = "above";
   EXPECT_EQ(judge(law, square).holds, Holds::yes);
   law.is = "below";
   EXPECT_EQ(judge(law, square).holds, Holds::no);
-  law = claim(Kind::law);
-  law.law = LawForm::parabola;
-  EXPECT_EQ(judge(law, square).holds, Holds::yes);
+  // A scatter that hides the exponent decides nothing, whatever R2 is.
+  const Campaign scattered = campaign({100, 200, 300, 400}, {1, 6, 6, 20}, 0.1);
+  law.exponent = 2;
+  EXPECT_EQ(judge(law, scattered).holds, Holds::undecided);
+  law.is.clear();
+  EXPECT_EQ(judge(law, scattered).holds, Holds::undecided);
   EXPECT_EQ(judge(law, campaign({100, 200, 300}, {1, 4, 9}, 0.1)).holds, Holds::undecided);
+}
+
+TEST(Claims, a_maximum_lies_where_no_value_outside_may_be_the_largest) {
+  Claim most = claim(Kind::maximum);
+  most.first = "200 rpm", most.second = "300 rpm";
+  const Verdict judged = judge(most, campaign({100, 200, 300, 400}, {1, 3, 2.9, 1}, 0.1));
+  EXPECT_EQ(judged.holds, Holds::yes);
+  EXPECT_TRUE(has(judged, "anywhere from 200 rpm to 300 rpm")) << judged.finding;
+  EXPECT_EQ(judge(most, campaign({100, 200, 300, 400}, {1, 3, 2.9, 2.95}, 0.1)).holds,
+            Holds::undecided);
+  EXPECT_EQ(judge(most, campaign({100, 200, 300, 400}, {1, 2, 3, 4}, 0.1)).holds, Holds::no);
+}
+
+/// Power at frictions 0.2 and 0.8 for each speed, and measured values with their errors.
+Campaign assumed_friction(const std::vector<double>& x, const std::vector<double>& low,
+                          const std::vector<double>& high) {
+  Campaign c = campaign(x, low, 0.1);
+  c.keys.push_back({"contact.friction", ""});
+  for (Point& p : c.points) p.values.emplace_back("0.2");
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    Point p = c.points[i];
+    p.values[1] = "0.8";
+    p.value = {high[i]};
+    c.points.push_back(std::move(p));
+  }
+  return c;
+}
+
+TEST(Claims, measured_values_agree_if_their_interval_meets_the_band_over_what_is_assumed) {
+  Claim one = claim(Kind::measured);
+  Measurement measured{.name = "m",
+                       .source = "s",
+                       .error_is = "",
+                       .status = Measurement::Status::verified,
+                       .values = {{"100 rpm", 10, 0.5, "10 W"}, {"200 rpm", 20, 0.5, "20 W"}},
+                       .where = ""};
+  const Verdict both = judge(one, assumed_friction({100, 200}, {9, 18}, {11, 19.6}), &measured);
+  EXPECT_EQ(both.holds, Holds::yes) << both.finding;
+  EXPECT_NEAR(both.deviation, 0.11, 1e-12);  // (9 - 0.1)/10 and (11 + 0.1)/10
+  EXPECT_TRUE(has(both, "100 rpm: measured 10.00 ± 0.50 W, predicted 8.90")) << both.finding;
+  EXPECT_EQ(judge(one, assumed_friction({100, 200}, {9, 18}, {11, 19}), &measured).holds,
+            Holds::partly);
+  EXPECT_EQ(judge(one, assumed_friction({100, 200}, {5, 8}, {6, 9}), &measured).holds, Holds::no);
+  const Verdict wide = judge(one, assumed_friction({100, 200}, {5, 10}, {15, 30}), &measured);
+  EXPECT_EQ(wide.holds, Holds::undecided);
+  EXPECT_TRUE(has(wide, "factor of 2")) << wide.finding;
+  measured.status = Measurement::Status::unverified;
+  const Verdict open = judge(one, assumed_friction({100, 200}, {9, 18}, {11, 19.6}), &measured);
+  EXPECT_EQ(open.holds, Holds::undecided);
+  EXPECT_TRUE(std::isnan(open.deviation));
+  EXPECT_TRUE(has(open, "unverified")) << open.finding;
+}
+
+TEST(Claims, many_combinations_of_other_keys_are_counted) {
+  Campaign c = assumed_friction({100, 200, 300}, {1, 2, 3}, {3, 2, 1});
+  const std::size_t half = c.points.size() / 2;
+  for (const char* more : {"0.3", "0.4", "0.5"})
+    for (std::size_t i = 0; i < half; ++i) {
+      Point p = c.points[i];
+      p.values[1] = more;
+      c.points.push_back(std::move(p));
+    }
+  const Verdict judged = judge(claim(Kind::trend, "rises"), c);
+  EXPECT_EQ(judged.holds, Holds::partly);
+  EXPECT_EQ(judged.finding, "yes in 4, no in 1 of 5 combinations of the other keys");
 }
 
 TEST(Claims, regimes_are_counted_and_told) {

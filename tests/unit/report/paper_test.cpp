@@ -64,6 +64,40 @@ TEST(Paper, is_read_whole_with_its_defaults) {
             (PointSelector{{"mill.frequency", {"10", "20 Hz"}}, {"contact.friction", {"0.5"}}}));
 }
 
+TEST(Paper, measured_values_are_read_with_their_errors_and_checked_against_the_campaign) {
+  const std::string measured =
+      "[[measured]]\nname = \"m\"\nsource = \"p. 3\"\nstatus = \"quoted\"\n"
+      "values = [[\"10 Hz\", \"3 1/s\", \"1 1/s\"], [\"20 Hz\", \"5 1/s\", \"1 1/s\"]]\n";
+  const std::string test =
+      "[[claim]]\nfigure = \"1\"\nsays = \"s\"\ncampaign = \"c\"\nkind = \"measured\"\n"
+      "quantity = \"collision_rate\"\nagainst = \"mill.frequency\"\nmeasured = \"m\"\n";
+  const Paper paper = read_paper_text(head + measured + test, "paper.toml");
+  ASSERT_EQ(paper.measured.size(), 1U);
+  EXPECT_EQ(paper.measured[0].status, Measurement::Status::quoted);
+  ASSERT_EQ(paper.measured[0].values.size(), 2U);
+  EXPECT_EQ(paper.measured[0].values[1].at, "20 Hz");
+  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].value, 5);
+  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].error, 1);
+  const auto code_of = [&](std::string text, const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+    try {
+      const auto found =
+          paper_faults(read_paper_text(head + text, "paper.toml"), {{"c", swept_case()}});
+      return found.empty() ? std::string() : found[0].code;
+    } catch (const InputError& e) {
+      return e.faults()[0].code;
+    }
+  };
+  EXPECT_EQ(code_of(measured + test, "p. 3", "p. 4"), "");
+  EXPECT_EQ(code_of(measured + test, "[\"20 Hz\"", "[\"21 Hz\""), "paper-unknown-value");
+  EXPECT_EQ(code_of(measured + test, "\"5 1/s\"", "\"5 W\""), "bad-quantity");
+  EXPECT_EQ(code_of(measured + test, "measured = \"m\"", "measured = \"n\""),
+            "paper-unknown-measurement");
+  EXPECT_EQ(code_of(measured + test, ", \"1 1/s\"], [\"20", "], [\"20"), "wrong-type");
+  EXPECT_EQ(code_of(measured + test, "against = \"mill.frequency\"\n", ""),
+            "paper-unknown-measurement");
+}
+
 TEST(Paper, faults_name_the_line_and_come_together) {
   const std::vector<Fault> nameless = faults_of("title = \"T\"\n");
   ASSERT_EQ(nameless.size(), 1U);
@@ -150,16 +184,17 @@ TEST(Paper, every_paper_of_the_project_asks_for_what_its_campaigns_have) {
   const std::filesystem::path home(MAHLWERK_HOME);
   const cases::Catalogue catalogue(home / "catalogue");
   int papers = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(home / "papers")) {
-    const Paper paper = read_paper(entry.path() / "paper.toml");
-    std::map<std::string, cases::Case> cases;
-    for (const std::string& name : paper.campaigns())
-      cases[name] = cases::read(paper.folder / (name + ".toml"), catalogue);
-    const std::vector<Fault> faults = paper_faults(paper, cases);
-    EXPECT_TRUE(faults.empty()) << describe(faults);
-    ++papers;
-  }
-  EXPECT_EQ(papers, 2);
+  for (const char* collection : {"papers", "validation"})
+    for (const auto& entry : std::filesystem::directory_iterator(home / collection)) {
+      const Paper paper = read_paper(entry.path() / "paper.toml");
+      std::map<std::string, cases::Case> cases;
+      for (const std::string& name : paper.campaigns())
+        cases[name] = cases::read(paper.folder / (name + ".toml"), catalogue);
+      const std::vector<Fault> faults = paper_faults(paper, cases);
+      EXPECT_TRUE(faults.empty()) << describe(faults);
+      ++papers;
+    }
+  EXPECT_GE(papers, 10);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/campaign/sheet.hpp"
-#include "mahlwerk/report/paper/claim_lines.hpp"
+#include "mahlwerk/report/paper/claim_rules.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -16,14 +16,7 @@ namespace {
 
 using Kind = Claim::Kind;
 
-struct Context {
-  const Claim& claim;
-  const Campaign& campaign;
-  std::string unit;  // of the quantity
-
-  std::string text(const LinePoint& s) const { return readable(s.value, s.ci95, unit).text(); }
-  std::string key() const { return key_words(claim.against); }
-};
+using Context = ClaimContext;
 
 bool sure(const LinePoint& s) {
   return std::isfinite(s.value) && std::isfinite(s.ci95);
@@ -90,36 +83,6 @@ Verdict judge_alike(const Context& c, const ClaimLine& line) {
   return {found, r.value - r.ci95 > bound ? Holds::no : Holds::undecided};
 }
 
-/// Tests whether the exponent is above or below the claimed one.
-Verdict judge_side(const Context& c, const FittedLaw& law, std::string found) {
-  const double off = (law.coefficients[1] - *c.claim.exponent) * (c.claim.is == "above" ? 1 : -1);
-  if (law.r_squared < c.claim.r2 || !(std::abs(off) > law.ci95[1]))
-    return {std::move(found), Holds::undecided};
-  return {std::move(found), off > 0 ? Holds::yes : Holds::no};
-}
-
-std::string law_text(const Context& c, const FittedLaw& law) {
-  const std::string r2 = fmt::format("R² = {:.5f}", law.r_squared);
-  if (law.form == LawForm::parabola) return r2;
-  const bool power = law.form == LawForm::power;
-  const CampaignKey& key = *std::ranges::find(c.campaign.keys, c.claim.against, &CampaignKey::key);
-  const std::string number = readable(law.coefficients[1], law.ci95[1], power ? "" : c.unit).text();
-  if (power) return fmt::format("exponent {}, {}", number, r2);
-  return fmt::format("{} for each {}, {}", number, key.unit.empty() ? "1" : key.unit, r2);
-}
-
-Verdict judge_law(const Context& c, const ClaimLine& line) {
-  const std::optional<FittedLaw> law = law_along(c.claim.law, line);
-  if (!law) return {"too few points for a fit"};
-  const std::string found = law_text(c, *law);
-  if (c.claim.exponent && !c.claim.is.empty()) return judge_side(c, *law, found);
-  const double off = c.claim.exponent ? std::abs(law->coefficients[1] - *c.claim.exponent) : 0;
-  if (law->r_squared >= c.claim.r2 && off <= c.claim.within) return {found, Holds::yes};
-  constexpr double fair = 0.9;
-  const bool partly = law->r_squared >= fair && off <= 3 * c.claim.within;
-  return {found, partly ? Holds::partly : Holds::no};
-}
-
 /// Lists the regimes along a line; consecutive points with the same regime are grouped.
 Verdict judge_regime(const Context& c, const ClaimLine& line) {
   std::string found, last;
@@ -168,8 +131,22 @@ Verdict judge_line(const Context& c, const ClaimLine& line) {
       return judge_regime(c, line);
     case Kind::bound:
       return judge_bound(c, line);
+    case Kind::maximum:
+      return judge_maximum(c, line);
+    case Kind::measured:  // all lines together
+      break;
   }
   return {};
+}
+
+/// The verdicts of lines with many combinations of keys, counted.
+std::string counted(const std::vector<Verdict>& lines) {
+  std::string text;
+  for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::undecided}) {
+    const auto count = std::ranges::count(lines, one, &Verdict::holds);
+    if (count > 0) text += fmt::format("{}{} in {}", text.empty() ? "" : ", ", word(one), count);
+  }
+  return fmt::format("{} of {} combinations of the other keys", text, lines.size());
 }
 
 }  // namespace
@@ -188,22 +165,36 @@ std::string_view word(Holds holds) {
   return "";
 }
 
-Verdict judge(const Claim& claim, const Campaign& campaign) {
+std::string ClaimContext::text(double value, double ci95) const {
+  return readable(value, ci95, unit).text();
+}
+
+std::string ClaimContext::key() const {
+  return key_words(claim.against);
+}
+
+Verdict judge(const Claim& claim, const Campaign& campaign, const Measurement* measured) {
   const Context context{claim, campaign, unit_of(campaign, claim.quantity)};
   const std::vector<ClaimLine> lines =
       lines_along(campaign, claim.at, claim.against, claim.quantity);
+  if (lines.empty()) return {"no such point was run"};
+  if (claim.kind == Kind::measured)
+    return measured == nullptr ? Verdict{"no measured values"}
+                               : judge_measured(context, lines, *measured);
+  std::vector<Verdict> each;
+  for (const ClaimLine& line : lines) each.push_back(judge_line(context, line));
   Verdict all;
-  bool same = true;
-  for (const ClaimLine& line : lines) {
-    const Verdict one = judge_line(context, line);
-    const bool first = &line == lines.data();
-    if (first) all.holds = one.holds;
-    same = same && one.holds == all.holds;
-    all.finding +=
-        (first ? "" : "; ") + (line.others.empty() ? "" : line.others + ": ") + one.finding;
+  const bool same = std::ranges::all_of(
+      each, [&](const Verdict& one) { return one.holds == each.front().holds; });
+  all.holds = same ? each.front().holds : Holds::partly;
+  constexpr std::size_t few = 4;
+  if (each.size() > few) {
+    all.finding = counted(each);
+    return all;
   }
-  if (!same) all.holds = Holds::partly;
-  if (lines.empty()) all.finding = "no such point was run";
+  for (std::size_t i = 0; i < each.size(); ++i)
+    all.finding += (i == 0 ? "" : "; ") + (lines[i].others.empty() ? "" : lines[i].others + ": ") +
+                   each[i].finding;
   return all;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <map>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -17,10 +17,13 @@ enum class Holds { yes, partly, no, undecided };  ///< undecided: the runs do no
 struct Verdict {
   std::string finding;  ///< sentence with numbers from the campaign
   Holds holds = Holds::undecided;
+  /// [1] Largest relative deviation of the predicted band from measured values; NaN without these.
+  double deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Tests a claim against the points of its campaign.
-Verdict judge(const Claim& claim, const Campaign& campaign);
+/// Tests a claim against the points of its campaign; `measured` holds the values of a claim of kind
+/// `measured`.
+Verdict judge(const Claim& claim, const Campaign& campaign, const Measurement* measured = nullptr);
 
 std::string_view word(Holds holds);  ///< "yes", "partly", "no", "undecided"
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
 #include "mahlwerk/results/summarise.hpp"
@@ -40,9 +41,7 @@ class ReferenceCheck {
   void quantity(const std::string& name) {
     if (name.empty()) return;
     std::vector<std::string> names;
-    results::Outcome none;
-    none.mill_case = case_;
-    for (const results::Quantity& q : results::summarise(none).quantities) names.push_back(q.name);
+    for (const results::Quantity& q : quantities()) names.push_back(q.name);
     if (std::ranges::find(names, name) != names.end()) return;
     const std::string near = nearest_word(name, names);
     fault(fmt::format("a result of {}.toml has no quantity {}", campaign_, name),
@@ -50,7 +49,37 @@ class ReferenceCheck {
           "paper-unknown-quantity");
   }
 
+  /// The measurement exists, its values are quantities of that dimension at points of the campaign.
+  void measurement(const Claim& claim, const Measurement* measured) {
+    if (measured == nullptr) {
+      fault(fmt::format("there is no section [[measured]] with the name \"{}\"", claim.measured),
+            "write one, or name another", "paper-unknown-measurement");
+      return;
+    }
+    std::string unit;
+    for (const results::Quantity& q : quantities())
+      if (q.name == claim.quantity) unit = q.unit;
+    for (const Measurement::Value& v : measured->values) {
+      if (claim.against.empty() != v.at.empty())
+        fault(
+            fmt::format("[[measured]] \"{}\" and the claim do not both have a key", claim.measured),
+            "give `against` and a value of this key in each row, or neither",
+            "paper-unknown-measurement");
+      value(claim.against, v.at);
+      try {
+        parse_in(v.text, unit == "1" ? "" : unit);
+      } catch (const UnitError& error) {
+        fault(error.what(), fmt::format("{} is in {}", claim.quantity, unit), "bad-quantity");
+      }
+    }
+  }
+
  private:
+  std::vector<results::Quantity> quantities() const {
+    results::Outcome none;
+    none.mill_case = case_;
+    return results::summarise(none).quantities;
+  }
   static std::string listed(const std::vector<std::string>& values) {
     std::string all;
     for (const std::string& v : values) all += (all.empty() ? "" : ", ") + v;
@@ -92,6 +121,8 @@ std::vector<Fault> paper_faults(const Paper& paper,
     check.value(claim.against, claim.first);
     check.value(claim.against, claim.second);
     check.quantity(claim.quantity);
+    if (claim.kind == Claim::Kind::measured)
+      check.measurement(claim, paper.measurement(claim.measured));
   }
   return faults;
 }

@@ -112,7 +112,8 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
     result.pictures.push_back(
         {file_of(figure, used), drawing(figure, run.at(figure.campaign)), &figure});
   for (const Claim& claim : paper.claims)
-    result.verdicts.push_back(judge(claim, run.at(claim.campaign).numbers));
+    result.verdicts.push_back(
+        judge(claim, run.at(claim.campaign).numbers, paper.measurement(claim.measured)));
   for (const auto& [name, campaign] : run) {
     result.seconds[name] = campaign.seconds;
     for (const results::Outcome& outcome : campaign.outcomes) {

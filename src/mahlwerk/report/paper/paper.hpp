@@ -38,16 +38,39 @@ struct PaperFigure {
   std::string where;           ///< location for faults
 };
 
+/// Measured values of a quantity, for instance the power of a mill against its speed.
+struct Measurement {
+  /// Where the numbers were read.
+  enum class Status {
+    verified,   ///< in the source itself
+    quoted,     ///< in a work that quotes the source
+    unverified  ///< not found in print; gives no verdict
+  };
+  struct Value {
+    std::string at;               ///< value of the key, "70 rpm"; empty without a key
+    double value = 0, error = 0;  ///< in SI units; half-width of the interval
+    std::string text;             ///< as in the file: "83 W"
+  };
+  std::string name;      ///< by which claims and figures refer to it
+  std::string source;    ///< where the numbers stand: page, table or figure
+  std::string error_is;  ///< what the errors are; may be empty
+  Status status = Status::unverified;
+  std::vector<Value> values;
+  std::string where;  ///< location for faults
+};
+
 /// A claim of a paper and its test. Points that differ in other keys than `against` are tested line
 /// by line.
 struct Claim {
   enum class Kind {
-    law,      ///< the quantity follows a law of the key: R2, exponent
+    law,      ///< the quantity follows a law of the key: curvature, exponent
     trend,    ///< it rises or falls at each step, intervals not overlapping
     compare,  ///< it is larger or smaller at one value of the key than at another
     alike,    ///< it is constant along the line
     regime,   ///< the charge is in this regime
-    bound     ///< it is above or below a number
+    bound,    ///< it is above or below a number
+    maximum,  ///< it is largest in a range of the key
+    measured  ///< it agrees with measured values; other keys are assumed and give a band
   };
   std::string figure;  ///< figure or section number of the paper
   std::string says, why;
@@ -57,20 +80,29 @@ struct Claim {
   /// "rises", "falls"; "larger", "smaller"; "above", "below" (a bound, or an exponent); or a regime
   std::string is;
   LawForm law = LawForm::line;
-  double r2 = 0.99;  ///< [1] minimum R2 of the law
   std::optional<double> exponent;
-  double within = 0.1;        ///< [1] tolerance of the exponent; relative tolerance of `alike`
-  std::string first, second;  ///< of `compare`: values of `against`; is the second larger?
-  double bound = 0;           ///< in SI units
+  /// [1] Tolerance of the exponent; relative tolerance of `alike`; greatest curvature of a line.
+  double within = 0.1;
+  /// Values of `against`. Of `compare`: is the second larger? Of `maximum`: ends of the range.
+  std::string first, second;
+  double bound = 0;  ///< in SI units
   std::string bound_text;
-  std::string where;  ///< location for faults
+  std::string measured;  ///< name of a Measurement
+  bool own = false;      ///< a statement of ours, not of the paper
+  std::string where;     ///< location for faults
 };
 
 struct Paper {
   std::string title, source, about;
+  std::string licence;  ///< of the measured data; may be empty
+  bool quick = true;    ///< part of `mahlwerk papers --quick`
   std::vector<PaperFigure> figures;
   std::vector<Claim> claims;
+  std::vector<Measurement> measured;
   std::filesystem::path folder;  ///< folder of the campaigns
+
+  /// The measurement of that name; nullptr if there is none.
+  const Measurement* measurement(std::string_view name) const;
 
   /// The campaigns that figures and claims name, each once, in the order of first mention.
   std::vector<std::string> campaigns() const;

@@ -22,8 +22,11 @@ using Kind = Claim::Kind;
 
 // In the order of the enumerations.
 const Words drawn_words{"quantity", "trajectories", "snapshots"};
-const Words kind_words{"law", "trend", "compare", "alike", "regime", "bound"};
+const Words kind_words{"law",    "trend", "compare", "alike",
+                       "regime", "bound", "maximum", "measured"};
 const Words law_words{"linear", "power", "quadratic"};
+const Words claimed_law_words{"linear", "power"};
+const Words status_words{"verified", "quoted", "unverified"};
 
 template <class Enum>
 Enum chosen(SectionReader& in, std::string_view key, const Words& words,
@@ -110,22 +113,32 @@ void read_bound(SectionReader& in, Claim& claim) {
 }
 
 void read_law(SectionReader& in, Claim& claim) {
-  claim.law = chosen<LawForm>(in, "law", law_words);
-  claim.r2 =
-      in.optional_number({"r2", "", {.least = 0, .most = 1}, "least R2 of the fit"}).value_or(0.99);
-  if (claim.law == LawForm::power)
+  claim.law = chosen<LawForm>(in, "law", claimed_law_words);
+  if (claim.law == LawForm::power) {
+    if (!in.gives("exponent"))
+      in.missing("exponent", "the power that is claimed", "write exponent = 2");
     claim.exponent = in.optional_number({"exponent", "", any_number, "the power that is claimed"});
-  if (claim.exponent && in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
+    if (in.gives("is")) claim.is = in.choice({"is", {"above", "below"}, ""});
+  } else if (in.gives("is")) {
+    claim.is = in.choice({"is", {"rises", "falls"}, ""});
+  }
+}
+
+/// Whether `within` belongs to the claim: a tolerance of the exponent, the curvature or the ratio.
+bool has_tolerance(const Claim& claim) {
+  if (claim.kind == Kind::law) return claim.law == LawForm::line || claim.is.empty();
+  return claim.kind == Kind::alike;
 }
 
 void read_test(SectionReader& in, Claim& claim) {
   if (claim.kind != Kind::regime)
     claim.quantity = needed(in, "quantity", "its name in summary.json");
-  const bool along = claim.kind != Kind::regime && claim.kind != Kind::bound;
+  const bool along =
+      claim.kind != Kind::regime && claim.kind != Kind::bound && claim.kind != Kind::measured;
   if (along || in.gives("against"))
     claim.against = needed(in, "against", "a key of the campaign's [sweep]");
   if (claim.kind == Kind::law) read_law(in, claim);
-  if ((claim.exponent && claim.is.empty()) || claim.kind == Kind::alike)
+  if (has_tolerance(claim))
     claim.within = in.optional_number({"within", "", positive, "the tolerance"}).value_or(0.1);
   if (claim.kind == Kind::trend) claim.is = in.choice({"is", {"rises", "falls"}, ""});
   if (claim.kind == Kind::compare) {
@@ -133,6 +146,12 @@ void read_test(SectionReader& in, Claim& claim) {
     claim.first = value_of(in, "first", "the value of `against` that is compared with");
     claim.second = value_of(in, "second", "the value at which it is larger or smaller");
   }
+  if (claim.kind == Kind::maximum) {
+    claim.first = value_of(in, "first", "one end of the range of `against` with the maximum");
+    claim.second = value_of(in, "second", "the other end of this range");
+  }
+  if (claim.kind == Kind::measured)
+    claim.measured = needed(in, "measured", "the name of a section [[measured]]");
   if (claim.kind == Kind::regime)
     claim.is = in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling"}, ""});
   if (claim.kind == Kind::bound) read_bound(in, claim);
@@ -143,11 +162,55 @@ Claim read_claim(SectionReader& in) {
   claim.figure = needed(in, "figure", "the figure or section of the paper");
   claim.says = needed(in, "says", "what the paper says");
   claim.why = in.text("why").value_or("");
+  in.flag({"own", false, "a claim of the paper"}, claim.own);
   claim.kind = chosen<Kind>(in, "kind", kind_words);
   claim.campaign = campaign_in(in);
   claim.at = read_selector(in);
   read_test(in, claim);
   return claim;
+}
+
+/// A quantity in SI units; reports a fault if the text is none.
+double si_value(SectionReader& in, const Node& node, const std::string& text) try {
+  return parse_quantity(text).value;
+} catch (const UnitError& error) {
+  in.fault(node, error.what(), "write a number with its unit, as in \"83 W\"", "bad-quantity");
+  return 0;
+}
+
+/// A row of `values`: [key, value, error], [value, error] without a key.
+Measurement::Value read_measured_value(SectionReader& in, const Node& row, bool keyed) {
+  const std::size_t first = keyed ? 1 : 0;
+  const bool sound = row.kind == Node::Kind::list && row.items.size() == first + 2 &&
+                     std::ranges::all_of(row.items, is_value);
+  if (!sound) {
+    in.fault(row, "a measured value consists of the value of the key, the value and its error",
+             keyed ? "write [\"70 rpm\", \"83 W\", \"4 W\"]" : "write [\"83 W\", \"4 W\"]",
+             "wrong-type");
+    return {};
+  }
+  const std::string& text = row.items[first].text;
+  return {.at = keyed ? row.items[0].text : "",
+          .value = si_value(in, row, text),
+          .error = si_value(in, row, row.items[first + 1].text),
+          .text = text};
+}
+
+Measurement read_measurement(SectionReader& in) {
+  Measurement made;
+  made.name = needed(in, "name", "a name for claims and figures");
+  made.source = needed(in, "source", "where the numbers stand");
+  made.error_is = in.text("error_is").value_or("");
+  made.status = chosen<Measurement::Status>(in, "status", status_words);
+  const Node* rows = in.find("values");
+  if (rows == nullptr || rows->kind != Node::Kind::list || rows->items.empty()) {
+    in.missing("values", "the measured values with their errors",
+               "write values = [[\"70 rpm\", \"83 W\", \"4 W\"]]");
+    return made;
+  }
+  const bool keyed = rows->items.front().items.size() != 2;
+  for (const Node& row : rows->items) made.values.push_back(read_measured_value(in, row, keyed));
+  return made;
 }
 
 template <class One, class Read>
@@ -186,7 +249,10 @@ Paper read_paper_text(const std::string& text, const std::filesystem::path& file
   paper.source = top.text("source").value_or("");
   paper.about = top.text("about").value_or("");
   paper.figures = read_list<PaperFigure>(top, "figure", findings, read_figure);
+  paper.licence = top.text("licence").value_or("");
+  top.flag({"quick", true, "part of --quick"}, paper.quick);
   paper.claims = read_list<Claim>(top, "claim", findings, read_claim);
+  paper.measured = read_list<Measurement>(top, "measured", findings, read_measurement);
   top.report_unknown_keys();
   if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
   return paper;
@@ -199,6 +265,11 @@ Paper read_paper(const std::filesystem::path& file) {
     throw InputError(Fault{file.generic_string(), "there is no such file, or it cannot be read",
                            "name a folder with a paper.toml", "no-such-paper"});
   return read_paper_text(text, file);
+}
+
+const Measurement* Paper::measurement(std::string_view name) const {
+  const auto found = std::ranges::find(measured, name, &Measurement::name);
+  return found == measured.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> Paper::campaigns() const {
