@@ -12,6 +12,7 @@
 #include "mahlwerk/kinematics/tabulated.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_file.hpp"
+#include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
@@ -59,6 +60,8 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("flashes", "collisions per bin of flash temperature rise", flashes(outcome));
   unless_empty("wall_map", "hits and wear by cell of the jar's wall", wall_map(outcome));
   unless_empty("fields", "density and velocity of the charge", fields(outcome));
+  unless_empty("bed", "density and velocity along the line through the bed of a drum",
+               bed_table(outcome));
   unless_empty("wear", "wear of balls and jar", wear(outcome));
   unless_empty("temperature", "temperatures of balls and jar over milling and pauses",
                temperatures(outcome));
