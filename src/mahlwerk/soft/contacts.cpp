@@ -8,9 +8,18 @@
 #include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::soft {
+namespace {
+
+/// PairParameters::rolling_coefficient. Under the rule own_spin, each body has a lever of its own.
+double rolling_coefficient(const contact::EffectivePair& effective, contact::Rolling rolling) {
+  const double mu = effective.pair.rolling_friction;
+  return rolling == contact::Rolling::own_spin ? mu : mu * effective.radius;
+}
+
+}  // namespace
 
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
-                               double time_step) {
+                               const Settings& settings) {
   PairParameters parameters;
   const std::int64_t wall = b == nullptr ? -1 : 0;
   parameters.wall = {wall, wall, wall, wall, wall, wall, wall, wall};
@@ -22,10 +31,10 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
     parameters.coefficients[n] = broadcast(pair.coefficients[n]);
   parameters.friction = broadcast(pair.effective.pair.friction);
-  const double arm = pair.effective.pair.rolling_friction * pair.effective.radius;
+  const double arm = rolling_coefficient(pair.effective, settings.model.rolling);
   parameters.rolling_coefficient = broadcast(arm);
   parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
-  parameters.stiffness_correction = broadcast(pair.stiffness_correction(time_step));
+  parameters.stiffness_correction = broadcast(pair.stiffness_correction(settings.time_step));
   parameters.inertia =
       broadcast(b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return parameters;
@@ -33,7 +42,7 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
 
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
                           int face, const Vec3& position, double t, const SpeciesPair& pair,
-                          const contact::AnyLaw& law) {
+                          const contact::ContactModel& model) {
   const auto [max_curvature, min_curvature] = jar.curvatures(face, position, t);
   const double ball_curvature = 1 / parameters.radius_i[lane];
   const auto effective_radius_along = [&](double curvature) {
@@ -42,11 +51,11 @@ void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const Mo
   contact::EffectivePair effective = pair.effective;
   effective.radius =
       std::sqrt(effective_radius_along(max_curvature) * effective_radius_along(min_curvature));
-  const contact::LawCoefficients coefficients =
-      std::visit([&](const auto& l) { return l.coefficients(effective, pair.damping); }, law);
+  const contact::LawCoefficients coefficients = std::visit(
+      [&](const auto& l) { return l.coefficients(effective, pair.damping); }, *model.law);
   for (std::size_t n = 0; n < coefficients.size(); ++n)
     parameters.coefficients[n][lane] = coefficients[n];
-  const double arm = effective.pair.rolling_friction * effective.radius;
+  const double arm = rolling_coefficient(effective, model.rolling);
   parameters.rolling_coefficient[lane] = arm;
   parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
 }

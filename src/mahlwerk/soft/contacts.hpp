@@ -14,13 +14,13 @@ namespace mahlwerk::soft {
 /// Parameters of a ball of species `a` and one of species `b`, or a wall if `b` is null; the same
 /// in all eight lanes.
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
-                               double time_step);
+                               const Settings& settings);
 
 /// Replaces the coefficients of a lane by those with R* from both principal curvatures of the face
 /// (dem.4), for a ball at `position` [m].
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
                           int face, const Vec3& position, double t, const SpeciesPair& pair,
-                          const contact::AnyLaw& law);
+                          const contact::ContactModel& model);
 
 /// The onset data of a contact that begins at `step`.
 ContactOnset contact_onset(std::int64_t step, const OnsetSpeeds& speeds, std::size_t lane);

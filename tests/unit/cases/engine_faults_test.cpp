@@ -28,6 +28,10 @@ TEST(EngineFaults, what_an_engine_does_not_carry_can_still_be_read) {
   ASSERT_EQ(viscous.size(), 1U);
   EXPECT_EQ(viscous[0].where, "case.toml:17");
   EXPECT_EQ(viscous[0].code, "viscous-rolling");
+  const auto own_spin =
+      engine_faults(read_sample(with(vial, "restitution", "rolling = \"own-spin\"")));
+  ASSERT_EQ(own_spin.size(), 1U);
+  EXPECT_EQ(own_spin[0].code, "own-spin-rolling");
 }
 
 TEST(EngineFaults, the_soft_engine_has_one_restitution_for_all_speeds) {

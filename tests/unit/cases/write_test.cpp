@@ -264,7 +264,8 @@ class AnyCase {
     contact::ContactModel model;
     pick(*model.law);
     std::visit([&](auto& law) { draw_numbers(law); }, *model.law);
-    model.rolling = static_cast<contact::Rolling>(whole(5) - 1);
+    model.rolling =
+        static_cast<contact::Rolling>(whole(static_cast<int>(contact::rolling_rules.size())) - 1);
     model.curved_walls = flip();
     model.rescaled_unloading = flip();
     if (has_meaning("rolling_damping", model)) model.rolling_damping = random_.uniform();

@@ -85,6 +85,8 @@ std::vector<World> worlds() {
   curved.curved_walls = true;
   return {
       {"shaken", shaker, lattice(60, 0.0055, {0.0025}), of_law(HertzMindlin{}, Rolling::cdt)},
+      {"planetary, own spins", planet, lattice(60, 0.0042, {0.002, 0.001}),
+       of_law(HertzMindlin{}, Rolling::own_spin)},
       {"planetary, two sizes", planet, lattice(60, 0.0042, {0.002, 0.001}),
        of_law(WaltonBraun{}, Rolling::epsd)},
       {"drum, sticking", drum, lattice(100, 0.0045, {0.002, 0.0015}),

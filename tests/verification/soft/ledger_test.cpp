@@ -65,7 +65,7 @@ TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
     const contact::PairTable pairs(1, 3, mill_pair());
     const double usual = soft::time_steps(five(radius), *model.law, pairs, 3).recommended(0.2);
     std::printf("    usual step %.3g s\n", usual);
-    for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous}) {
+    for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous, Rolling::own_spin}) {
       model.rolling = rule;
       stays_below(std::string(planet ? "planetary mill" : "shaken jar") +
                       ", 5 balls, rolling rule " + std::to_string(static_cast<int>(rule)) +

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -42,8 +43,12 @@ class PlainSoft {
   };
 
   PlainSoft(PlainWorld world, std::vector<scene::Ball> balls, const contact::Pair& pair,
-            double step, bool rolls = false)
-      : world_(std::move(world)), balls_(std::move(balls)), pair_(pair), dt_(step), rolls_(rolls) {
+            double step, contact::Rolling rolling = contact::Rolling::none)
+      : world_(std::move(world)),
+        balls_(std::move(balls)),
+        pair_(pair),
+        dt_(step),
+        rolling_(rolling) {
     for (const scene::Ball& b : balls_)
       pushed_.push_back({world_.field(b.position, b.velocity, 0), turned(b.spin)});
   }
@@ -62,6 +67,8 @@ class PlainSoft {
   };
   struct ContactGeometry {
     Vec3 n, u, spin;  ///< normal from first to second; relative surface velocity; relative spin
+    Vec3 spins[2];    ///< of both bodies
+    double radii[2] = {0, 0};  ///< of both bodies; 0 for a wall
     double overlap = 0, lever = 0, other_lever = 0, radius = 0, mass = 0, inertia = 0;
   };
 
@@ -104,12 +111,14 @@ class PlainSoft {
     m.other_lever = b.radius - 0.5 * m.overlap;
     m.u = a.velocity - b.velocity + cross(m.lever * a.spin + m.other_lever * b.spin, m.n);
     m.spin = a.spin - b.spin;
+    m.spins[0] = a.spin, m.spins[1] = b.spin;
+    m.radii[0] = a.radius, m.radii[1] = b.radius;
     m.radius = a.radius * b.radius / (a.radius + b.radius);
     m.mass = a.mass() * b.mass() / (a.mass() + b.mass());
     m.inertia = a.inertia() * b.inertia() / (a.inertia() + b.inertia());
     const auto [force, torque] = push(m, static_cast<int>(i), static_cast<int>(j));
-    give(i, force, m.lever * cross(m.n, force) + torque);
-    give(j, -force, m.other_lever * cross(m.n, force) - torque);
+    give(i, force, m.lever * cross(m.n, force) + torque[0]);
+    give(j, -force, m.other_lever * cross(m.n, force) + torque[1]);
   }
   void meet(const std::vector<scene::Ball>& seen, std::size_t i, const PlainWall& wall,
             std::size_t face) {
@@ -120,11 +129,13 @@ class PlainSoft {
     m.lever = wall.distance;
     m.u = a.velocity - wall.velocity + cross(m.lever * a.spin, m.n);
     m.spin = a.spin - wall.spin;
+    m.spins[0] = a.spin;
+    m.radii[0] = a.radius;
     m.radius = a.radius;
     m.mass = a.mass();
     m.inertia = a.inertia();
     const auto [force, torque] = push(m, static_cast<int>(i), ~static_cast<int>(face));
-    give(i, force, m.lever * cross(m.n, force) + torque);
+    give(i, force, m.lever * cross(m.n, force) + torque[0]);
   }
   void give(std::size_t i, const Vec3& force, const Vec3& torque) {
     pushed_[i].acceleration += force / balls_[i].mass();
@@ -152,8 +163,26 @@ class PlainSoft {
     return share / std::sqrt(std::sqrt(since));
   }
 
-  /// Force and rolling torque on the first body.
-  std::pair<Vec3, Vec3> push(const ContactGeometry& m, int i, int j) {
+  /// Torques of rolling resistance on both bodies under the load N.
+  std::array<Vec3, 2> rolling_torques(const ContactGeometry& m, double load) const {
+    std::array<Vec3, 2> torques{};
+    const double stopping = 0.0625 * m.inertia / dt_;
+    const double mu = pair_.rolling_friction;
+    if (rolling_ == contact::Rolling::cdt) {
+      const Vec3 rolling = m.spin - dot(m.spin, m.n) * m.n;
+      if (norm(rolling) > 0)
+        torques[0] = -std::min(mu * m.radius * load / norm(rolling), stopping) * rolling;
+      torques[1] = -torques[0];
+    }
+    if (rolling_ == contact::Rolling::own_spin)
+      for (int k = 0; k < 2; ++k)
+        if (norm(m.spins[k]) > 0)
+          torques[k] = -std::min(mu * m.radii[k] * load / norm(m.spins[k]), stopping) * m.spins[k];
+    return torques;
+  }
+
+  /// Force on the first body, and rolling torques on both.
+  std::pair<Vec3, std::array<Vec3, 2>> push(const ContactGeometry& m, int i, int j) {
     const bool touching = m.overlap > 0;
     if (!touching && !springs_.contains({i, j})) return {};
     const double rate = dot(m.u, m.n), way = std::abs(rate) * dt_;
@@ -197,21 +226,16 @@ class PlainSoft {
       if (stiff * length > held) spring *= held / (stiff * length);
     }
     at->second.spring = spring + half;
-    Vec3 torque{};
-    const Vec3 rolling = m.spin - dot(m.spin, m.n) * m.n;
-    if (rolls_ && touching && norm(rolling) > 0)
-      torque = -std::min(pair_.rolling_friction * m.radius * std::abs(f.force) / norm(rolling),
-                         0.5 * m.inertia / dt_) *
-               rolling;
+    const auto torques = touching ? rolling_torques(m, std::abs(f.force)) : std::array<Vec3, 2>{};
     if (!touching) springs_.erase({i, j});
-    return {force - f.force * m.n, torque};
+    return {force - f.force * m.n, torques};
   }
 
   PlainWorld world_;
   std::vector<scene::Ball> balls_;
   contact::Pair pair_;
   double dt_;
-  bool rolls_;
+  contact::Rolling rolling_;
   std::vector<Pushed> pushed_;
   struct Spring {
     Vec3 spring;  // half a step ahead

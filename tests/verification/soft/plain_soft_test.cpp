@@ -50,20 +50,23 @@ std::vector<scene::Ball> thrown(int count, double speed) {
 /// Both programs take the same steps, so they differ only by rounding errors, which grow in
 /// collisions. A second run of the reference, with one ball displaced by 1e-14 radii, measures this
 /// growth.
-void same_as_plain(const std::string& what, int count, double time, std::size_t touches) {
+void same_as_plain(const std::string& what, int count, double time, std::size_t touches,
+                   Rolling rolling = Rolling::cdt, std::size_t few = 32) {
   const scene::Chamber box = still_box(0.03, {0, 0, -gravity});
   const double dt = 2e-6;
   const std::vector<scene::Ball> balls = thrown(count, 1);
   std::vector<scene::Ball> nudged = balls;
   nudged[0].position.x += 1e-14 * balls[0].radius;
   const int steps = static_cast<int>(std::lround(time / dt));
-  PlainSoft plain(laboratory(box), balls, soft_pair(), dt, true);
-  PlainSoft other(laboratory(box), nudged, soft_pair(), dt, true);
+  PlainSoft plain(laboratory(box), balls, soft_pair(), dt, rolling);
+  PlainSoft other(laboratory(box), nudged, soft_pair(), dt, rolling);
   plain.advance(steps);
   other.advance(steps);
   ASSERT_GE(plain.touches().size(), touches);
+  const int faces = geometry::faces(*box.shape);
   const auto engine =
-      soft_engine(box, balls, of_law(HertzMindlin{}, Rolling::cdt), soft_pair(), dt);
+      soft::make_engine(box, balls, {of_law(HertzMindlin{}, rolling), dt, false, few},
+                        contact::PairTable(1, faces, soft_pair()), 0);
   Recorder recorder;
   engine->advance(steps * dt, recorder);
   const double growth = apart(plain.balls(), other.balls());
@@ -80,6 +83,11 @@ TEST(PlainSoft, three_balls_in_a_still_box) {
 }
 TEST(PlainSoft, twelve_balls_whose_forces_go_through_memory) {
   same_as_plain("12 balls", 12, 0.02, 20);
+}
+TEST(PlainSoft, rolling_resistance_against_the_spin_of_each_ball) {
+  for (const std::size_t few : {std::size_t{32}, std::size_t{0}})
+    same_as_plain(few > 0 ? "own-spin, few" : "own-spin, many", 12, 0.02, 20, Rolling::own_spin,
+                  few);
 }
 
 /// Compares the engine in the jar frame with the reference in another frame. The difference falls

@@ -69,6 +69,7 @@ inline std::vector<std::pair<std::string, Make>> runs() {
       {"five that stick", made(drum, 5, Jkr{}, Rolling::viscous, true)},
       {"twenty balls", made(capsule, 20, AdamsImpact{}, Rolling::epsd, true)},
       {"twenty in a drum", made(drum, 20, Sjkr{}, Rolling::cdt, true)},
+      {"five of own spins", made(planet, 5, HertzMindlin{}, Rolling::own_spin, false)},
   };
 }
 

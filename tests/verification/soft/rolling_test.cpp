@@ -69,6 +69,58 @@ TEST(Rolling, torque_of_type_b_doubles_with_speed) {
   }
 }
 
+TEST(Rolling, torque_against_the_own_spin_does_not_depend_on_speed) {
+  const double mu_r = 0.02, wanted = 2.5 * mu_r * gravity / big.radius;
+  for (const double w : {50.0, 100.0})
+    states("own-spin slows a ball at " + std::to_string(static_cast<int>(w)) + " rad/s [rad/s2]",
+           slowed(Rolling::own_spin, mu_r, w), wanted, 1e-3 * wanted, "(5/2) mu_r g / R");
+}
+
+/// Two balls that spin about parallel axes collide head-on, without friction. Each loses
+/// mu_r R_a/I_a times the impulse, whatever the other does. The type A torque of both is the same.
+TEST(Rolling, torque_against_the_own_spin_grows_with_the_radius_of_the_ball) {
+  const double mu_r = 0.01;
+  contact::Pair pair = pair_of({1e9, 0.3}, {1e9, 0.3}, 1);
+  pair.rolling_friction = mu_r;
+  const std::vector<scene::Ball> balls{{0.004, 7850, {}, {1, 0, 0}, {0, 0, 200}},
+                                       {0.008, 7850, {}, {-1, 0, 0}, {0, 0, 200}}};
+  const double a = balls[0].mass(), b = balls[1].mass(), impulse = 2 * 2 * a * b / (a + b);
+  const Impact own = impact(balls, pair, of_law(HertzMindlin{}, Rolling::own_spin), 0.005);
+  const Impact relative = impact(balls, pair, of_law(HertzMindlin{}, Rolling::cdt), 0.005);
+  for (const std::size_t i : {0, 1}) {
+    const double wanted = mu_r * balls[i].radius * impulse / balls[i].inertia();
+    states("spin lost by the ball of " + std::to_string(balls[i].radius) + " m [rad/s]",
+           balls[i].spin.z - own.after[i].spin.z, wanted, 1e-4 * wanted, "mu_r R_a J / I_a");
+    EXPECT_EQ(relative.after[i].spin.z, balls[i].spin.z) << "cdt: equal spins do not roll";
+  }
+}
+
+TEST(Rolling, a_ball_on_a_floor_that_rolls_is_slowed_alike_by_cdt_and_against_its_own_spin) {
+  // At a wall at rest both rules have the lever R and the same direction, so the bits are the same
+  // but for the order of products.
+  const double mu_r = 0.02;
+  const auto end = [&](Rolling rule) {
+    contact::Pair pair = pair_of(plastic, rigid, 0.5, 0.5);
+    pair.rolling_friction = mu_r;
+    const double depth = sunk(touching(pair, big)), speed = 0.5;
+    scene::Ball ball = big;
+    ball.position = {-0.2, 0, -0.5 + ball.radius - depth};
+    ball.velocity.x = speed;
+    ball.spin.y = speed / ball.radius;
+    const auto engine = soft_engine(still_box(1, {0, 0, -gravity}), {ball},
+                                    of_law(HertzMindlin{}, rule), pair, step_of(depth));
+    Recorder none;
+    engine->advance(0.5, none);
+    return engine->balls()[0];
+  };
+  const scene::Ball own = end(Rolling::own_spin), cdt = end(Rolling::cdt);
+  const double wanted = 5.0 / 7 * mu_r * gravity;
+  states("deceleration of a rolling ball [m/s2]", (0.5 - own.velocity.x) / 0.5, wanted,
+         (2e-3 + 2 * sunk(touching(pair_of(plastic, rigid, 0.5), big)) / big.radius) * wanted,
+         "(5/7) mu_r g, lever R less the overlap");
+  states("speed, own-spin against cdt [m/s]", own.velocity.x, cdt.velocity.x, 1e-9, "same torque");
+}
+
 struct Drum {
   double radius = 0.05, speed = 3;
   contact::Pair pair;

@@ -57,6 +57,11 @@ std::vector<Fault> event_faults(const Case& c) {
              "rolling = \"viscous\" is for the soft engine: in the event engine the resistance is "
              "the same at every speed",
              "write rolling = \"cdt\" with a rolling_friction without unit", "viscous-rolling"}};
+  if (c.contact.model.rolling == contact::Rolling::own_spin)
+    return {{location_of(c, "contact.rolling"),
+             "rolling = \"own-spin\" is for the soft engine: the sustained contacts of the event "
+             "engine resist the rolling relative to the wall",
+             "write rolling = \"cdt\", or engine = \"soft\"", "own-spin-rolling"}};
   return {};
 }
 

@@ -48,9 +48,9 @@ void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
   change_contact_count(p.i[lane], 1);
   if (p.wall[lane] == 0) change_contact_count(p.j[lane], 1);
   if (p.wall[lane] != 0 && settings_.model.curved_walls)
-    apply_wall_curvature(
-        p, lane, *jar_, p.face[lane], particles_.position(static_cast<std::size_t>(p.i[lane])),
-        mill_time(particles_.step), pairs_[p.species_pair[lane]], *settings_.model.law);
+    apply_wall_curvature(p, lane, *jar_, p.face[lane],
+                         particles_.position(static_cast<std::size_t>(p.i[lane])),
+                         mill_time(particles_.step), pairs_[p.species_pair[lane]], settings_.model);
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
   p.stiffness[lane] = 0;

@@ -121,7 +121,7 @@ void FewBodySolver::assign_lane(PairPacket& p, std::size_t lane, const NearPair&
   p.j[lane] = wall ? 0 : c.j;
   copy_lane(pair_parameters(pairs_[p.species_pair[lane]], pairs_.species_of(i),
                             wall ? nullptr : &pairs_.species_of(static_cast<std::size_t>(c.j)),
-                            settings_.time_step),
+                            settings_),
             0, p, lane);
   // Unused here: flush_work() itself divides the largest overlap by the radius.
   p.inverse_radius[lane] = 0;

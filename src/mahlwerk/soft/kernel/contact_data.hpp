@@ -41,7 +41,7 @@ struct alignas(64) PairParameters {
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
   Lanes friction{};             ///< mu
-  Lanes rolling_coefficient{};  ///< [m] mu_r R*; [s] for the viscous rule
+  Lanes rolling_coefficient{};  ///< [m] mu_r R*; [s] for viscous; mu_r for own_spin
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
   Lanes rolling_stiffness_ratio{};

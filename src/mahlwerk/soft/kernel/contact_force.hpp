@@ -197,6 +197,28 @@ template <class V>
   return where<V>(touching, torque);
 }
 
+/// Rolling resistance of each body against its own spin in the laboratory (dem.38). A wall has no
+/// radius, so it has no torque: what a ball loses at a wall is dissipated.
+template <class V>
+[[gnu::always_inline]] inline void add_own_spin_torques(
+    const LaneGroup<V>& group, const PairParameters& pair, WorkOfStep<V>& work,
+    const StepConstants& constants, const PairMotion<V>& motion,
+    const contact::LawForce<V>& law_force, const MaskOf<V>& touching, ContactForce<V>& out) {
+  const V limit = group(pair.rolling_coefficient) * law_force.load;
+  // As in rolling_torque(): no contact stops a spin within sixteen steps.
+  const V stopping = (0.0625 * constants.inverse_dt) * group(pair.inertia);
+  const auto torque_on = [&](const V& radius, const Vec<V>& spin) {
+    const V speed = sqrt(dot(spin, spin));
+    const V size = min(limit * radius / max(speed, V{} + 1e-300), stopping);
+    return where<V>(touching, -(size * spin));
+  };
+  const Vec<V> torque_i = torque_on(group(pair.radius_i), motion.wi),
+               torque_j = torque_on(group(pair.radius_j), motion.wj);
+  work.rolling = -(constants.dt * (dot(torque_i, motion.wi) + dot(torque_j, motion.wj)));
+  out.torque_i = out.torque_i + torque_i;
+  out.torque_j = out.torque_j + torque_j;
+}
+
 /// Forces and torques of a group in a step. Updates its history; `work` is what this step adds.
 /// `transitions` is null if no contact begins or ends; `walls` is true if there may be walls.
 template <class Law, class V>
@@ -237,7 +259,9 @@ template <class Law, class V>
   out.torque_j = geometry.lever_j * arm;
   V wall_power{};
   if (walls) wall_power = dot(out.force, motion.vj + in_all_lanes<V>(constants.jar_velocity));
-  if (constants.rolling != contact::Rolling::none) {
+  if (constants.rolling == contact::Rolling::own_spin) {
+    add_own_spin_torques<V>(group, pair, work, constants, motion, law_force, touching, out);
+  } else if (constants.rolling != contact::Rolling::none) {
     const Vec<V> torque = rolling_torque<V>(group, pair, history, work, constants, geometry, motion,
                                             law_force, touching);
     out.torque_i = out.torque_i + torque;

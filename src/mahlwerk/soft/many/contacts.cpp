@@ -110,7 +110,7 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n) {
     PairParameters& own = list.parameters[n];
     copy_lane(parameters_[static_cast<std::size_t>(g.species_pair[l])], l, own, l);
     apply_wall_curvature(own, l, *jar_, g.j[l], rows_[static_cast<std::size_t>(g.i[l])].position(),
-                         mill_time(step_), pairs_[g.species_pair[l]], *settings_.model.law);
+                         mill_time(step_), pairs_[g.species_pair[l]], settings_.model);
   }
   g.begun = 0;
 }

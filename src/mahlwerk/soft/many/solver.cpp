@@ -60,12 +60,11 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     for (std::int32_t b = 0; b < species; ++b) {
       const std::int32_t k = pairs_.ball_pair_index(a, b);
       parameters_[static_cast<std::size_t>(k)] =
-          pair_parameters(pairs_[k], s, &pairs_.species(b), settings_.time_step);
+          pair_parameters(pairs_[k], s, &pairs_.species(b), settings_);
     }
     for (int face = 0; face < pairs.faces(); ++face) {
       const std::int32_t k = pairs_.wall_pair_index(a, face);
-      parameters_[static_cast<std::size_t>(k)] =
-          pair_parameters(pairs_[k], s, nullptr, settings_.time_step);
+      parameters_[static_cast<std::size_t>(k)] = pair_parameters(pairs_[k], s, nullptr, settings_);
     }
     const double half_kick_factor = 0.5 * settings.time_step / s.mass,
                  half_spin_kick_factor = 0.5 * settings.time_step / s.inertia;
