@@ -152,6 +152,66 @@ TEST(Regime, is_named_by_the_rule) {
   EXPECT_EQ(regime(of(kinematics::Tumbling{0})), "") << "a drum at rest";
 }
 
+/// Both balls at 40 mm from the axis, at these speeds seen from the jar and from the carrier, and
+/// this slip at the wall [m/s].
+void moves(Outcome& outcome, double from_jar, double from_carrier, double slip) {
+  Charge& charge = outcome.replicates[0].charge;
+  charge.in_jar.add(0.04, 0, from_jar, 0, from_jar * from_jar, 1, 1);
+  charge.in_carrier.add(0.04, 0, from_carrier, 0, from_carrier * from_carrier, 1, 1);
+  charge.in_jar.add_time(1);
+  charge.in_carrier.add_time(1);
+  charge.mass_at_wall = 1;
+  charge.wall_slip = slip;
+}
+
+/// Contact shares and speeds of replicates of papers/planetary-mill/regimes.toml and friction.toml,
+/// in the speed of the wall seen from the disc.
+TEST(Regime, a_charge_that_the_wall_carries_round_is_not_cascading_although_some_balls_rattle) {
+  const auto word = [](Outcome outcome, double contact, int count, double from_jar) {
+    const bool turning = kinematics::as<kinematics::Tumbling>(*outcome.mill_case.mill.motion);
+    const double wall = 3 * 0.1 * (turning ? 1 : 40);
+    put(outcome, 0, count);
+    touch(outcome, contact);
+    moves(outcome, from_jar * wall, wall, 0);
+    return regime(outcome);
+  };
+  const int round = Charge::angles;
+  EXPECT_EQ(word(planetary(-3), 0.973, round, 0.071), "rolling") << "friction 0.5, k = -5";
+  EXPECT_EQ(word(planetary(-3), 0.979, round, 0.106), "rolling") << "friction 0.2, k = -6";
+  EXPECT_EQ(word(drum(3), 0.973, round, 0.071), "centrifuging");
+  EXPECT_EQ(word(planetary(-3), 0.835, round, 0.361), "cascading") << "friction 0.2, k = -5";
+  EXPECT_EQ(word(planetary(-3), 0.973, round / 2, 0.071), "cascading") << "on one side only";
+  EXPECT_EQ(word(planetary(-3), 0.79, round, 0.071), "cataracting") << "21 % of flight";
+}
+
+TEST(Regime, a_charge_at_rest_under_which_the_wall_passes_is_sliding) {
+  const auto word = [](double contact, double from_carrier, double slip) {
+    Outcome outcome = planetary(-2);  // the wall passes at 2 * 40/s * 0.1 m
+    put(outcome, 20, 40);
+    touch(outcome, contact);
+    moves(outcome, 8, from_carrier * 8, slip * 8);
+    return regime(outcome);
+  };
+  EXPECT_EQ(word(1, 0.0023, 0.505), "sliding") << "replicate 1 of friction.toml";
+  EXPECT_EQ(word(1, 0.0045, 0.40), "sliding") << "replicate 6";
+  EXPECT_EQ(word(0.918, 0.307, 0.247), "cascading") << "replicate 2";
+  EXPECT_EQ(word(1, 0.0023, 0), "cascading") << "balls that roll on the spot";
+  EXPECT_EQ(word(0.97, 0.0023, 0.5), "cascading") << "3 % of flight";
+}
+
+TEST(Regime, is_named_for_each_replicate) {
+  Outcome outcome = planetary(-2);
+  outcome.replicates.push_back(outcome.replicates[0]);
+  put(outcome, 20, 40);
+  touch(outcome, 1);
+  moves(outcome, 8, 0, 4);
+  Replicate& other = outcome.replicates[1];
+  other.charge.mass_by_angle = outcome.replicates[0].charge.mass_by_angle;
+  other.energy_balance.contact_time = 20 * 0.7;
+  EXPECT_EQ(regime(outcome.mill_case, outcome.replicates[0]), "sliding");
+  EXPECT_EQ(regime(outcome.mill_case, other), "cataracting");
+}
+
 TEST(Regime, is_averaged_over_replicates) {
   Outcome outcome = drum(3);
   outcome.replicates.push_back(outcome.replicates[0]);

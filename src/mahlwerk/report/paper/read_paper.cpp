@@ -153,7 +153,8 @@ void read_test(SectionReader& in, Claim& claim) {
   if (claim.kind == Kind::measured)
     claim.measured = needed(in, "measured", "the name of a section [[measured]]");
   if (claim.kind == Kind::regime)
-    claim.is = in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling"}, ""});
+    claim.is =
+        in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling", "sliding"}, ""});
   if (claim.kind == Kind::bound) read_bound(in, claim);
 }
 

@@ -43,17 +43,6 @@ double occupied_share(const Case& c, const Replicate& r) {
   return static_cast<double>(full) / static_cast<double>(found.size());
 }
 
-/// [m/s] Root mean square speed, weighted by mass.
-double speed(const PlaneField& field) {
-  double mass = 0, energy = 0;
-  for (int j = 0; j < PlaneField::cells; ++j)
-    for (int i = 0; i < PlaneField::cells; ++i) {
-      mass += field.density(i, j);
-      energy += field.kinetic_energy(i, j);
-    }
-  return mass > 0 ? std::sqrt(2 * energy / mass) : undefined;
-}
-
 double across(const CollisionSums& sums) {
   return sums.energy_contact_point - sums.energy_normal;
 }
@@ -70,6 +59,16 @@ double grazing(const observe::Angles& angles, std::int64_t count) {
 
 }  // namespace
 
+double root_mean_square_speed(const PlaneField& field) {
+  double mass = 0, energy = 0;
+  for (int j = 0; j < PlaneField::cells; ++j)
+    for (int i = 0; i < PlaneField::cells; ++i) {
+      mass += field.density(i, j);
+      energy += field.kinetic_energy(i, j);
+    }
+  return mass > 0 ? std::sqrt(2 * energy / mass) : undefined;
+}
+
 std::vector<Measure> motion_measures(const Case& mill_case) {
   std::vector<Measure> list;
   if (!regime_measures(mill_case).empty())
@@ -81,10 +80,13 @@ std::vector<Measure> motion_measures(const Case& mill_case) {
   list.push_back({"ball_speed_seen_from_carrier", "m/s",
                   "root mean square speed of the balls by mass, in a frame that moves with the "
                   "jar's centre and rotates with its carrier",
-                  [](const Case&, const Replicate& r) { return speed(r.charge.in_carrier); }});
-  list.push_back({"ball_speed_seen_from_jar", "m/s",
-                  "root mean square speed of the balls by mass, in the jar's frame",
-                  [](const Case&, const Replicate& r) { return speed(r.charge.in_jar); }});
+                  [](const Case&, const Replicate& r) {
+                    return root_mean_square_speed(r.charge.in_carrier);
+                  }});
+  list.push_back(
+      {"ball_speed_seen_from_jar", "m/s",
+       "root mean square speed of the balls by mass, in the jar's frame",
+       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_jar); }});
   return list;
 }
 

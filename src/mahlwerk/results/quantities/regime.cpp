@@ -129,6 +129,45 @@ double pinning(const Case& c, const Replicate& r) {
   return share(spin * spin * arm, c.gravity);
 }
 
+/// [m/s] Speed of the wall's surface seen from the carrier, which holds the jar's centre.
+double wall_speed(const Case& c, const Replicate& r) {
+  double spin = jar_spin(c);
+  if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
+    spin = mill->ratio * mill->speed;
+  return std::abs(spin) * r.tally.wall_map.grid().radius;
+}
+
+/// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
+/// at the wall. Undefined without samples of the balls.
+double jar_lag(const Case& c, const Replicate& r) {
+  return share(root_mean_square_speed(r.charge.in_jar), wall_speed(c, r));
+}
+double carrier_motion(const Case& c, const Replicate& r) {
+  return share(root_mean_square_speed(r.charge.in_carrier), wall_speed(c, r));
+}
+double slip_at_wall(const Case& c, const Replicate& r) {
+  return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall_speed(c, r));
+}
+
+/// The measured numbers that name a regime.
+struct Signs {
+  double flight_share = 0, emptiest_sector = 0, jar_lag = 0, carrier_motion = 0, slip_at_wall = 0;
+};
+
+/// The rule of docs/theory/observe.md, "Regimes"; a comparison with an undefined number is false.
+std::string regime_by(const Signs& s, bool drum) {
+  const bool all_round = s.emptiest_sector > 0.1;
+  const bool carried_round = all_round && s.flight_share < 0.1 && s.jar_lag < 0.2;
+  if ((all_round && s.flight_share < 0.02) || carried_round)
+    return drum ? "centrifuging" : "rolling";
+  if (s.flight_share < 0.02 && s.carrier_motion < 0.1 && s.slip_at_wall > 0.1) return "sliding";
+  return s.flight_share > 0.2 ? "cataracting" : "cascading";
+}
+
+bool is_drum(const Case& c) {
+  return kinematics::as<Tumbling>(*c.mill.motion) != nullptr;
+}
+
 /// Mean over the averaged replicates.
 double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
   double sum = 0;
@@ -141,7 +180,7 @@ double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate
 
 std::vector<Measure> regime_measures(const Case& mill_case) {
   if (!has_regime(mill_case)) return {};
-  const bool drum = kinematics::as<Tumbling>(*mill_case.mill.motion) != nullptr;
+  const bool drum = is_drum(mill_case);
   return {
       {"flight_share", "1", "share of the balls' time without any contact", flight_share},
       {"toe_angle", "deg",
@@ -166,24 +205,31 @@ std::vector<Measure> regime_measures(const Case& mill_case) {
 }
 
 std::string regime(const Outcome& outcome) {
-  if (!has_regime(outcome.mill_case) || averaged_replicates(outcome).empty()) return "";
-  const double flight = mean_of(outcome, flight_share);
-  const bool all_round = mean_of(outcome, emptiest_sector) > 0.1;
-  if (flight < 0.02 && all_round)
-    return kinematics::as<Tumbling>(*outcome.mill_case.mill.motion) != nullptr ? "centrifuging"
-                                                                               : "rolling";
-  return flight > 0.2 ? "cataracting" : "cascading";
+  const Case& c = outcome.mill_case;
+  if (!has_regime(c) || averaged_replicates(outcome).empty()) return "";
+  return regime_by(
+      {mean_of(outcome, flight_share), mean_of(outcome, emptiest_sector), mean_of(outcome, jar_lag),
+       mean_of(outcome, carrier_motion), mean_of(outcome, slip_at_wall)},
+      is_drum(c));
+}
+
+std::string regime(const Case& mill_case, const Replicate& r) {
+  if (!has_regime(mill_case) || !(r.time() > 0)) return "";
+  return regime_by(
+      {flight_share(mill_case, r), emptiest_sector(mill_case, r), jar_lag(mill_case, r),
+       carrier_motion(mill_case, r), slip_at_wall(mill_case, r)},
+      is_drum(mill_case));
 }
 
 std::string regime_reason(const Outcome& outcome) {
   return fmt::format(
       "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of a "
-      "uniform charge's share, the charge lies from {:.0f}° to {:.0f}°, {} {:.2g}",
+      "uniform charge's share, the charge lies from {:.0f}° to {:.0f}° and moves at {:.2g} of the "
+      "wall's speed seen from the jar, {:.2g} seen from its carrier, {} {:.2g}",
       100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
-      mean_of(outcome, toe), mean_of(outcome, shoulder),
-      kinematics::as<Tumbling>(*outcome.mill_case.mill.motion) != nullptr ? "Froude number"
-                                                                          : "pinning ratio",
-      mean_of(outcome, pinning));
+      mean_of(outcome, toe), mean_of(outcome, shoulder), mean_of(outcome, jar_lag),
+      mean_of(outcome, carrier_motion),
+      is_drum(outcome.mill_case) ? "Froude number" : "pinning ratio", mean_of(outcome, pinning));
 }
 
 }  // namespace mahlwerk::results

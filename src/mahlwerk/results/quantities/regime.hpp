@@ -14,9 +14,15 @@ namespace mahlwerk::results {
 /// mills.
 std::vector<Measure> regime_measures(const cases::Case& mill_case);
 
-/// "cascading", "cataracting", "centrifuging" (of a drum), "rolling" (of a planetary mill); empty
-/// for other mills or without a counted time.
+/// "cascading", "cataracting", "sliding", "centrifuging" (of a drum), "rolling" (of a planetary
+/// mill), by the means over the averaged replicates; empty for other mills or without a counted
+/// time.
 std::string regime(const Outcome& outcome);
+/// The same for one replicate: modes of motion differ between replicates.
+std::string regime(const cases::Case& mill_case, const Replicate& replicate);
+
+/// [m/s] Root mean square speed of a field, weighted by mass; undefined without mass.
+double root_mean_square_speed(const observe::PlaneField& field);
 
 /// The quantities that decide the regime, in a sentence. Call only where there is a regime.
 std::string regime_reason(const Outcome& outcome);
