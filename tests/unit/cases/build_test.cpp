@@ -40,6 +40,11 @@ TEST(Consequences, of_a_planetary_mill) {
   EXPECT_EQ(value(planetary, "speed_ratio_relative"), -2);
   EXPECT_EQ(value(planetary, "speed_ratio_absolute"), -1);
   EXPECT_NEAR(value(planetary, "critical_speed_ratio"), 3.277, 5e-4);
+  // 1 + sqrt(70/13.5 sqrt(1 + 1/0.5^2)); without friction there is no such ratio.
+  EXPECT_NEAR(value(planetary, "critical_speed_ratio_with_friction", {{"contact.friction", "0.5"}}),
+              4.405, 5e-4);
+  EXPECT_TRUE(std::isnan(
+      value(planetary, "critical_speed_ratio_with_friction", {{"contact.friction", "0"}})));
   EXPECT_NEAR(value(planetary, "expected_impact_energy"), 26.9e-3, 0.05e-3);  // with absolute speed
   EXPECT_NEAR(value(planetary, "relative_centrifugal_acceleration", {{"mill.speed", "800 rpm"}}),
               50.1, 0.05);

@@ -62,6 +62,46 @@ Seen run(std::uint32_t start, double time) {
   return seen;
 }
 
+/// Angle [rad] by which a ball of paper B that cannot roll lags behind the wall in two turns of the
+/// disc, without gravity, from rest on the wall.
+double lag(double ratio, double friction) {
+  kinematics::Planetary mill;
+  mill.orbit_radius = 0.07;
+  mill.speed = disc;
+  mill.ratio = ratio;
+  const scene::Chamber chamber{geometry::Cylinder{0.042, 0.03248}, mill, {}, {}};
+  const double arm = 0.021 - 0.0075, spin = disc * (1 + ratio);
+  contact::Pair pair = pair_of({208e9, 0.3}, {208e9, 0.3}, 0.35, friction);
+  pair.rolling_friction = 2 * friction;
+  const auto engine =
+      soft_engine(chamber, {{0.0075, 7700, {arm, 0, 0}, {0, spin * arm, 0}, {0, 0, spin}}},
+                  of_law(contact::HertzMindlin{}, contact::Rolling::cdt), pair, 1e-6);
+  Recorder recorder;
+  constexpr int samples = 400;
+  const double time = 2 * 2 * std::numbers::pi / disc;
+  double lag = 0, last = 0;
+  for (int i = 1; i <= samples; ++i) {
+    engine->advance(time * i / samples, recorder);
+    const Vec3 p = engine->balls().front().position;
+    const double behind = std::atan2(p.y, p.x) - spin * time * i / samples;
+    lag += std::remainder(behind - last, 2 * std::numbers::pi);
+    last = behind;
+  }
+  return std::abs(lag);
+}
+
+TEST(PlanetaryMill, friction_carries_a_ball_along_above_the_critical_ratio_that_knows_it) {
+  // The elastic deflection of the contact is of the order of the overlap, 1e-4 of the arm.
+  for (const double friction : {0.2, 0.5, 1.0}) {
+    const double critical =
+        1 + std::sqrt(0.07 / 0.0135 * std::sqrt(1 + 1 / (friction * friction)));  // (kin.18)
+    stays_below("lag 3 % above the ratio [rad]", lag(-1.03 * critical, friction), 0.01,
+                "the ball sticks to the wall");
+    stays_below("0.02 rad over the lag 5 % below the ratio", 0.02 / lag(-0.95 * critical, friction),
+                1, "the ball slips at the worst angle in each turn");
+  }
+}
+
 TEST(PlanetaryMill, walls_give_the_power_that_contacts_dissipate) {
   // The energy of the balls may differ by 0.2 J between start and end, which is 1 % of the work of
   // five seconds.

@@ -122,6 +122,11 @@ class Derivation {
     add("critical_speed_ratio", 1 + std::sqrt(mill.orbit_radius / arm_), "",
         "magnitude of the relative speed ratio that pins the largest ball, jar against disc "
         "(kin.13)");
+    if (const double mu = c_.contact.rule.friction; std::isfinite(mu) && mu > 0)
+      add("critical_speed_ratio_with_friction",
+          1 + std::sqrt(mill.orbit_radius / arm_ * std::sqrt(1 + 1 / (mu * mu))), "",
+          "the same for a ball that the friction of the wall must carry along; between both ratios "
+          "the ball slips or is thrown (kin.18)");
     if (c_.gravity > 0)
       add("relative_centrifugal_acceleration", disc * disc * mill.orbit_radius / c_.gravity, "",
           "centrifugal acceleration of the disc over gravity: the makers' g figure (kin.14)");
