@@ -104,8 +104,16 @@ TEST(Bed, a_charge_in_rigid_rotation_has_no_layer) {
 TEST(Bed, other_mills_have_the_height_of_their_charge) {
   Outcome outcome = bed(1.2);
   outcome.mill_case.mill.motion = kinematics::Vibration{};
-  ASSERT_EQ(bed_measures(outcome.mill_case).size(), 1U);
+  outcome.mill_case.mill.jar_axis = {0, 0, 1};
+  outcome.mill_case.balls[0].count = 1000;
+  ASSERT_EQ(bed_measures(outcome.mill_case).size(), 2U);
   EXPECT_LT(value(outcome, "charge_height"), 0);
+  // Bottom at -1 m, 2 m above the top; a jar of 0.1 m height between them counts as that much
+  // wider.
+  const double half_depth = 0.5 * 1000 * std::numbers::pi / 6 * 27e-9 /
+                            (0.6 * std::numbers::pi * radius * radius * 0.1 / 2);
+  EXPECT_NEAR(value(outcome, "charge_rise"), value(outcome, "charge_height") + 1 - half_depth,
+              1e-9);
   outcome.mill_case.mill.motion = kinematics::Planetary{};
   EXPECT_TRUE(bed_measures(outcome.mill_case).empty());
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -127,6 +128,19 @@ double centre_distance(const Case&, const Replicate& r) {
 double centre_height(const Case&, const Replicate& r) {
   return centre(r.charge.in_carrier).y;
 }
+
+/// Height of the centre of mass above that of the charge at rest on the bottom (obs.12).
+double charge_rise(const Case& c, const Replicate& r) {
+  constexpr double packing = 0.6;  // random loose packing of spheres
+  double solid = 0, least = 0;
+  for (const cases::BallSet& set : c.balls) {
+    solid += static_cast<double>(set.count) * cases::ball_volume(set);
+    least = std::max(least, 0.5 * cases::largest_ball({set}));
+  }
+  const observe::WallGrid& wall = r.tally.wall_map.grid();
+  const double area = cases::jar_volume(c.jar) / (wall.top - wall.bottom);
+  return centre_height(c, r) - wall.bottom - std::max(least, 0.5 * solid / (packing * area));
+}
 SurfaceLayer layer_of(const Case& c, const Replicate& r) {
   return surface_layer(bed_profile(c, r));
 }
@@ -153,8 +167,15 @@ std::vector<Measure> bed_measures(const Case& mill_case) {
   const bool upright = std::abs(normal.z) < 1e-9;
   if (drum(mill_case) == nullptr) {
     if (!upright) return {};
-    return {{"charge_height", "m",
-             "mean height of the balls' centre of mass above the jar's centre", centre_height}};
+    std::vector<Measure> list{{"charge_height", "m",
+                               "mean height of the balls' centre of mass above the jar's centre",
+                               centre_height}};
+    if (std::abs(mill_case.mill.jar_axis.z) > 1 - 1e-9)
+      list.push_back({"charge_rise", "m",
+                      "mean height of the balls' centre of mass above that of the charge at rest "
+                      "on the bottom, at a packing of 0.6",
+                      charge_rise});
+    return list;
   }
   return {
       {"bed_angle", "deg",
