@@ -13,6 +13,7 @@
 #include "mahlwerk/geometry/lifter_cylinder.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
+#include "mahlwerk/geometry/periodic_cylinder.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
 #include "mahlwerk/geometry/sphere.hpp"
 
@@ -21,7 +22,7 @@ namespace mahlwerk::geometry {
 template <class... Formulas>
 struct Register {
   using Formula = std::variant<Formulas...>;
-  using Any = std::variant<Formulas..., LifterCylinder, Attritor, Mesh>;
+  using Any = std::variant<Formulas..., PeriodicCylinder, LifterCylinder, Attritor, Mesh>;
 };
 /// The register of all jar shapes. To add one, write its file and add its name here.
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;

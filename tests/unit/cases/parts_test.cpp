@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -56,6 +59,67 @@ TEST(JarWithParts, the_event_engine_does_not_take_them) {
   EXPECT_EQ(found[0].code, "jar-needs-soft");
   EXPECT_TRUE(
       engine_faults(read_sample(with(std::string(drum), "engine", "engine = \"auto\""))).empty());
+}
+
+constexpr std::string_view open_drum = R"(title = "Drum without ends"
+[mill]
+kind = "tumbling"
+speed = "60 rpm"
+[jar]
+kind = "periodic_cylinder"
+diameter = "200 mm"
+length = "50 mm"
+[[balls]]
+diameter = "10 mm"
+density = "7800 kg/m3"
+filling = "30 %"
+[run]
+time = "1 s"
+)";
+
+TEST(PeriodicCylinder, is_read_filled_by_its_volume_and_runs_in_the_soft_engine) {
+  const Case c = read_sample(std::string(open_drum));
+  const auto& jar = std::get<geometry::PeriodicCylinder>(*c.jar.shape);
+  EXPECT_EQ(jar.length, 0.05);
+  const double volume = 0.25 * std::numbers::pi * 0.2 * 0.2 * 0.05;
+  EXPECT_NEAR(jar.volume(), volume, 1e-15);
+  const double ball = std::numbers::pi / 6 * 1e-6;
+  EXPECT_EQ(c.balls[0].count, std::lround(0.3 * volume / ball));
+  EXPECT_TRUE(engine_faults(c).empty()) << "auto";
+  const std::vector<Fault> event =
+      engine_faults(read_sample(std::string(open_drum), {{"run.engine", "event"}}));
+  ASSERT_EQ(event.size(), 1U);
+  EXPECT_EQ(event[0].code, "jar-needs-soft");
+}
+
+TEST(PeriodicCylinder, is_refused_where_something_pulls_along_its_axis_or_it_is_too_short) {
+  const auto codes = [](const std::vector<Override>& set) {
+    std::string all;
+    for (const Fault& f : faults_of(std::string(open_drum), set))
+      all += f.where + " " + f.code + "\n";
+    return all;
+  };
+  EXPECT_EQ(codes({{"jar.length", "20 mm"}}), "--set jar.length periodic-cylinder\n");
+  EXPECT_EQ(codes({{"jar.length", "20.1 mm"}}), "");
+  const std::string upright = codes({{"mill.jar_axis", "vertical"}});
+  EXPECT_EQ(std::ranges::count(upright, '\n'), 2) << "gravity and the turning axis: " << upright;
+  const auto& planetary = [&](const std::string& gravity) {
+    return codes({{"mill.kind", "planetary"},
+                  {"mill.orbit_radius", "70 mm"},
+                  {"mill.ratio", "-2"},
+                  {"gravity", gravity}});
+  };
+  EXPECT_EQ(planetary("0 m/s2"), "") << "the jar's axis is parallel to that of the disc";
+  EXPECT_NE(planetary("9.81 m/s2").find("periodic-cylinder"), std::string::npos);
+  const auto shaken = [&](const std::string& direction) {
+    return codes({{"mill.kind", "circular"},
+                  {"mill.radius", "10 mm"},
+                  {"mill.jar_axis", direction},
+                  {"gravity", "0 m/s2"}});
+  };
+  EXPECT_EQ(shaken("vertical"), "") << "moves across the axis";
+  EXPECT_NE(shaken("horizontal").find("periodic-cylinder"), std::string::npos)
+      << "moves along the axis";
 }
 
 }  // namespace

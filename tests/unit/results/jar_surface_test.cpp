@@ -210,5 +210,20 @@ TEST(JarSurface, the_rotor_turns_about_the_axis_of_the_vessel) {
   EXPECT_EQ(results::rotor_turn(geometry::Sphere{0.03}, 1), Rotation{});
 }
 
+TEST(JarSurface, of_a_periodic_cylinder_is_its_side_without_ends) {
+  const double d = 0.2, length = 0.05;
+  const JarMesh mesh = results::jar_surface(geometry::PeriodicCylinder{d, length}).front();
+  double area = 0, outwards = INFINITY;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Vec3 n =
+        0.5 * cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+    area += norm(n);
+    outwards = std::min(outwards, dot(n, mesh.vertices[a]));
+  }
+  states("area over pi d L", area / (pi * d * length), std::sin(0.5 * facet) / (0.5 * facet), 1e-12,
+         "a regular polygon of 96 sides");
+  EXPECT_GT(outwards, 0) << "normals point out of the jar";
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests::jar_surface_test

@@ -81,6 +81,8 @@ std::vector<World> worlds() {
   const scene::Chamber drum{geometry::Cylinder{0.04, 0.04}, kinematics::Tumbling{12},
                             scene::mounted_along({1, 0, 0}), down};
   const scene::Chamber gas{geometry::PeriodicBox{0.03, 0.03, 0.03}, kinematics::Still{}, {}, {}};
+  const scene::Chamber open_drum{geometry::PeriodicCylinder{0.04, 0.03}, kinematics::Tumbling{12},
+                                 scene::mounted_along({1, 0, 0}), down};
   auto curved = of_law(AdamsImpact{}, Rolling::epsd);
   curved.curved_walls = true;
   return {
@@ -92,6 +94,8 @@ std::vector<World> worlds() {
       {"drum, sticking", drum, lattice(100, 0.0045, {0.002, 0.0015}),
        of_law(Jkr{}, Rolling::viscous)},
       {"drum, curved walls", drum, lattice(100, 0.0045, {0.002, 0.0005}), curved},
+      {"drum without ends", open_drum, lattice(100, 0.0045, {0.002, 0.0015}, 2),
+       of_law(HertzMindlin{}, Rolling::cdt)},
       {"periodic", gas, lattice(64, 0.0074, {0.003, 0.0008}, 3), of_law(LinearSpring{})},
   };
 }

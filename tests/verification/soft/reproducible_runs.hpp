@@ -63,12 +63,15 @@ inline std::vector<std::pair<std::string, Make>> runs() {
       geometry::Box{0.03, 0.03, 0.03}, kinematics::Planetary{0.07, 40, -2}, {}, down};
   const scene::Chamber drum{geometry::Cylinder{0.04, 0.03}, kinematics::Tumbling{12},
                             scene::mounted_along({1, 0, 0}), down};
+  const scene::Chamber open_drum{geometry::PeriodicCylinder{0.04, 0.03}, kinematics::Tumbling{12},
+                                 scene::mounted_along({1, 0, 0}), down};
   return {
       {"two balls that hop", made(capsule, 2, HertzMindlin{}, Rolling::cdt, true)},
       {"five balls", made(planet, 5, WaltonBraun{}, Rolling::epsd, false)},
       {"five that stick", made(drum, 5, Jkr{}, Rolling::viscous, true)},
       {"twenty balls", made(capsule, 20, AdamsImpact{}, Rolling::epsd, true)},
       {"twenty in a drum", made(drum, 20, Sjkr{}, Rolling::cdt, true)},
+      {"twenty in a drum without ends", made(open_drum, 20, HertzMindlin{}, Rolling::cdt, true)},
       {"five of own spins", made(planet, 5, HertzMindlin{}, Rolling::own_spin, false)},
   };
 }

@@ -19,6 +19,7 @@
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
+#include "mahlwerk/geometry/periodic_cylinder.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
 #include "mahlwerk/kinematics/still.hpp"
 
@@ -93,6 +94,53 @@ void periodic_box_in_a_mill(const Case& c, std::vector<Fault>& found) {
     fault("balls.1.diameter",
           "a ball of half the box's width touches another ball and its periodic image at once",
           "give smaller balls or a larger box");
+}
+
+/// Whether the direction of `axis` is one of symmetry: the jar neither accelerates along it nor
+/// turns about another axis. By samples over a period of the motion.
+bool is_symmetric_along(const kinematics::AnyMotion& motion, const Vec3& axis) {
+  constexpr int samples = 128;
+  constexpr double rounding = 1e-9;
+  const double period = kinematics::period(motion), span = std::isfinite(period) ? period : 1.0;
+  const kinematics::Bounds bounds = kinematics::bounds(motion);
+  for (int i = 0; i < samples; ++i) {
+    const double t = span * i / samples;
+    const double along = dot(kinematics::frame_motion(motion, t).acceleration, axis);
+    const Vec3 across = cross(kinematics::spin(motion, t), axis);
+    if (std::abs(along) > rounding * norm(bounds.acceleration) ||
+        norm(across) > rounding * bounds.spin)
+      return false;
+  }
+  return true;
+}
+
+/// Balls move freely along the axis of a periodic cylinder: nothing may pull them along it.
+void periodic_cylinder_in_a_mill(const Case& c, std::vector<Fault>& found) {
+  const auto* jar = geometry::as<geometry::PeriodicCylinder>(*c.jar.shape);
+  if (jar == nullptr) return;
+  const auto fault = [&](const std::string& key, std::string what, const char* remedy) {
+    found.push_back({location_of(c, key), std::move(what), remedy, "periodic-cylinder"});
+  };
+  const Vec3 axis = c.mill.jar_axis;
+  if (c.gravity != 0 && std::abs(axis.z) > 1e-9)
+    fault("jar.kind",
+          "gravity pulls along the axis of a periodic cylinder, in which balls would fall without "
+          "end",
+          "lay the jar's axis across gravity (a tumbling drum, or mill.jar_axis), write "
+          "gravity = \"0 m/s2\", or take a jar with ends");
+  if (!is_symmetric_along(*c.mill.motion, axis))
+    fault("mill.kind",
+          "the mill moves a periodic cylinder along its axis or turns this axis, so the images of "
+          "a ball would move differently",
+          "take a mill that turns the jar about its own axis or moves it across, such as tumbling "
+          "or planetary, or a jar with ends");
+  const double widest = largest_ball(c.balls);
+  if (jar->length <= 2 * widest)
+    fault("jar.length",
+          fmt::format("the period ({}) is not more than two diameters of the largest ball ({}): it "
+                      "would touch another ball and its periodic image at once",
+                      show(jar->length, "m"), show(widest, "m")),
+          "give a longer period, or smaller balls");
 }
 
 void too_many_balls(const Case& c, std::vector<Fault>& found) {
@@ -198,6 +246,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   fillet_too_large(c, found);
   impossible_jar(c, found);
   periodic_box_in_a_mill(c, found);
+  periodic_cylinder_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_powder(c, found);
   if (found.size() == so_far) bad_positions(c, found);

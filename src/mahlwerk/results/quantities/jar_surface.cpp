@@ -60,6 +60,20 @@ void add_revolved(JarMesh& mesh, const Profile& profile, Index facets) {
   }
 }
 
+/// Adds the side of a cylinder without ends.
+void add_tube(JarMesh& mesh, double diameter, double length, Index facets) {
+  for (const double z : {-0.5 * length, 0.5 * length})
+    for (Index k = 0; k < facets; ++k) {
+      const SinCos at = sin_cos(2 * std::numbers::pi * k / facets);
+      mesh.vertices.push_back({0.5 * diameter * at.cos, 0.5 * diameter * at.sin, z});
+    }
+  for (Index k = 0; k < facets; ++k) {
+    const Index next = (k + 1) % facets;
+    mesh.triangles.push_back({k, next, facets + next});
+    mesh.triangles.push_back({k, facets + next, facets + k});
+  }
+}
+
 Profile profile_of(double diameter, double height) {
   const double r = 0.5 * diameter, h = 0.5 * height;
   return {{0, -h}, {r, -h}, {r, h}, {0, h}};
@@ -187,6 +201,9 @@ void add(JarMesh& mesh, const geometry::Box& jar, Index) {
 }
 void add(JarMesh& mesh, const geometry::PeriodicBox& jar, Index) {
   add_box(mesh, jar.width, jar.depth, jar.height);
+}
+void add(JarMesh& mesh, const geometry::PeriodicCylinder& jar, Index facets) {
+  add_tube(mesh, jar.diameter, jar.length, facets);
 }
 void add(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
   add_lifters(mesh, jar, facets);

@@ -73,7 +73,7 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
       wall ? get_lane(p.normal, lane)
            : nearest(particles_.position(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(separation)) * separation;
-  const Vec3 where = x + p.radius_i[lane] * n;
+  const Vec3 where = jar_->within_period(x) + p.radius_i[lane] * n;
   const ContactWork& d = p.work;
   const double duration = time_of(particles_.step - onset.step);
   finished_.push_back({.time = time_of(onset.step),

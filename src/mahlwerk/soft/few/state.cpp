@@ -12,7 +12,7 @@ std::vector<scene::Ball> FewBodySolver::balls() const {
   const FreeFlight way = free_flight(now_ - particles_.step);
   for (std::size_t b = 0; b < all.size(); ++b) {
     const Vec3 v = particles_.velocity(b);
-    all[b].position = particles_.position(b) + way.time * v + way.shift;
+    all[b].position = jar_->within_period(particles_.position(b) + way.time * v + way.shift);
     all[b].velocity = v + way.gain;
     all[b].spin = particles_.spin(b);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/lanes.hpp"
@@ -28,14 +29,14 @@ template <class V>
           fold(separation.z, periods.z)};
 }
 
-/// Separation to the nearest image, for positions at most 1.5 periods apart.
+/// Separation to the nearest image, for any distance below 1e15 periods. Positions are not kept
+/// within a period, so balls may drift apart without limit.
 template <class V>
 [[gnu::always_inline]] inline V folded(const V& a, double period) {
-  const V all = V{} + period;
-  V x = a;
-  x -= where<V>(less<V>(0.5 * all, x), all);
-  x += where<V>(less<V>(x, -0.5 * all), all);
-  return x;
+  constexpr double round_to_integer = 6755399441055744;  // 1.5 * 2^52
+  const double finite = std::min(period, 1e300);
+  const V x = a * (1 / finite);
+  return a - finite * ((x + round_to_integer) - round_to_integer);
 }
 template <class V>
 [[gnu::always_inline]] inline Vec<V> folded(const Vec<V>& separation, const Vec3& periods) {

@@ -40,8 +40,9 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   const Vec3 change = body_kick_change();
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = pairs_.species(species_[k]);
-    all[static_cast<std::size_t>(id_[k])] = {
-        s.radius, s.density, rows_[k].position(), velocity(k, change), spin(k), s.kind};
+    const Vec3 position = jar_->within_period(rows_[k].position());
+    all[static_cast<std::size_t>(id_[k])] = {s.radius, s.density, position, velocity(k, change),
+                                             spin(k),  s.kind};
   }
   return all;
 }

@@ -15,6 +15,17 @@
 namespace mahlwerk::soft {
 namespace {
 
+/// Periods along the axes of the jar frame. The jar's own z axis may lie along any of them; a case
+/// ensures that it stays there.
+template <class S>
+Vec3 laboratory_periods(const scene::TypedChamber<S>& jar) {
+  const Vec3 own = geometry::periods_of(jar.shape());
+  if (own.x < geometry::never || !(own.z < geometry::never)) return own;
+  const Vec3 axis = componentwise_abs(jar.axes(0).ez);
+  return {axis.x > 0.5 ? own.z : geometry::never, axis.y > 0.5 ? own.z : geometry::never,
+          axis.z > 0.5 ? own.z : geometry::never};
+}
+
 template <class S>
 class ChamberWall final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
@@ -23,7 +34,7 @@ class ChamberWall final : public MovingWall {
  public:
   explicit ChamberWall(const scene::TypedChamber<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
-    periods_ = geometry::periods_of(jar.shape());
+    periods_ = laboratory_periods(jar);
     faces_ = first_rotor_face_ = jar.shape().faces;
     max_wall_speed_ = jar.max_wall_speed();
     if constexpr (has_rotor) {

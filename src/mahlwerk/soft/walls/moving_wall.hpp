@@ -11,6 +11,7 @@
 #include "mahlwerk/kinematics/motion.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/body_blocks.hpp"
+#include "mahlwerk/soft/kernel/periodic.hpp"
 
 namespace mahlwerk::soft {
 
@@ -97,6 +98,11 @@ class MovingWall {
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
   const Vec3& periods() const { return periods_; }  ///< [m] infinite where not periodic
+  /// The image of a position within half a period of the middle of a jar with walls. In a periodic
+  /// box without walls positions stay as they are.
+  Vec3 within_period(const Vec3& position) const {
+    return faces_ > 0 && is_periodic(periods_) ? nearest_image(position, periods_) : position;
+  }
 
  protected:
   Vec3 gravity_, periods_;
