@@ -33,8 +33,10 @@ std::vector<results::Outcome> compute(const Request& request,
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
-                                      campaign::ResumableRuns& kept) {
+                                      campaign::ResumableRuns& kept, bool replays_of_all) {
   ProgressLine line(request.quiet);
+  campaign::RunOptions options = options_of(request, line);
+  options.replays_of_all = replays_of_all;
   WriteErrorReporter not_kept;
   const auto on_resume = [&](std::size_t begun) {
     const bool alone = points.size() == 1;
@@ -44,7 +46,7 @@ std::vector<results::Outcome> compute(const Request& request,
                                   : fmt::format("resuming {} of {} settings", begun, points.size()),
                             alone ? "it was" : "they were"));
   };
-  std::vector<results::Outcome> outcomes = kept.compute(points, streams, options_of(request, line),
+  std::vector<results::Outcome> outcomes = kept.compute(points, streams, options,
                                                         {.version = version(),
                                                          .interval = request.checkpoint.value_or(1),
                                                          .on_resume = on_resume,

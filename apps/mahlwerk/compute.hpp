@@ -19,10 +19,11 @@ std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
                                       campaign::Checkpoint* checkpoint);
-/// The same, resuming from the checkpoints in `kept`.
+/// The same, resuming from the checkpoints in `kept`. `replays_of_all`: every replicate keeps
+/// frames (campaign::RunOptions).
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
-                                      campaign::ResumableRuns& kept);
+                                      campaign::ResumableRuns& kept, bool replays_of_all = false);
 
 }  // namespace mahlwerk::app

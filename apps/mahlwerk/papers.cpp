@@ -16,6 +16,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/report/paper/overview.hpp"
+#include "mahlwerk/report/paper/figure_plot.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
@@ -24,6 +25,7 @@
 #include "output.hpp"
 #include "paper_folders.hpp"
 #include "progress.hpp"
+#include "render.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -54,6 +56,7 @@ PaperJob prepare_paper(const Request& request, report::Paper paper, const fs::pa
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (wrong.empty()) wrong = report::paper_faults(job.paper, job.whole);
+  if (wrong.empty()) wrong = report::band_faults(job.paper, job.whole);
   if (!wrong.empty()) throw InputError(std::move(wrong));
   job.folder = std::make_unique<results::Folder>(results, request.force);
   return job;
@@ -137,7 +140,8 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
       at[name].push_back(unique.add(points[i]));
       if (unique.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
     }
-  const std::vector<results::Outcome> outcomes = compute(request, unique.points, streams, kept);
+  const std::vector<results::Outcome> outcomes =
+      compute(request, unique.points, streams, kept, true);
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -155,20 +159,36 @@ std::map<std::string, report::RunCampaign> run_all(const Request& request, const
   return run;
 }
 
-void write(const PaperJob& job, const std::map<std::string, report::RunCampaign>& run,
-           const report::PaperResult& result) {
+/// Writes the figures with their numbers. Returns why PDF or PNG files are missing.
+std::optional<Fault> write_figures(const PaperJob& job, const report::PaperResult& result) {
+  std::vector<fs::path> files;
+  for (const report::PaperPicture& picture : result.pictures) {
+    for (const auto& [name, text] : picture.tables) job.folder->write("figures/" + name, text);
+    if (picture.svg.empty()) continue;
+    const std::string name = "figures/" + picture.file + ".svg";
+    job.folder->write(name, picture.svg);
+    files.push_back(job.folder->file(name));
+  }
+  job.folder->write("figures/captions.md", report::captions_markdown(result));
+  return render_figures(files);
+}
+
+/// Returns why PDF or PNG files of figures are missing.
+std::optional<Fault> write(const PaperJob& job,
+                           const std::map<std::string, report::RunCampaign>& run,
+                           const report::PaperResult& result) {
   for (const auto& [name, one] : run) {
     for (std::size_t i = 0; i < one.outcomes.size(); ++i)
       report::write(*job.folder, one.outcomes[i], version(), below(name, i), false);
     job.folder->write(name + "/campaign.csv", report::campaign_csv(one.numbers));
     job.folder->write(name + "/campaign.html", report::campaign_page(one.numbers, version()));
   }
-  for (const report::PaperPicture& picture : result.pictures)
-    job.folder->write("figures/" + picture.file, picture.svg);
+  std::optional<Fault> missing = write_figures(job, result);
   job.folder->write("claims.csv", report::claims_csv(result));
   job.folder->write("claims.md", report::claims_markdown(result));
   job.folder->write("paper.html", report::paper_page(result, version()));
   job.folder->commit();
+  return missing;
 }
 
 void print_summary(const PaperJob& job, const report::PaperResult& result, double seconds) {
@@ -231,6 +251,7 @@ int papers(const Request& request) {
   if (is_validation(request.target)) overview.emplace(request);
   catch_ctrl_c();
   int ended = success;
+  bool warned = false;
   results::Json list = results::Json::array();
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
@@ -249,7 +270,9 @@ int papers(const Request& request) {
     report::PaperResult result = report::paper_result(job.paper, run);
     for (const auto& [key, value, swept] : overrides(request))
       result.changed.push_back(fmt::format("{} = {}", key, value));
-    write(job, run, result);
+    const std::optional<Fault> missing = write(job, run, result);
+    if (missing && !warned && (!request.quiet || request.json)) print_warning(*missing);
+    warned = warned || missing;  // said once for all papers
     kept.remove();
     if (overview) overview->add(job, result);
     const double seconds =

@@ -36,8 +36,9 @@ TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
   ASSERT_EQ(e.code, 0) << e.output;
   for (const char* file :
        {"out/paper.html", "out/claims.csv", "out/claims.md", "out/diameter/campaign.csv",
-        "out/size/point-005/summary.json", "out/figures/figure-7-d90.svg",
-        "out/figures/figure-6b-energy_contact_point_mean_above_threshold.svg"})
+        "out/size/point-005/summary.json", "out/figures/figure-7.svg", "out/figures/figure-7.csv",
+        "out/figures/figure-6.svg", "out/figures/figure-6a.csv", "out/figures/figure-6b.csv",
+        "out/figures/captions.md"})
     EXPECT_TRUE(exists(file)) << file;
   // The verification tests prove the same claims for this mill with tolerances of their own.
   EXPECT_NE(e.output.find("6a     yes"), std::string::npos) << e.output;
@@ -50,6 +51,40 @@ TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
   EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out --force --quiet --threads 1").code,
             0);
   EXPECT_EQ(text("out/claims.csv"), claims);
+}
+
+TEST_F(Papers, figures_have_pdf_and_png_files_or_a_warning_says_why_not) {
+  paper("dissipated_power", "mill.frequency");
+  campaign();
+  std::ofstream(here_ / "mine" / "paper.toml", std::ios::app)
+      << "[[figure]]\nnumber = \"1\"\ntitle = \"t\"\ncampaign = \"c\"\nquantity = "
+         "\"dissipated_power\"\nagainst = \"mill.frequency\"\n";
+  const std::string command = "papers mine --set run.time='1 s' --force --out out";
+  const std::string search_path = std::getenv("PATH");
+  const auto run_with = [&](const std::string& script) {
+    std::filesystem::create_directory(here_ / "bin");
+    std::filesystem::remove(here_ / "bin" / "rsvg-convert");
+    if (!script.empty()) {
+      std::ofstream(here_ / "bin" / "rsvg-convert") << "#!/bin/sh\n" << script;
+      std::filesystem::permissions(here_ / "bin" / "rsvg-convert",
+                                   std::filesystem::perms::owner_all);
+    }
+    ::setenv("PATH", (here_ / "bin").c_str(), 1);
+    const ProgramResult e = mahlwerk(command);
+    ::setenv("PATH", search_path.c_str(), 1);
+    EXPECT_EQ(e.code, 0) << e.output;
+    EXPECT_TRUE(exists("out/figures/figure-1.svg"));
+    return e.output;
+  };
+  EXPECT_NE(run_with("").find("apt install librsvg2-bin"), std::string::npos);
+  EXPECT_FALSE(exists("out/figures/figure-1.pdf"));
+  EXPECT_NE(run_with("echo 'no such font' >&2; exit 1\n").find("failed: no such font"),
+            std::string::npos);
+  EXPECT_FALSE(exists("out/figures/figure-1.pdf"));
+  // --format pdf --output FILE ...
+  EXPECT_EQ(run_with("echo \"$2\" > \"$4\"\n").find("warning"), std::string::npos);
+  EXPECT_EQ(text("out/figures/figure-1.pdf"), "pdf\n");
+  EXPECT_EQ(text("out/figures/figure-1.png"), "png\n");
 }
 
 TEST_F(Papers, a_killed_paper_goes_on_and_gives_the_same) {

@@ -12,7 +12,8 @@ namespace {
 constexpr std::string_view style = R"css(
 :root{--ink:#1d2329;--soft:#59636e;--grid:#e3e6ea;--paper:#fff;--box:#f5f7f9;--edge:#d5dae0;--warn:#9a3412;--warnbox:#fff4ed;color-scheme:light dark}
 @media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--soft:#a3adb8;--grid:#30363d;--paper:#14181c;--box:#1d2329;--edge:#39424b;--warn:#fdba74;--warnbox:#33200f}
- svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}svg path[stroke="#666666"]{stroke:#a3adb8}}
+ svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}svg path[stroke="#666666"]{stroke:#a3adb8}
+ svg[fill="#1d2329"],svg [fill="#1d2329"]{fill:var(--ink)}svg [stroke="#1d2329"]{stroke:var(--ink)}svg [fill="#59636e"]{fill:var(--soft)}svg [stroke="#59636e"]{stroke:var(--soft)}svg [stroke="#e3e6ea"]{stroke:var(--grid)}svg [fill="#ffffff"]{fill:var(--paper)}svg [stroke="#ffffff"]{stroke:var(--paper)}svg [fill="#f5f7f9"]{fill:var(--box)}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
 main{max-width:60rem;margin:0 auto;padding:2.2rem 1.4rem 3rem}
@@ -29,7 +30,7 @@ tbody th{font-weight:400}tbody th.group{font-weight:600;padding-top:1.1rem}tbody
 .box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}
 .box tr:last-child td{border-bottom:0}
 .warn{border-color:var(--warn);background:var(--warnbox);color:var(--warn)}
-figure{margin:1.6rem 0;break-inside:avoid}figure svg{display:block;width:100%;height:auto}
+figure{margin:1.6rem 0;break-inside:avoid}figure>svg{display:block;width:100%;height:auto}figure>svg[width="340"]{max-width:30rem}
 .panels{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(25rem,100%),1fr));gap:.4rem 1.6rem}.panels figure{margin:.8rem 0;min-width:0}
 .laws{font-size:.82rem;margin:.3rem 0}.laws td,.laws th{padding:.2rem .5rem .2rem 0}.laws .best td{font-weight:600}figcaption p{margin:.2rem 0}figcaption summary{font-weight:400}
 #points{font-size:.84rem}#points td,#points th{padding:.3rem .5rem}#points th{cursor:pointer}#points th[aria-sort=ascending]::after{content:" ↑"}#points th[aria-sort=descending]::after{content:" ↓"}td.failed{color:var(--warn)}

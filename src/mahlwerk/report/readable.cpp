@@ -139,6 +139,23 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
   return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};
 }
 
+Readable readable_within(double value, double ci95, std::string_view unit, results::Range range,
+                         double size) {
+  const double low = value - ci95, high = value + ci95;
+  const Readable usual = readable(value, ci95, unit, size);
+  const bool inside = value >= range.least && value <= range.most;
+  if (!inside || !std::isfinite(low) || (low >= range.least && high <= range.most)) return usual;
+  const Multiple m = multiple(size > 0 ? size : std::max(std::abs(value), ci95), unit);
+  const int digits = places(value / m.factor, ci95 / m.factor);
+  const auto shown = [&](double v) {
+    if (v == range.least || v == range.most) return fmt::format("{:.6g}", v / m.factor);
+    return fmt::format("{:.{}f}", v / m.factor, digits);
+  };
+  return {fmt::format("{} ({} to {})", shown(value), shown(std::max(low, range.least)),
+                      shown(std::min(high, range.most))),
+          usual.unit};
+}
+
 std::string share_of(double share) {
   constexpr double many = 2, digits = 100;
   if (share > digits) return fmt::format("{:.0f} times", share);

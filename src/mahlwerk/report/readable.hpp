@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "mahlwerk/results/quantities/range.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // Formatting of numbers, units and names for readers.
@@ -19,6 +20,10 @@ struct Readable {
 /// Formats a value. The multiple of the unit suits `size`, so that numbers shown side by side share
 /// it; default: the larger of value and half-width.
 Readable readable(double value, double ci95, std::string_view unit, double size = 0);
+/// The same for a quantity with a range: an interval that leaves it is written by its ends, cut at
+/// the range: "0.23 (0 to 0.48)" instead of "0.23 ± 0.25".
+Readable readable_within(double value, double ci95, std::string_view unit, results::Range range,
+                         double size = 0);
 inline Readable readable(const results::Quantity& q) {
   return readable(q.value, q.ci95, q.unit);
 }

@@ -62,7 +62,7 @@ struct Replicate {
       : tally(threshold, std::move(kinds), wall) {}
   observe::CollisionStatistics tally;
   observe::Charge charge;        ///< density and velocity fields of the charge
-  observe::Replay replay;        ///< frames for the report; of the first replicate only
+  observe::Replay replay;        ///< frames for pictures; usually of the first replicate only
   observe::StressStream stream;  ///< collisions in order of time, for a sample of the powder
   std::optional<GrindingOutcome>
       grinding;  ///< with [capture] or [kinetics], once the run has ended

@@ -118,6 +118,26 @@ TEST_F(ObservedFrames, frames_change_no_bit_of_a_run) {
   EXPECT_GT(std::distance(std::filesystem::directory_iterator(scratch()), {}), 3);
 }
 
+TEST(ObservedReplays, of_all_replicates_are_kept_on_request_and_change_no_bit) {
+  for (auto [name, what] : kinds()) {
+    what.run.replicates = 3;
+    RunOptions options;
+    const results::Outcome usual = run(what, options);
+    options.replays_of_all = true;
+    const results::Outcome all = run(what, options);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(usual.replicates[i].replay.empty(), i > 0) << name;
+      EXPECT_FALSE(all.replicates[i].replay.empty()) << name;
+      EXPECT_EQ(usual.replicates[i].energy_balance.kinetic,
+                all.replicates[i].energy_balance.kinetic)
+          << name;
+      EXPECT_EQ(usual.replicates[i].tally.all.lost, all.replicates[i].tally.all.lost) << name;
+      EXPECT_EQ(usual.replicates[i].charge.wall_slip, all.replicates[i].charge.wall_slip) << name;
+    }
+    EXPECT_EQ(usual.replicates[0].replay.positions(), all.replicates[0].replay.positions()) << name;
+  }
+}
+
 /// Every number of a summary as bits, so that NaN equals NaN.
 std::vector<std::uint64_t> bits(const results::Outcome& outcome) {
   std::vector<std::uint64_t> found;

@@ -149,8 +149,11 @@ TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
   ASSERT_EQ(result.verdicts.size(), 1U);
   EXPECT_EQ(result.verdicts[0].holds, Holds::yes) << result.verdicts[0].finding;
   ASSERT_EQ(result.pictures.size(), 1U);
-  EXPECT_EQ(result.pictures[0].file, "figure-1-collision_rate.svg");
+  EXPECT_EQ(result.pictures[0].file, "figure-1");
   EXPECT_NE(result.pictures[0].svg.find("<svg"), std::string::npos);
+  ASSERT_EQ(result.pictures[0].tables.size(), 1U);
+  EXPECT_TRUE(result.pictures[0].tables.at("figure-1.csv").starts_with("series,kind,"));
+  EXPECT_EQ(captions_markdown(result), "**Figure 1.** rate <b>.\n");
   const std::string page = paper_page(result, "1");
   EXPECT_NE(page.find("it rises | &lt;b&gt;"), std::string::npos);
   EXPECT_EQ(page.find("<b>\""), std::string::npos);
@@ -161,6 +164,33 @@ TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
   EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1."), std::string::npos);
   for (const std::string& told : {page, claims_text(result)})
     EXPECT_NE(told.find("1 of 2 points: two-states: They are two."), std::string::npos) << told;
+}
+
+TEST(Paper, figures_with_the_same_number_are_lettered_panels_of_one_file) {
+  const auto numbered = [](const std::string& number) {
+    std::string text = figure;
+    text.replace(text.find("\"1\""), 3, "\"" + number + "\"");
+    return text;
+  };
+  const Paper paper = read_paper_text(head + numbered("4") + numbered("4") + numbered("6b") +
+                                          numbered("6") + numbered("2.2") + numbered("4"),
+                                      "paper.toml");
+  RunCampaign run;
+  run.outcomes.push_back(results::fake_outcome());
+  add(run.numbers, {.number = 1, .values = {"10 Hz"}}, run.outcomes[0].summary.quantities);
+  run.numbers.keys = campaign_keys({"mill.frequency"}, run.numbers.points);
+  const PaperResult result = paper_result(paper, {{"c", run}});
+  std::vector<std::string> files, tables;
+  for (const PaperPicture& picture : result.pictures) {
+    files.push_back(picture.file);
+    for (const auto& [name, text] : picture.tables) tables.push_back(name);
+  }
+  EXPECT_EQ(files, (std::vector<std::string>{"figure-4", "figure-6", "figure-2-2"}));
+  // 6b keeps the paper's letter; the panel without a letter gets the next free one.
+  EXPECT_EQ(tables, (std::vector<std::string>{"figure-4a.csv", "figure-4b.csv", "figure-4c.csv",
+                                              "figure-6a.csv", "figure-6b.csv", "figure-2-2.csv"}));
+  EXPECT_EQ(result.pictures[1].caption, "b: rate <b>. a: rate <b>.");
+  EXPECT_EQ(result.pictures[2].caption, "rate <b>.");
 }
 
 TEST(Paper, words_about_its_own_settings_are_left_out_where_others_were_run) {

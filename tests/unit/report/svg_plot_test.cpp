@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
@@ -105,6 +106,63 @@ TEST(Svg, values_that_differ_by_rounding_alone_are_drawn_as_one) {
                     .series = {{"", {0, 1}, {v, next}, {}, Mark::line}}};
     EXPECT_NE(svg(plot).find("<path"), std::string::npos);
   }
+}
+
+TEST(Svg, intervals_are_cut_at_the_range_of_the_axis_but_not_at_the_value) {
+  const Series s{.name = "", .x = {0, 1, 2}, .y = {0.2, 0.9, -0.1}, .error = {0.5, 0.5, 0.5}};
+  const Axis share{.label = "", .range_least = 0, .range_most = 1};
+  EXPECT_EQ(interval_at(s, 0, share).low, 0);
+  EXPECT_DOUBLE_EQ(interval_at(s, 0, share).high, 0.7);
+  EXPECT_EQ(interval_at(s, 1, share).high, 1);
+  EXPECT_EQ(interval_at(s, 2, share).low, -0.1);  // a value outside stays inside its interval
+  EXPECT_DOUBLE_EQ(interval_at(s, 0, {}).low, -0.3);
+  EXPECT_FALSE(interval_at(s, 3, {}).known());
+  Plot plot{"", {"x"}, {"y"}, {{"", {1}, {0.5}, {1}, Mark::dots}}};
+  plot.y.least = 0, plot.y.most = 2;
+  EXPECT_NE(svg(plot).find("V389.5"), std::string::npos) << "to -0.5, below the axis";
+  plot.y.range_least = 0;
+  EXPECT_NE(svg(plot).find("V314.0"), std::string::npos) << "to 0";
+}
+
+TEST(Svg, measured_values_are_black_squares_with_bars_of_two_lengths) {
+  Plot plot{"", {"x"}, {"y"}, {{"measured", {5}, {5}, {}, Mark::squares}}};
+  plot.series[0].low = {4}, plot.series[0].high = {8};
+  plot.x.least = plot.y.least = 0, plot.x.most = plot.y.most = 10;
+  const std::string text = svg(plot);
+  // The plot area has the same scale at both ends: 4 and 8 are one and three parts from 5.
+  const std::size_t bar = text.find("M383.0 ");
+  ASSERT_NE(bar, std::string::npos) << text;
+  double high = 0, low = 0;
+  ASSERT_EQ(std::sscanf(text.c_str() + bar, "M383.0 %lfV%lf", &high, &low), 2);
+  const double middle = high + 0.75 * (low - high);
+  EXPECT_NE(text.find("<rect x=\"379.5\" y=\"" + std::to_string(middle - 3.5).substr(0, 4)),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("width=\"7\" height=\"7\" fill=\"#1d2329\""), std::string::npos);
+  EXPECT_NE(text.find(">measured<"), std::string::npos);
+}
+
+TEST(Svg, an_area_lies_between_the_ends_of_its_intervals) {
+  Plot plot{"", {"x"}, {"y"}, {{.name = "", .x = {0, 10}, .y = {NAN, NAN}, .mark = Mark::area}}};
+  plot.series[0].low = {0, 5}, plot.series[0].high = {5, 10};
+  plot.x.least = plot.y.least = 0, plot.x.most = plot.y.most = 10;
+  // The plot area is 62 ... 704 by 12 ... 314.
+  EXPECT_NE(svg(plot).find("M62.0 163.0L704.0 12.0L704.0 163.0L62.0 314.0Z"), std::string::npos)
+      << svg(plot);
+}
+
+TEST(Svg, a_long_legend_entry_has_several_lines_inside_the_picture) {
+  Plot plot{"", {"x"}, {"y"}, {{"", {0, 1}, {0, 1}, {}, Mark::line}}};
+  plot.width = 340;
+  for (int i = 0; i < 20; ++i) plot.series[0].name += "words ";
+  const std::string text = svg(plot);
+  std::size_t lines = 0;
+  for (auto at = text.find(">words"); at != std::string::npos; at = text.find(">words", at + 1)) {
+    const std::string line = text.substr(at + 1, text.find('<', at) - at - 1);
+    EXPECT_LE(38 + letter_width * static_cast<double>(line.size()), 340) << line;
+    ++lines;
+  }
+  EXPECT_GE(lines, 3U);
 }
 
 }  // namespace

@@ -278,6 +278,7 @@ class CampaignRunner {
         options_.frames ? options_.frames(point.index, r) : nullptr, queue_.threads_per_replicate,
         begun ? nullptr : options_.stop);
     one.run->stop_on(options_.stop);
+    if (options_.replays_of_all) one.run->record_replay();
     if (states != nullptr) states->restore(one.job, *one.run);
     progress_.add(weight(point) * one.run->energy_balance().time, 0,
                   0);  // simulated by an earlier process

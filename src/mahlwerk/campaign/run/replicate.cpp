@@ -138,13 +138,16 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
   for (const cases::BallSet& set : mill_case.balls) balls_ += set.count;
   const scene::Chamber mill = cases::chamber(mill_case);
   result_.charge = observe::Charge(mill, result_.tally.wall_map.grid().radius);
-  if (index == 0)
-    result_.replay = observe::Replay(mill, static_cast<std::size_t>(balls_), mill_case.run.settle,
-                                     mill_case.run.time);
+  if (index == 0) record_replay();
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
   if (mill_case.run.engine == cases::EngineName::soft)
     slice_ = std::min(slice_, 1e3 * soft_settings(mill_case).rules.time_step);
+}
+
+void ReplicateRun::record_replay() {
+  result_.replay = observe::Replay(cases::chamber(*mill_case_), static_cast<std::size_t>(balls_),
+                                   mill_case_->run.settle, mill_case_->run.time);
 }
 
 double ReplicateRun::window_end(int window) const {

@@ -25,6 +25,9 @@ class ReplicateRun {
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
                const std::atomic<bool>* stop = nullptr);
 
+  /// Keeps frames for pictures, as the first replicate always does. Call it before the first slice
+  /// and before a state is read. It changes no number.
+  void record_replay();
   /// Once `*stop` is set, run_slice() returns early.
   void stop_on(const std::atomic<bool>* stop) { engine_->stop_on(stop); }
   bool done() const;

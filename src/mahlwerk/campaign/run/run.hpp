@@ -39,6 +39,9 @@ struct RunOptions {
   std::function<void(const Progress&)> progress;  ///< never called from two threads at once
   ObserverFactory records;
   FrameFilesFactory frames;
+  /// Whether every replicate keeps frames in memory (results::Replicate::replay), not only the
+  /// first.
+  bool replays_of_all = false;
   /// [bytes] available for all concurrent replicates; a run that needs more is refused.
   std::optional<double> memory = memory_available();
   Checkpoint* checkpoint = nullptr;  ///< keeps states, and supplies them

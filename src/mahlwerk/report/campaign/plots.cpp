@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "mahlwerk/report/plot/axis_labels.hpp"
+
 namespace mahlwerk::report {
 namespace {
 
@@ -21,7 +23,10 @@ Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   Plot plot;
   plot.title = name;
   plot.x.label = axis_label(sheet.campaign.keys[key]);
-  plot.y.label = m.unit == "1" ? name : m.unit == "1/s" ? "per second" : m.unit;
+  plot.y.label = quantity_axis(sheet.campaign.columns[column].name, m);
+  const results::Range range = results::range_of(sheet.campaign.columns[column].name);
+  plot.y.range_least = range.least / m.factor;
+  plot.y.range_most = range.most / m.factor;
   plot.width = 480;
   plot.height = 300;
   return plot;

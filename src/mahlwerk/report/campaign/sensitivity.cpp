@@ -25,6 +25,17 @@ std::string with_unit(const std::string& words, const Multiple& m) {
   return fmt::format("{} ({})", words, m.unit == "1/s" ? "/s" : m.unit);
 }
 
+/// A bar to a value of the quantity, its interval cut at the quantity's range.
+Bar bar_within(double value, double ci95, std::size_t colour, std::string note,
+               const Sensitivity& s, const Multiple& m) {
+  const results::Range range = results::range_of(s.quantity);
+  Bar bar{value / m.factor, ci95 / m.factor, colour, std::move(note)};
+  if (!std::isfinite(value) || !std::isfinite(ci95)) return bar;
+  bar.low = std::max(value - ci95, std::min(value, range.least)) / m.factor;
+  bar.high = std::min(value + ci95, std::max(value, range.most)) / m.factor;
+  return bar;
+}
+
 BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit(label(s.quantity), m)};
   plot.base = s.base / m.factor;
@@ -34,8 +45,8 @@ BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
     // Both ends of a key without effect coincide.
     const std::string low = e.inactive ? "" : e.low_end,
                       high = e.inactive ? e.low_end + ", " + e.high_end : e.high_end;
-    group.bars.push_back({e.low / m.factor, e.low_ci95 / m.factor, 0, low});
-    group.bars.push_back({e.high / m.factor, e.high_ci95 / m.factor, 1, high});
+    group.bars.push_back(bar_within(e.low, e.low_ci95, 0, low, s, m));
+    group.bars.push_back(bar_within(e.high, e.high_ci95, 1, high, s, m));
     // Two bars on the same side of the base would overlap.
     const bool one_side = !e.inactive && (e.low - s.base) * (e.high - s.base) >= 0;
     plot.side_by_side = plot.side_by_side || one_side;

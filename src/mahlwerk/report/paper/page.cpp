@@ -83,16 +83,10 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
       "over independent replicates. Every number in \"We find\" is from the runs just made; "
       "docs/papers.md has the rules by which a claim holds.</small></p>\n<h2>Figures</h2>\n",
       claim_rows(result));
-  for (const PaperPicture& picture : result.pictures) {
-    if (picture.svg.empty()) continue;
-    const bool titled = picture.figure->drawn == PaperFigure::Drawn::quantity;
-    body += fmt::format(
-        "<figure>\n{}{}<figcaption>{}</figcaption>\n</figure>\n",
-        titled ? ""
-               : fmt::format("<h3>Figure {}: {}</h3>\n", escaped(picture.figure->number),
-                             escaped(picture.figure->title)),
-        picture.svg, escaped(picture.figure->about));
-  }
+  for (const PaperPicture& picture : result.pictures)
+    if (!picture.svg.empty())
+      body += fmt::format("<figure>\n{}<figcaption><b>Figure {}.</b> {}</figcaption>\n</figure>\n",
+                          picture.svg, escaped(picture.number), escaped(picture.caption));
   body += fmt::format(
       "<h2>Campaigns</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Campaign</th><th "
       "class=\"n\">CPU time</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
@@ -100,6 +94,15 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
   return page(paper.title, body,
               fmt::format("Mahlwerk {}, {} s of CPU time.", escaped(version),
                           two_digits(whole_time(result))));
+}
+
+std::string captions_markdown(const PaperResult& result) {
+  std::string text;
+  for (const PaperPicture& picture : result.pictures)
+    if (!picture.svg.empty())
+      text += fmt::format("{}**Figure {}.** {}\n", text.empty() ? "" : "\n", picture.number,
+                          picture.caption);
+  return text;
 }
 
 std::string claims_text(const PaperResult& result) {

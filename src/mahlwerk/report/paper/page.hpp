@@ -20,10 +20,13 @@ struct RunCampaign {
   double seconds = 0;  ///< [s] CPU time
 };
 
+/// A figure with all its panels.
 struct PaperPicture {
-  std::string file;  ///< "figure-6-collision_rate_above_threshold.svg"
-  std::string svg;
-  const PaperFigure* figure = nullptr;
+  std::string file;                           ///< name without ending: "figure-6"
+  std::string number;                         ///< of the paper: "6"
+  std::string svg;                            ///< empty if nothing was recorded that it could draw
+  std::string caption;                        ///< what its panels show
+  std::map<std::string, std::string> tables;  ///< the drawn numbers: "figure-6a.csv" and its text
 };
 
 /// A paper with the results of its campaigns.
@@ -42,6 +45,8 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
 
 /// paper.html: figures, and each claim with its finding.
 std::string paper_page(const PaperResult& result, std::string_view version);
+/// figures/captions.md: the captions of the figures.
+std::string captions_markdown(const PaperResult& result);
 /// The claims for the terminal.
 std::string claims_text(const PaperResult& result);
 /// The claims as a table in Markdown, and as CSV.

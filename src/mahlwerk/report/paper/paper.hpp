@@ -20,6 +20,13 @@ namespace mahlwerk::report {
 /// Selects points of a campaign: swept keys, each with its allowed values.
 using PointSelector = std::map<std::string, std::vector<std::string>>;
 
+/// Measured values that a figure draws beside the computed ones.
+struct MeasuredSeries {
+  std::string name;                                        ///< in the legend
+  std::vector<double> x;                                   ///< in the unit of the axis
+  std::vector<double> y, error_low = {}, error_high = {};  ///< in SI units; errors may be empty
+};
+
 struct PaperFigure {
   enum class Drawn {
     quantity,      ///< over a key, with intervals and a fitted law
@@ -33,7 +40,11 @@ struct PaperFigure {
   Drawn drawn = Drawn::quantity;
   std::string quantity, against;  ///< of summary.json; a key of [sweep]
   std::optional<LawForm> law;
-  PointSelector at;            ///< selected points; empty: all
+  PointSelector at;  ///< selected points; empty: all
+  /// Free or assumed numbers, keys of [sweep]: the figure has one band over all their values.
+  std::vector<std::string> band_over = {};
+  std::map<std::string, std::string> nominal = {};  ///< their values that are drawn as points
+  std::vector<MeasuredSeries> measured = {};
   bool seen_from_jar = false;  ///< frame of trajectories and snapshots: the jar, else its carrier
   std::string where;           ///< location for faults
 };

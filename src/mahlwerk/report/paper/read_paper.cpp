@@ -80,6 +80,24 @@ std::string value_of(SectionReader& in, std::string_view key, std::string_view a
   return "";
 }
 
+/// band_over = ["breakage.f_mat"], nominal = { "breakage.f_mat" = "1 kg/J/m" }
+void read_band(SectionReader& in, PaperFigure& figure) {
+  if (const Node* keys = in.find("band_over")) {
+    for (const Node& key : keys->items)
+      if (key.kind == Node::Kind::text) figure.band_over.push_back(key.text);
+    if (figure.band_over.empty() || figure.band_over.size() != keys->items.size())
+      in.fault(*keys, "`band_over` must list keys of the campaign's [sweep]",
+               "write band_over = [\"breakage.f_mat\"]", "wrong-type");
+  }
+  const Node* values = in.find("nominal");
+  if (values == nullptr) return;
+  for (const cases::Member& member : values->members)
+    if (is_value(member.value)) figure.nominal[member.key] = member.value.text;
+  if (figure.nominal.empty() || figure.nominal.size() != values->members.size())
+    in.fault(*values, "`nominal` must give one value to keys of `band_over`",
+             "write nominal = { \"breakage.f_mat\" = \"1 kg/J/m\" }", "wrong-type");
+}
+
 PaperFigure read_figure(SectionReader& in) {
   PaperFigure figure;
   figure.number = needed(in, "number", "the paper's number of the figure");
@@ -92,8 +110,10 @@ PaperFigure read_figure(SectionReader& in) {
     figure.quantity = needed(in, "quantity", "its name in summary.json");
     figure.against = needed(in, "against", "a key of the campaign's [sweep]");
     if (in.gives("law")) figure.law = chosen<LawForm>(in, "law", law_words);
+    read_band(in, figure);
   } else {
-    in.refuse({"quantity", "against", "law"}, "in this kind of figure", "remove it");
+    in.refuse({"quantity", "against", "law", "band_over", "nominal"}, "in this kind of figure",
+              "remove it");
     figure.seen_from_jar =
         in.gives("seen_from") && in.choice({"seen_from", {"carrier", "jar"}, ""}) == "jar";
   }

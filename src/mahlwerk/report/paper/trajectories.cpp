@@ -5,18 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/plot/svg_element.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::report {
 namespace {
-
-constexpr std::array<std::string_view, 7> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                                  "#E69F00", "#56B4E9", "#666666"};
 
 /// A position in the plane of motion, and the height above it [m].
 struct PanelPoint {
@@ -26,12 +25,13 @@ struct PanelPoint {
 /// The replay frames of an outcome in a reference frame.
 class Film {
  public:
-  Film(const results::Outcome& outcome, View view)
-      : film_(outcome.replicates.front().replay),
+  Film(const results::Outcome& outcome, std::size_t replicate, View view)
+      : film_(outcome.replicates[replicate].replay),
         mill_(cases::chamber(outcome.mill_case)),
-        charge_(mill_, outcome.replicates.front().tally.wall_map.grid().radius),
+        charge_(mill_, outcome.replicates[replicate].tally.wall_map.grid().radius),
         view_(view) {
-    const std::vector<scene::Ball> all = cases::starting_balls(outcome.mill_case, 0);
+    const std::vector<scene::Ball> all =
+        cases::starting_balls(outcome.mill_case, static_cast<int>(replicate));
     for (std::size_t i = 0; i < all.size(); i += film_.ball_stride()) {
       radius.push_back(all[i].radius);
       grain.push_back(outcome.mill_case.balls[static_cast<std::size_t>(all[i].kind)].grains);
@@ -40,6 +40,7 @@ class Film {
 
   std::size_t frames() const { return film_.times().size(); }
   double time(std::size_t frame) const { return film_.times()[frame]; }
+  std::size_t number(std::size_t ball) const { return ball * film_.ball_stride() + 1; }
   double half() const { return charge_.in_jar.half(); }
   double speed(std::size_t frame, std::size_t ball) const {
     return double{film_.speeds()[frame * film_.balls() + ball]};
@@ -65,62 +66,46 @@ class Film {
   View view_;
 };
 
-/// Panels with titles, in rows, on a drawing 720 px wide.
+/// A square drawing with the jar's centre in its middle.
 class PanelCanvas {
  public:
-  /// Chooses the number of columns such that the longest title fits.
-  explicit PanelCanvas(const std::vector<Panel>& panels)
-      : columns_(std::min<std::size_t>(panels.size(), 4)) {
-    constexpr double letter = 6.4, widest = 340;
-    double longest = 0;
-    for (const Panel& p : panels)
-      longest = std::max(longest, letter * static_cast<double>(width(p.title)));
-    const auto room = [&] { return 720.0 / static_cast<double>(columns_) - 10; };
-    while (columns_ > 2 && room() < longest) --columns_;
-    size_ = std::min(widest, room());
-    rows_ = (panels.size() + columns_ - 1) / columns_;
-  }
-
-  /// Begins the next panel. `half`: half its width [m]; `round`: draw the jar's wall as a circle.
-  void begin(const Panel& panel, double half, bool round) {
-    x_ = static_cast<double>(at_ % columns_) * (size_ + 10) + 0.5 * size_;
-    y_ = static_cast<double>(at_ / columns_) * (size_ + 28) + 22 + 0.5 * size_;
-    scale_ = (0.5 * size_ - 2) / half;
-    ++at_;
-    text_ += fmt::format(
-        "<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\" "
-        "fill=\"var(--ink,#222)\">{}</text>\n",
-        x_, y_ - 0.5 * size_ - 7, escaped(panel.title));
+  /// `half`: half its width [m]; `round`: draw the jar's wall as a circle.
+  PanelCanvas(double size, double half, bool round)
+      : middle_(0.5 * size), scale_((0.5 * size - 2) / half), size_(size) {
     if (round)
-      text_ += fmt::format(
-          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"none\" "
-          "stroke=\"var(--soft,#59636e)\" stroke-width=\"1.5\"/>\n",
-          x_, y_, scale_ * half);
+      text_ = fmt::format(
+          "<circle cx=\"{0:.1f}\" cy=\"{0:.1f}\" r=\"{1:.1f}\" fill=\"none\" stroke=\"{2}\" "
+          "stroke-width=\"1.5\"/>\n",
+          middle_, scale_ * half, soft_colour);
   }
-  double across(const PanelPoint& p) const { return x_ + scale_ * p.x; }
-  double down(const PanelPoint& p) const { return y_ - scale_ * p.y; }
+  double across(const PanelPoint& p) const { return middle_ + scale_ * p.x; }
+  double down(const PanelPoint& p) const { return middle_ - scale_ * p.y; }
   double length(double l) const { return scale_ * l; }
   void add(const std::string& text) { text_ += text; }
 
   std::string drawn(std::string_view title) const {
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 720 {:.0f}\" role=\"img\" "
-        "aria-label=\"{}\" font-size=\"12\" font-family=\"system-ui,sans-serif\">\n{}</svg>\n",
-        static_cast<double>(rows_) * (size_ + 28), escaped(title), text_);
+    return svg_head(size_, size_ + scale_bar_height, title, 11) + text_ + scale_bar() + "</svg>\n";
   }
 
  private:
-  std::size_t columns_;
-  double size_ = 0;
-  std::size_t rows_ = 0, at_ = 0;
-  double x_ = 0, y_ = 0, scale_ = 1;
+  /// A round length below the drawing.
+  std::string scale_bar() const {
+    const double most = 0.3 * size_ / scale_, decade = std::pow(10, std::floor(std::log10(most)));
+    double bar = decade;
+    for (const double m : {2.0, 5.0})
+      if (m * decade <= most) bar = m * decade;
+    const double x = middle_ - 0.5 * scale_ * bar, y = size_ + 8;
+    const Multiple m = multiple(bar, "m");
+    return fmt::format(
+        "<path d=\"M{0:.1f} {1:.1f}v6m0 -3h{2:.1f}m0 -3v6\" fill=\"none\" stroke=\"{3}\"/>\n"
+        "<text x=\"{4:.1f}\" y=\"{5:.1f}\">{6}</text>\n",
+        x, y - 3, scale_ * bar, ink_colour, x + scale_ * bar + 6, y + 4,
+        fmt::format("{:.6g} {}", bar / m.factor, m.unit));
+  }
+
+  double middle_, scale_, size_;
   std::string text_;
 };
-
-bool has_film(const Panel& panel) {
-  return panel.outcome != nullptr && !panel.outcome->replicates.empty() &&
-         !panel.outcome->replicates.front().replay.empty();
-}
 
 /// Whether the jar's axis is normal to the plane of motion, so that its wall is a circle there.
 bool is_round(const results::Outcome& outcome) {
@@ -137,7 +122,7 @@ std::string trajectory(const Film& film, const PanelCanvas& sheet, std::size_t b
   }
   return fmt::format(
       "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\" stroke-opacity=\"0.8\"/>\n",
-      path, colours[number % colours.size()]);
+      path, kind_colour(number));
 }
 
 std::string circle(const PanelCanvas& sheet, const PanelPoint& p, double radius,
@@ -170,23 +155,28 @@ std::string balls(const Film& film, const PanelCanvas& sheet) {
 }
 
 template <class Draw>
-std::string picture(const std::vector<Panel>& panels, View view, std::string_view title,
-                    const Draw& draw) {
-  if (std::ranges::none_of(panels, has_film)) return "";
-  PanelCanvas sheet(panels);
-  for (const Panel& panel : panels) {
-    if (!has_film(panel)) continue;
-    const Film film(*panel.outcome, view);
-    sheet.begin(panel, film.half(), is_round(*panel.outcome));
-    sheet.add(draw(film, sheet));
-  }
+std::string picture(const results::Outcome& outcome, std::size_t replicate, View view, double size,
+                    std::string_view title, const Draw& draw) {
+  if (!has_frames(outcome, replicate)) return "";
+  const Film film(outcome, replicate, view);
+  PanelCanvas sheet(size, film.half(), is_round(outcome));
+  sheet.add(draw(film, sheet));
   return sheet.drawn(title);
+}
+
+std::string number_cell(double value) {
+  return fmt::format("{:.6g}", value);
 }
 
 }  // namespace
 
-std::string trajectories_picture(const std::vector<Panel>& panels, View view) {
-  return picture(panels, view, "Trajectories of the balls",
+bool has_frames(const results::Outcome& outcome, std::size_t replicate) {
+  return replicate < outcome.replicates.size() && !outcome.replicates[replicate].replay.empty();
+}
+
+std::string trajectories_picture(const results::Outcome& outcome, std::size_t replicate, View view,
+                                 double size) {
+  return picture(outcome, replicate, view, size, "Trajectories of the balls",
                  [](const Film& film, const PanelCanvas& sheet) {
                    std::string text;
                    std::size_t number = 0;
@@ -196,8 +186,37 @@ std::string trajectories_picture(const std::vector<Panel>& panels, View view) {
                  });
 }
 
-std::string snapshot_picture(const std::vector<Panel>& panels, View view) {
-  return picture(panels, view, "Balls at one time", balls);
+std::string snapshot_picture(const results::Outcome& outcome, std::size_t replicate, View view,
+                             double size) {
+  return picture(outcome, replicate, view, size, "Balls at one time", balls);
+}
+
+std::string trajectories_csv(const results::Outcome& outcome, std::size_t replicate, View view) {
+  std::string text = "replicate,ball,time_s,x_m,y_m\n";
+  if (!has_frames(outcome, replicate)) return text;
+  const Film film(outcome, replicate, view);
+  for (std::size_t i = 0; i < film.radius.size(); ++i)
+    for (std::size_t f = 0; f < film.frames() && !film.grain[i]; ++f) {
+      const PanelPoint p = film.place(f, i);
+      text += results::csv_line({std::to_string(replicate + 1), std::to_string(film.number(i)),
+                                 number_cell(film.time(f)), number_cell(p.x), number_cell(p.y)});
+    }
+  return text;
+}
+
+std::string snapshot_csv(const results::Outcome& outcome, std::size_t replicate, View view) {
+  std::string text = "replicate,ball,kind,time_s,radius_m,x_m,y_m,height_m,speed_m_per_s\n";
+  if (!has_frames(outcome, replicate)) return text;
+  const Film film(outcome, replicate, view);
+  const std::size_t frame = film.frames() - 1;
+  for (std::size_t i = 0; i < film.radius.size(); ++i) {
+    const PanelPoint p = film.place(frame, i);
+    text += results::csv_line({std::to_string(replicate + 1), std::to_string(film.number(i)),
+                               film.grain[i] ? "grain" : "ball", number_cell(film.time(frame)),
+                               number_cell(film.radius[i]), number_cell(p.x), number_cell(p.y),
+                               number_cell(p.height), number_cell(film.speed(frame, i))});
+  }
+  return text;
 }
 
 }  // namespace mahlwerk::report

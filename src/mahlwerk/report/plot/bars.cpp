@@ -9,6 +9,7 @@
 
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
+#include "mahlwerk/report/plot/svg_element.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/report/readable.hpp"
 
@@ -31,17 +32,11 @@ class BarDrawing {
       y += height_of(group);
     }
     const double x = across(plot.base);
-    text_ +=
-        fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" style=\"stroke:var(--ink,#222)\"/>\n", x,
-                    top_, bottom_);
+    text_ += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\"/>\n", x, top_,
+                         bottom_, ink_colour);
   }
   std::string drawn() const {
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:.0f}\" role=\"img\" "
-        "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
-        "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}"
-        "</svg>\n",
-        plot_width, bottom_ + 46, escaped(plot_.title), text_);
+    return svg_head(plot_width, bottom_ + 46, plot_.title) + text_ + "</svg>\n";
   }
 
  private:
@@ -113,10 +108,9 @@ void BarDrawing::legend() {
 void BarDrawing::scale() {
   for (const double v : ticks(least_, most_, false, 5)) {
     const double x = across(v);
-    text_ +=
-        fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" style=\"stroke:var(--grid,#ddd)\"/>\n", x,
-                    top_, bottom_);
-    text(x, bottom_ + 17, "middle", tick_text(v, false), " style=\"fill:var(--soft,#555)\"");
+    text_ += fmt::format("<path d=\"M{0:.1f} {1:.1f}V{2:.1f}\" stroke=\"{3}\"/>\n", x, top_,
+                         bottom_, grid_colour);
+    text(x, bottom_ + 17, "middle", tick_text(v, false), fmt::format(" fill=\"{}\"", soft_colour));
   }
   text(0.5 * (left_ + right_), bottom_ + 37, "middle", plot_.label);
 }
@@ -145,16 +139,16 @@ void BarDrawing::bar(const Bar& b, double y, double size) {
   if (b.least() < b.most()) {
     text_ += fmt::format(
         "<path d=\"M{0:.1f} {2:.1f}H{1:.1f}M{0:.1f} {3:.1f}v6M{1:.1f} {3:.1f}v6\" fill=\"none\" "
-        "style=\"stroke:var(--ink,#222)\"/>\n",
-        low, high, middle, middle - 3);
+        "stroke=\"{4}\"/>\n",
+        low, high, middle, middle - 3, ink_colour);
   }
   if (b.note.empty()) return;
   const bool left = b.end < plot_.base;
-  notes_ += worded(
-      left ? std::min(low, to) - 5 : std::max(high, to) + 5, middle + 4, left ? "end" : "start",
-      b.note,
-      " font-size=\"11\" style=\"fill:var(--soft,#555);stroke:var(--paper,#fff);stroke-width:3px;"
-      "paint-order:stroke\"");
+  notes_ += worded(left ? std::min(low, to) - 5 : std::max(high, to) + 5, middle + 4,
+                   left ? "end" : "start", b.note,
+                   fmt::format(" font-size=\"11\" fill=\"{}\" stroke=\"{}\" stroke-width=\"3\" "
+                               "paint-order=\"stroke\"",
+                               soft_colour, ground_colour));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
+#include "mahlwerk/report/plot/svg_element.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t titled = 900;  // larger maps have no tooltips
 
 std::string words(double x, double y, std::string_view anchor, std::string_view text,
-                  std::string_view extra = " style=\"fill:var(--soft,#555)\"") {
+                  std::string_view extra = " fill=\"#59636e\"") {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
                      anchor, extra, escaped(text));
 }
@@ -45,14 +46,9 @@ class MapDrawing {
     key();
   }
   std::string drawn() const {
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:.0f}\" role=\"img\" "
-        "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
-        "UI,Helvetica,Arial,sans-serif\" font-size=\"12\" style=\"fill:var(--ink,#222)\">\n{}{}"
-        "</svg>\n",
-        plot_width, height_, escaped(map_.title),
-        words(left_, 18, "start", map_.title, title_style(map_.title, plot_width - left_ - 4)),
-        text_);
+    return svg_head(plot_width, height_, map_.title) +
+           words(left_, 18, "start", map_.title, title_style(map_.title, plot_width - left_ - 4)) +
+           text_ + "</svg>\n";
   }
 
  private:
@@ -73,8 +69,9 @@ class MapDrawing {
 void MapDrawing::cross_out(double x, double y) {
   text_ += fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}l{2:.1f} {3:.1f}m0 {4:.1f}l{5:.1f} {3:.1f}\" fill=\"none\" "
-      "style=\"stroke:var(--soft,#555)\"/>\n",
-      x + 0.3 * wide_, y + 0.3 * tall_, 0.4 * wide_, 0.4 * tall_, -0.4 * tall_, -0.4 * wide_);
+      "stroke=\"{6}\"/>\n",
+      x + 0.3 * wide_, y + 0.3 * tall_, 0.4 * wide_, 0.4 * tall_, -0.4 * tall_, -0.4 * wide_,
+      soft_colour);
 }
 
 /// Draws each cell. Texts are drawn in all cells or in none.
@@ -88,13 +85,14 @@ void MapDrawing::each_cell() {
     if (cell.colour.empty() && !cell.failed) continue;
     text_ += fmt::format(
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
-        "fill=\"{}\" style=\"stroke:var(--paper,#fff)\"><title>{}</title></rect>\n",
-        x, y, wide_, tall_, cell.failed ? "var(--box,#eee)" : cell.colour, escaped(cell.title));
+        "fill=\"{}\" stroke=\"{}\"><title>{}</title></rect>\n",
+        x, y, wide_, tall_, cell.failed ? failed_colour : std::string_view(cell.colour),
+        ground_colour, escaped(cell.title));
     if (cell.failed) cross_out(x, y);
     if (fits && !cell.text.empty())
-      text_ += words(
-          x + 0.5 * wide_, y + 0.5 * tall_ + 4, "middle", cell.text,
-          fmt::format(" font-size=\"11\" pointer-events=\"none\" style=\"fill:{}\"", cell.ink));
+      text_ +=
+          words(x + 0.5 * wide_, y + 0.5 * tall_ + 4, "middle", cell.text,
+                fmt::format(" font-size=\"11\" pointer-events=\"none\" fill=\"{}\"", cell.ink));
   }
 }
 

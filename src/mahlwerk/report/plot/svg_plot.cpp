@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "mahlwerk/report/plot/colours.hpp"
+#include "mahlwerk/report/plot/rich_text.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
+#include "mahlwerk/report/plot/svg_element.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -20,6 +22,21 @@ namespace {
 
 constexpr std::size_t colour_count = 7;  // higher indices are dashed
 constexpr std::array<std::string_view, 3> dashes{"", "7 3", "2 3"};
+constexpr double area_opacity = 0.25;
+constexpr double narrow = 400;  // [px] width up to which margins and dots are small
+
+double letter_of(double font) {
+  return letter_width * font / 12;
+}
+
+double dot_radius(const Plot& plot) {
+  return plot.width > narrow ? 3.5 : 2.6;
+}
+
+std::string square(double x, double y) {
+  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"7\" height=\"7\" fill=\"{}\"/>\n",
+                     x - 3.5, y - 3.5, ink_colour);
+}
 
 /// Layout of a plot, and its SVG text.
 class Canvas {
@@ -54,38 +71,43 @@ class Canvas {
   struct Entry {
     std::size_t series;
     double x, y;
+    std::vector<std::string> lines;
   };
   std::vector<Entry> entries_;  // of the legend
+  std::vector<std::string> y_label_;
   std::string text_;
 };
 
 Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.y.logarithmic) {
   measure();
-  text_ = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:g} {:g}\" role=\"img\" "
-      "aria-label=\"{}\" font-family=\"system-ui,-apple-system,Segoe "
-      "UI,Helvetica,Arial,sans-serif\" "
-      "font-size=\"12\" style=\"fill:var(--ink,#222)\">\n",
-      plot.width, plot.height, escaped(plot.title));
+  text_ = svg_head(plot.width, plot.height, plot.title, plot.font);
   grid();
   legend();
+  // Dots on an axis are drawn whole.
+  const bool dots = std::ranges::any_of(plot.series, [](const Series& s) {
+    return s.mark == Mark::points || s.mark == Mark::dots || s.mark == Mark::squares;
+  });
+  const double dot = dots ? 4 : 0;
   // An inner <svg> clips without an id; clip paths would need unique ids on pages with several
   // plots.
   text_ += fmt::format(
       "<svg x=\"{0:g}\" y=\"{1:g}\" width=\"{2:g}\" height=\"{3:g}\" viewBox=\"{0:g} {1:g} {2:g} "
       "{3:g}\" overflow=\"hidden\">\n",
-      left_, top_, right_ - left_, bottom_ - top_);
+      left_ - dot, top_ - dot, right_ - left_ + 2 * dot, bottom_ - top_ + 2 * dot);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     const std::size_t number = s.colour.value_or(i);
     const std::string_view colour = kind_colour(number);
+    if (s.mark == Mark::note) continue;
     if (s.mark == Mark::steps) {
       steps(s, colour, i == 0);
-    } else {
-      if (s.band) band(s, colour);
-      if (s.mark != Mark::dots) line(s, colour, dashes[number / colour_count % dashes.size()]);
-      if (s.mark != Mark::line) points(s, colour);
+      continue;
     }
+    if (s.band || s.mark == Mark::area) band(s, colour);
+    if (s.mark == Mark::line || s.mark == Mark::points)
+      line(s, colour, dashes[number / colour_count % dashes.size()]);
+    if (s.mark == Mark::points || s.mark == Mark::dots) points(s, colour);
+    if (s.mark == Mark::squares) points(s, ink_colour);
   }
   text_ += "</svg>\n</svg>\n";
 }
@@ -98,39 +120,51 @@ void Canvas::measure() {
   for (const Series& s : plot_.series) {
     for (const double v : s.x) x_.include(v);
     for (std::size_t i = 0; i < s.y.size(); ++i) {
-      const double error = i < s.error.size() && std::isfinite(s.error[i]) ? s.error[i] : 0;
-      y_.include(s.y[i]);  // its error bar may reach below 0, beyond a logarithmic axis
-      y_.include(positive ? std::max(s.y[i] - error, 0.0) : s.y[i] - error);
-      y_.include(s.y[i] + error);
+      if (s.mark != Mark::area) y_.include(s.y[i]);
+      const Interval ends = interval_at(s, i, plot_.y);
+      // An error bar may reach below 0, beyond a logarithmic axis.
+      y_.include(positive && s.mark != Mark::area ? std::max(ends.low, 0.0) : ends.low);
+      y_.include(ends.high);
     }
   }
   const bool points = std::any_of(plot_.series.begin(), plot_.series.end(), [](const Series& s) {
-    return s.mark == Mark::points || s.mark == Mark::dots;
+    return s.mark == Mark::points || s.mark == Mark::dots || s.mark == Mark::squares;
   });
   x_.set_limits(plot_.x, points);
   y_.set_limits(plot_.y, true);
   std::size_t widest = 0;
   for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5))
     widest = std::max(widest, width(tick_text(v, y_.logarithmic)));
-  left_ = std::max(62.0, 34 + letter_width * static_cast<double>(widest));
+  const double letter = letter_of(plot_.font);
+  left_ = 34 + letter * static_cast<double>(widest);
+  if (plot_.width > narrow) left_ = std::max(62.0, left_);
   right_ = plot_.width - 16;
   top_ = plot_.title.empty() ? 12 : 34;
   place_legend();
-  bottom_ = plot_.height - 46;
+  bottom_ = plot_.height - (plot_.width > narrow ? 46 : 42);
+  y_label_ = wrapped(plot_.y.label, static_cast<std::size_t>((bottom_ - top_) / letter));
+  left_ += (plot_.font + 1) * (std::max(1.0, static_cast<double>(y_label_.size())) - 1);
 }
 
-/// Places the legend above the plot, in as many rows as it needs.
+/// Places the legend above the plot, in as many rows as it needs. An entry that is wider than the
+/// plot has several lines.
 void Canvas::place_legend() {
-  double x = left_, y = top_ + 6;
+  const double letter = letter_of(plot_.font), begin = plot_.width > narrow ? left_ : 14,
+               row = plot_.font + 6, line = plot_.font + 2;
+  const auto most = static_cast<std::size_t>((right_ - begin - 24) / letter);
+  double x = begin, y = top_ + 6;
   for (std::size_t i = 0; i < plot_.series.size(); ++i) {
-    if (plot_.series[i].name.empty()) continue;
-    const double room = 44 + letter_width * static_cast<double>(width(plot_.series[i].name));
-    if (x > left_ && x + room - 20 > right_) {
-      x = left_;
-      y += 18;
+    const std::string& name = plot_.series[i].name;
+    if (name.empty()) continue;
+    const double room = 44 + letter * static_cast<double>(width(plain_text(name)));
+    if (x > begin && x + room - 20 > right_) {
+      x = begin;
+      y += row;
     }
-    entries_.push_back({i, x, y});
+    std::vector<std::string> lines = wrapped(name, most);
+    entries_.push_back({i, x, y, lines});
     x += room;
+    y += line * (std::max(1.0, static_cast<double>(lines.size())) - 1);
   }
   if (!entries_.empty()) top_ = y + 14;
 }
@@ -138,33 +172,37 @@ void Canvas::place_legend() {
 void Canvas::words(double x, double y, std::string_view anchor, std::string_view what,
                    std::string_view extra) {
   text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
-                       anchor, extra, escaped(what));
+                       anchor, extra, rich_text(what, plot_.font));
 }
 
 void Canvas::grid() {
-  constexpr std::string_view rule =
-      "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" style=\"stroke:var(--grid,#ddd)\"/>\n";
-  constexpr std::string_view soft = " style=\"fill:var(--soft,#555)\"";
-  for (const double v : ticks(x_.least, x_.most, x_.logarithmic, 7)) {
+  constexpr std::string_view rule = "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"{}\"/>\n";
+  const std::string soft = fmt::format(" fill=\"{}\"", soft_colour);
+  const int wanted = std::clamp(static_cast<int>(plot_.width / 56), 3, 7);
+  for (const double v : ticks(x_.least, x_.most, x_.logarithmic, wanted)) {
     const double x = across(v);
-    text_ += fmt::format(rule, x, top_, x, bottom_);
+    text_ += fmt::format(rule, x, top_, x, bottom_, grid_colour);
     words(x, bottom_ + 17, "middle", tick_text(v, x_.logarithmic), soft);
   }
   for (const double v : ticks(y_.least, y_.most, y_.logarithmic, 5)) {
     const double y = down(v);
-    text_ += fmt::format(rule, left_, y, right_, y);
+    text_ += fmt::format(rule, left_, y, right_, y, grid_colour);
     words(left_ - 7, y + 4, "end", tick_text(v, y_.logarithmic), soft);
   }
   text_ += fmt::format(
       "<path d=\"M{0:.1f} {1:.1f}L{0:.1f} {2:.1f}L{3:.1f} {2:.1f}\" fill=\"none\" "
-      "style=\"stroke:var(--soft,#555)\"/>\n",
-      left_, top_, bottom_, right_);
+      "stroke=\"{4}\"/>\n",
+      left_, top_, bottom_, right_, soft_colour);
   if (!plot_.title.empty())
     words(left_, 18, "start", plot_.title, title_style(plot_.title, plot_.width - left_ - 4));
   words(0.5 * (left_ + right_), plot_.height - 8, "middle", plot_.x.label);
   const double middle = 0.5 * (top_ + bottom_);
-  words(14, middle, "middle", plot_.y.label,
-        fmt::format(" transform=\"rotate(-90 14 {:.1f})\"", middle));
+  double x = 14;
+  for (const std::string& line : y_label_) {
+    words(x, middle, "middle", line,
+          fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", x, middle));
+    x += plot_.font + 1;
+  }
 }
 
 void Canvas::legend() {
@@ -172,16 +210,31 @@ void Canvas::legend() {
     const Series& s = plot_.series[entry.series];
     const std::size_t number = s.colour.value_or(entry.series);
     const std::string_view colour = kind_colour(number);
+    const double x = entry.x, y = entry.y - 4;
     if (s.mark == Mark::dots)
-      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n",
-                           entry.x + 9, entry.y - 4, colour);
-    else
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\"/>\n", x + 9,
+                           y, dot_radius(plot_), colour);
+    else if (s.mark == Mark::squares)
+      text_ += square(x + 9, y);
+    else if (s.mark == Mark::area)
+      text_ += fmt::format(
+          "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"18\" height=\"10\" fill=\"{}\" "
+          "fill-opacity=\"{}\"/>\n",
+          x, y - 5, colour, area_opacity);
+    else if (s.mark != Mark::note)
       text_ += fmt::format(
           "<path d=\"M{:.1f} {:.1f}h18\" stroke=\"{}\" stroke-width=\"{}\" "
           "stroke-dasharray=\"{}\"/>\n",
-          entry.x, entry.y - 4, colour, s.mark == Mark::steps ? 3 : 2,
+          x, y, colour, s.mark == Mark::steps ? 3 : 2,
           dashes[number / colour_count % dashes.size()]);
-    words(entry.x + 24, entry.y, "start", s.name);
+    if (s.mark == Mark::points)
+      text_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\"/>\n", x + 9,
+                           y, dot_radius(plot_), colour);
+    double row = entry.y;
+    for (const std::string& line : entry.lines) {
+      words(x + (s.mark == Mark::note ? 0 : 24), row, "start", line);
+      row += plot_.font + 2;
+    }
   }
 }
 
@@ -192,18 +245,20 @@ void Canvas::band(const Series& s, std::string_view colour) {
     if (!back.empty()) path += back + "Z";
     back.clear();
   };
-  for (std::size_t i = 0; i < std::min({s.x.size(), s.y.size(), s.error.size()}); ++i) {
-    if (!inside(s.x[i], x_) || !inside(s.y[i], y_) || !std::isfinite(s.error[i])) {
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    const Interval ends = interval_at(s, i, plot_.y);
+    const bool drawn = s.mark == Mark::area || (i < s.y.size() && inside(s.y[i], y_));
+    if (!drawn || !inside(s.x[i], x_) || !ends.known()) {
       close();
       continue;
     }
     const double x = across(s.x[i]);
-    path +=
-        fmt::format("{}{:.1f} {:.1f}", back.empty() ? 'M' : 'L', x, cut_down(s.y[i] + s.error[i]));
-    back = fmt::format("L{:.1f} {:.1f}", x, cut_down(s.y[i] - s.error[i])) + back;
+    path += fmt::format("{}{:.1f} {:.1f}", back.empty() ? 'M' : 'L', x, cut_down(ends.high));
+    back = fmt::format("L{:.1f} {:.1f}", x, cut_down(ends.low)) + back;
   }
   close();
-  text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"0.16\"/>\n", path, colour);
+  text_ += fmt::format("<path d=\"{}\" fill=\"{}\" fill-opacity=\"{}\"/>\n", path, colour,
+                       s.mark == Mark::area ? area_opacity : 0.16);
 }
 
 void Canvas::line(const Series& s, std::string_view colour, std::string_view dash) {
@@ -242,13 +297,16 @@ void Canvas::points(const Series& s, std::string_view colour) {
   for (std::size_t i = 0; i < std::min(s.x.size(), s.y.size()); ++i) {
     if (!inside(s.x[i], x_) || !inside(s.y[i], y_)) continue;
     const double x = across(s.x[i]), y = cut_down(s.y[i]);
-    if (i < s.error.size() && s.error[i] > 0)
+    const Interval ends = interval_at(s, i, plot_.y);
+    if (ends.low < ends.high)
       text_ += fmt::format(
           "<path d=\"M{0:.1f} {1:.1f}V{2:.1f}M{3:.1f} {1:.1f}h6M{3:.1f} {2:.1f}h6\" stroke=\"{4}\" "
           "fill=\"none\"/>\n",
-          x, cut_down(s.y[i] + s.error[i]), cut_down(s.y[i] - s.error[i]), x - 3, colour);
-    text_ +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\" fill=\"{}\"/>\n", x, y, colour);
+          x, cut_down(ends.high), cut_down(ends.low), x - 3, colour);
+    text_ += s.mark == Mark::squares
+                 ? square(x, y)
+                 : fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\"/>\n", x,
+                               y, dot_radius(plot_), colour);
   }
 }
 
@@ -268,6 +326,20 @@ void Canvas::steps(const Series& s, std::string_view colour, bool filled) {
 }
 
 }  // namespace
+
+Interval interval_at(const Series& s, std::size_t i, const Axis& y) {
+  Interval ends;
+  if (i < s.low.size() && i < s.high.size())
+    ends = {s.low[i], s.high[i]};
+  else if (i < s.y.size() && i < s.error.size() && s.error[i] >= 0)
+    ends = {s.y[i] - s.error[i], s.y[i] + s.error[i]};
+  if (!std::isfinite(ends.low) || !std::isfinite(ends.high)) return {};
+  // A value outside the range stays inside its interval.
+  const bool has_value = i < s.y.size() && std::isfinite(s.y[i]);
+  const double least = has_value ? std::min(y.range_least, s.y[i]) : y.range_least,
+               most = has_value ? std::max(y.range_most, s.y[i]) : y.range_most;
+  return {std::clamp(ends.low, least, most), std::clamp(ends.high, least, most)};
+}
 
 std::string svg(const Plot& plot) {
   return Canvas(plot).drawn();

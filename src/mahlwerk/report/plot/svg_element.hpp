@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mahlwerk::report {
+
+/// Beginning of an SVG picture of `width` times `height` [px]: the opening tag, by which
+/// results::foreign_files recognises pictures, and a white ground. `font`: font size [px].
+std::string svg_head(double width, double height, std::string_view title, double font = 12);
+
+/// A picture that begins with svg_head(), as an element at (x, y) [px] of another picture, without
+/// its ground.
+std::string nested_svg(std::string_view picture, double x, double y, double width, double height,
+                       double font);
+
+}  // namespace mahlwerk::report

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The replicates that stand for all in pictures.
+#include "mahlwerk/report/paper/representatives.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/results/fake.hpp"
+
+namespace mahlwerk::report::representatives_test {
+namespace {
+
+/// Replicates of one ball in a drum that fly for these shares of their 10 s, with these powers.
+results::Outcome drum(const std::vector<double>& flights, const std::vector<int>& powers) {
+  results::Outcome o = results::fake_outcome(powers);
+  kinematics::Tumbling motion;
+  motion.speed = 5;
+  o.mill_case.mill.motion = motion;
+  for (std::size_t i = 0; i < flights.size(); ++i)
+    o.replicates[i].energy_balance.contact_time =
+        o.replicates[i].at_settled.contact_time + 10 * (1 - flights[i]);
+  o.summary = results::summarise(o);
+  return o;
+}
+
+TEST(Representatives, of_one_state_are_the_median_replicate) {
+  // Powers 140, 100, 120, 160: of an even number the lower of the middle two, the third replicate.
+  const auto shown = representatives(drum({0.5, 0.5, 0.5, 0.5}, {140, 100, 120, 160}));
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_EQ(shown[0].replicate, 2U);
+  EXPECT_EQ(shown[0].words, "cataracting, replicate 3 of 4");
+}
+
+TEST(Representatives, of_two_regimes_are_one_of_each_the_frequent_one_first) {
+  const auto shown = representatives(drum({0.1, 0.5, 0.1, 0.5, 0.5}, {100, 300, 101, 100, 200}));
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown[0].words, "cataracting, 3 of 5 replicates");
+  EXPECT_EQ(shown[0].replicate, 4U);  // 200 of 100, 200, 300
+  EXPECT_EQ(shown[1].words, "cascading, 2 of 5 replicates");
+  EXPECT_EQ(shown[1].replicate, 0U);
+}
+
+TEST(Representatives, of_two_states_by_power_are_one_of_each_in_a_mill_without_regimes) {
+  results::Outcome o = results::fake_outcome({100, 101, 300});
+  o.summary.two_states.emplace();
+  o.summary.two_states->states[0].replicates = {1, 2};
+  o.summary.two_states->states[1].replicates = {3};
+  const auto shown = representatives(o);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_EQ(shown[0].words, "low power, 2 of 3 replicates");
+  EXPECT_EQ(shown[0].replicate, 0U);
+  EXPECT_EQ(shown[1].words, "high power, 1 of 3 replicates");
+  EXPECT_EQ(shown[1].replicate, 2U);
+}
+
+TEST(Representatives, of_a_single_replicate_need_no_number) {
+  const auto shown = representatives(results::fake_outcome({100}));
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_EQ(shown[0].words, "");
+}
+
+}  // namespace
+}  // namespace mahlwerk::report::representatives_test

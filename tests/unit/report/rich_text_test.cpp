@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Symbols, line breaks and axis labels.
+#include "mahlwerk/report/plot/rich_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mahlwerk/report/plot/axis_labels.hpp"
+#include "mahlwerk/report/plot/law_words.hpp"
+
+namespace mahlwerk::report::rich_text_test {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+TEST(RichText, symbols_are_italic_with_upright_subscripts_and_raised_exponents) {
+  EXPECT_EQ(rich_text("$E_{n}$", 10),
+            "<tspan font-style=\"italic\">E</tspan><tspan dy=\"2.2\" "
+            "font-size=\"7.5\">n</tspan>");
+  // The text behind a subscript returns to the base line, and keeps its first space.
+  EXPECT_EQ(rich_text("d_{90} (m)", 10),
+            "d<tspan dy=\"2.2\" font-size=\"7.5\">90</tspan><tspan dy=\"-2.2\" "
+            "xml:space=\"preserve\"> (m)</tspan>");
+  EXPECT_EQ(plain_text("$E_{n}$ = 2 mJ ($f$/17 Hz)^{1.99}"), "En = 2 mJ (f/17 Hz)1.99");
+}
+
+TEST(RichText, marks_without_counterpart_are_text_and_tags_are_escaped) {
+  for (const char* text : {"5 $", "f_mat", "x_w_min ^ 2", "a_{b"}) {
+    EXPECT_EQ(rich_text(text, 10), text);
+    EXPECT_EQ(plain_text(text), text);
+  }
+  EXPECT_EQ(rich_text("<b>", 10), "&lt;b&gt;");
+}
+
+TEST(RichText, is_wrapped_between_words_by_what_is_seen) {
+  EXPECT_EQ(wrapped("one two three", 7), (Lines{"one two", "three"}));
+  EXPECT_EQ(wrapped("energy, $E_{n}$ (mJ)", 10), (Lines{"energy, $E_{n}$", "(mJ)"}));
+  EXPECT_EQ(wrapped("incomprehensible word", 5), (Lines{"incomprehensible", "word"}));
+  EXPECT_TRUE(wrapped("", 5).empty());
+}
+
+TEST(AxisLabels, have_name_symbol_and_unit) {
+  EXPECT_EQ(quantity_axis("energy_normal_mean_above_threshold", {1e-3, "mJ"}),
+            "mean normal energy above threshold, $E_{n}$ (mJ)");
+  EXPECT_EQ(quantity_axis("collision_rate", {1, "1/s"}), "collision rate, $n$ (1/s)");
+  EXPECT_EQ(quantity_axis("flight_share", {1, "1"}), "share of time in flight, $φ$ (–)");
+  EXPECT_EQ(quantity_axis("wall_slip_ratio", {1, "1"}), "wall slip ratio (–)");
+  EXPECT_EQ(key_axis("mill.frequency", "Hz"), "vibration frequency, $f$ (Hz)");
+  EXPECT_EQ(key_axis("mill.ratio", ""), "speed ratio, $k$ (–)");
+  EXPECT_EQ(key_axis("contact.lasting", ""), "lasting");
+}
+
+TEST(LawWords, are_the_equation_in_the_units_of_the_axes_and_its_r_squared) {
+  const LawAxes axes{"$f$", "Hz", "$E_{c}$", {1e-3, "mJ"}};
+  FittedLaw law{.form = LawForm::power,
+                .coefficients = {0.00667, 1.99},
+                .reference = 16.7,
+                .r_squared = 0.99998};
+  EXPECT_EQ(law_words(law, axes), "$E_{c}$ = 6.67 mJ ($f$/16.7 Hz)^{1.99}, $R$² = 0.99998");
+  law = {.form = LawForm::line, .coefficients = {0.002, -0.0005}, .r_squared = 0.9919};
+  EXPECT_EQ(law_words(law, axes), "$E_{c}$ = 2 − 0.5 $f$, $R$² = 0.9919");
+  law = {.form = LawForm::parabola, .coefficients = {-0.002, 0.0005, 1e-6}, .r_squared = 0.5};
+  EXPECT_EQ(law_words(law, {"", "", "", {1, "J"}}),
+            "$y$ = −0.002 + 0.0005 $x$ + 1e-06 $x$², $R$² = 0.5000");
+}
+
+}  // namespace
+}  // namespace mahlwerk::report::rich_text_test
