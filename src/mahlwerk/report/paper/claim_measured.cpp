@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/paper/claim_rules.hpp"
+#include "mahlwerk/report/paper/measurements.hpp"
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {
@@ -82,8 +83,11 @@ std::string summary(const ClaimContext& c, const std::vector<Comparison>& all) {
 
 }  // namespace
 
-Verdict judge_measured(const ClaimContext& c, const std::vector<ClaimLine>& lines,
-                       const Measurement& measured) {
+Verdict judge_measured(ClaimContext c, std::vector<ClaimLine> lines, const Measurement& measured) {
+  if (!c.claim.relative_to.empty()) {
+    c.unit.clear();
+    for (ClaimLine& line : lines) line = relative_line(line, c.claim.relative_to);
+  }
   std::vector<Comparison> all;
   for (const Measurement::Value& value : measured.values) {
     all.push_back({&value, band_at(lines, value.at)});

@@ -30,7 +30,6 @@ Verdict judge_law(const ClaimContext& c, const ClaimLine& line);
 Verdict judge_maximum(const ClaimContext& c, const ClaimLine& line);
 
 /// The band over all lines (keys that are assumed) against measured values.
-Verdict judge_measured(const ClaimContext& c, const std::vector<ClaimLine>& lines,
-                       const Measurement& measured);
+Verdict judge_measured(ClaimContext c, std::vector<ClaimLine> lines, const Measurement& measured);
 
 }  // namespace mahlwerk::report

@@ -175,12 +175,11 @@ std::string ClaimContext::key() const {
 
 Verdict judge(const Claim& claim, const Campaign& campaign, const Measurement* measured) {
   const Context context{claim, campaign, unit_of(campaign, claim.quantity)};
-  const std::vector<ClaimLine> lines =
-      lines_along(campaign, claim.at, claim.against, claim.quantity);
+  std::vector<ClaimLine> lines = lines_along(campaign, claim.at, claim.against, claim.quantity);
   if (lines.empty()) return {"no such point was run"};
   if (claim.kind == Kind::measured)
     return measured == nullptr ? Verdict{"no measured values"}
-                               : judge_measured(context, lines, *measured);
+                               : judge_measured(context, std::move(lines), *measured);
   std::vector<Verdict> each;
   for (const ClaimLine& line : lines) each.push_back(judge_line(context, line));
   Verdict all;

@@ -49,11 +49,16 @@ class ReferenceCheck {
           "paper-unknown-quantity");
   }
 
+  /// The measurements that a figure draws exist.
+  void drawn(const Paper& paper, const PaperFigure& figure) {
+    for (const std::string& name : figure.measurements)
+      if (paper.measurement(name) == nullptr) no_measurement(name);
+  }
+
   /// The measurement exists, its values are quantities of that dimension at points of the campaign.
   void measurement(const Claim& claim, const Measurement* measured) {
     if (measured == nullptr) {
-      fault(fmt::format("there is no section [[measured]] with the name \"{}\"", claim.measured),
-            "write one, or name another", "paper-unknown-measurement");
+      no_measurement(claim.measured);
       return;
     }
     std::string unit;
@@ -67,7 +72,7 @@ class ReferenceCheck {
             "paper-unknown-measurement");
       value(claim.against, v.at);
       try {
-        parse_in(v.text, unit == "1" ? "" : unit);
+        parse_in(v.text, unit == "1" || !claim.relative_to.empty() ? "" : unit);
       } catch (const UnitError& error) {
         fault(error.what(), fmt::format("{} is in {}", claim.quantity, unit), "bad-quantity");
       }
@@ -75,6 +80,10 @@ class ReferenceCheck {
   }
 
  private:
+  void no_measurement(const std::string& name) {
+    fault(fmt::format("there is no section [[measured]] with the name \"{}\"", name),
+          "write one, or name another", "paper-unknown-measurement");
+  }
   std::vector<results::Quantity> quantities() const {
     results::Outcome none;
     none.mill_case = case_;
@@ -113,6 +122,7 @@ std::vector<Fault> paper_faults(const Paper& paper,
     check.key(figure.against);
     check.at(figure.at);
     check.quantity(figure.quantity);
+    check.drawn(paper, figure);
   }
   for (const Claim& claim : paper.claims) {
     ReferenceCheck check(claim.where, claim.campaign, cases.at(claim.campaign), faults);
@@ -120,6 +130,7 @@ std::vector<Fault> paper_faults(const Paper& paper,
     check.at(claim.at);
     check.value(claim.against, claim.first);
     check.value(claim.against, claim.second);
+    check.value(claim.against, claim.relative_to);
     check.quantity(claim.quantity);
     if (claim.kind == Claim::Kind::measured)
       check.measurement(claim, paper.measurement(claim.measured));

@@ -11,6 +11,7 @@
 
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/figure_plot.hpp"
+#include "mahlwerk/report/paper/measurements.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/paper/representatives.hpp"
 #include "mahlwerk/report/paper/trajectories.hpp"
@@ -114,9 +115,9 @@ DrawnSection pictures(const PaperFigure& figure, const RunCampaign& run) {
   return section;
 }
 
-DrawnSection drawn(const PaperFigure& figure, const RunCampaign& run) {
+DrawnSection drawn(const PaperFigure& figure, const Paper& paper, const RunCampaign& run) {
   if (figure.drawn != Drawn::quantity) return pictures(figure, run);
-  FigurePlot made = figure_plot(figure, run.numbers);
+  FigurePlot made = figure_plot(with_measured(figure, paper, run.numbers), run.numbers);
   DrawnSection section{.figure = &figure, .letters = {}, .points = {}};
   FigurePanel panel{.letter = "",
                     .title = figure.title,
@@ -250,7 +251,7 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
     const FigureNumber number = parsed(figure.number);
     auto at = std::ranges::find_if(figures, [&](const auto& f) { return f.first == number.stem; });
     if (at == figures.end()) at = figures.insert(figures.end(), {number.stem, {}});
-    at->second.push_back(drawn(figure, run.at(figure.campaign)));
+    at->second.push_back(drawn(figure, paper, run.at(figure.campaign)));
     at->second.back().letters = number.letters;
   }
   std::set<std::string> used;

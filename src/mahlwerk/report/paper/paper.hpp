@@ -44,7 +44,8 @@ struct PaperFigure {
   /// Free or assumed numbers, keys of [sweep]: the figure has one band over all their values.
   std::vector<std::string> band_over = {};
   std::map<std::string, std::string> nominal = {};  ///< their values that are drawn as points
-  std::vector<MeasuredSeries> measured = {};
+  std::vector<std::string> measurements = {};       ///< names of [[measured]] to draw
+  std::vector<MeasuredSeries> measured = {};        ///< their values on the axis
   bool seen_from_jar = false;  ///< frame of trajectories and snapshots: the jar, else its carrier
   std::string where;           ///< location for faults
 };
@@ -98,9 +99,10 @@ struct Claim {
   std::string first, second;
   double bound = 0;  ///< in SI units
   std::string bound_text;
-  std::string measured;  ///< name of a Measurement
-  bool own = false;      ///< a statement of ours, not of the paper
-  std::string where;     ///< location for faults
+  std::string measured;     ///< name of a Measurement
+  std::string relative_to;  ///< of `measured`: value of `against` whose quantity is the unit
+  bool own = false;         ///< a statement of ours, not of the paper
+  std::string where;        ///< location for faults
 };
 
 struct Paper {

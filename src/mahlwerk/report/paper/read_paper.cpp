@@ -111,9 +111,10 @@ PaperFigure read_figure(SectionReader& in) {
     figure.against = needed(in, "against", "a key of the campaign's [sweep]");
     if (in.gives("law")) figure.law = chosen<LawForm>(in, "law", law_words);
     read_band(in, figure);
+    if (const auto name = in.text("measured")) figure.measurements.push_back(*name);
   } else {
-    in.refuse({"quantity", "against", "law", "band_over", "nominal"}, "in this kind of figure",
-              "remove it");
+    in.refuse({"quantity", "against", "law", "band_over", "nominal", "measured"},
+              "in this kind of figure", "remove it");
     figure.seen_from_jar =
         in.gives("seen_from") && in.choice({"seen_from", {"carrier", "jar"}, ""}) == "jar";
   }
@@ -150,6 +151,12 @@ bool has_tolerance(const Claim& claim) {
   return claim.kind == Kind::alike;
 }
 
+void read_measured_claim(SectionReader& in, Claim& claim) {
+  claim.measured = needed(in, "measured", "the name of a section [[measured]]");
+  if (in.gives("relative_to"))
+    claim.relative_to = value_of(in, "relative_to", "the value of `against` that is the unit");
+}
+
 void read_test(SectionReader& in, Claim& claim) {
   if (claim.kind != Kind::regime)
     claim.quantity = needed(in, "quantity", "its name in summary.json");
@@ -170,8 +177,7 @@ void read_test(SectionReader& in, Claim& claim) {
     claim.first = value_of(in, "first", "one end of the range of `against` with the maximum");
     claim.second = value_of(in, "second", "the other end of this range");
   }
-  if (claim.kind == Kind::measured)
-    claim.measured = needed(in, "measured", "the name of a section [[measured]]");
+  if (claim.kind == Kind::measured) read_measured_claim(in, claim);
   if (claim.kind == Kind::regime)
     claim.is =
         in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling", "sliding"}, ""});

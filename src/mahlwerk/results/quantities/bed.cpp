@@ -184,6 +184,10 @@ std::vector<Measure> bed_measures(const Case& mill_case) {
        bed_angle},
       {"charge_distance", "m", "distance of the charge's centre of mass from the drum's axis",
        centre_distance},
+      {"charge_lever_arm", "m",
+       "horizontal distance of the charge's centre of mass from the drum's axis: torque over "
+       "weight",
+       [](const Case& c, const Replicate& r) { return sense(c) * centre(r.charge.in_carrier).x; }},
       {"surface_distance", "m",
        "distance of the bed's surface from the axis, along the line through the centre of mass",
        [](const Case& c, const Replicate& r) { return layer_of(c, r).top; }},
