@@ -33,33 +33,50 @@ Verdict judge_exponent(const ClaimContext& c, const FittedLaw& law) {
   return {found, off - ci95 > c.claim.within ? Holds::no : Holds::undecided};
 }
 
-/// Deviation of a parabola from its chord at the middle of the points, over the rise of the chord.
-struct Curvature {
-  double value = 0, ci95 = 0;  ///< [1]
-};
-Curvature curvature(const FittedLaw& parabola, const ClaimLine& line) {
+/// Deviation of a fitted parabola from its chord at the middle of the points, over its rise.
+double bend(const FittedLaw& parabola, const ClaimLine& line) {
   const auto [least, most] = std::ranges::minmax(line.points, {}, &LinePoint::x);
   const double half = 0.5 * (most.x - least.x);
   const double rise = std::abs(parabola.at(most.x) - parabola.at(least.x));
-  return {-parabola.coefficients[2] * half * half / rise, parabola.ci95[2] * half * half / rise};
+  return -parabola.coefficients[2] * half * half / rise;
+}
+
+struct Curvature {
+  double value = NAN, ci95 = NAN;  ///< [1]
+};
+
+/// The bend with the half-width that follows from the intervals of the points: each moves the
+/// fit by its own part, and the parts are independent.
+Curvature curvature(const ClaimLine& line) {
+  const std::optional<FittedLaw> parabola = law_along(LawForm::parabola, line);
+  if (!parabola) return {};
+  const double value = bend(*parabola, line);
+  double squares = 0;
+  for (std::size_t i = 0; i < line.points.size(); ++i) {
+    ClaimLine moved = line;
+    moved.points[i].value += moved.points[i].ci95;
+    const std::optional<FittedLaw> law = law_along(LawForm::parabola, moved);
+    const double part = law ? bend(*law, moved) - value : NAN;
+    squares += part * part;
+  }
+  return {value, std::sqrt(squares)};
 }
 
 Verdict judge_line_law(const ClaimContext& c, const ClaimLine& line, const FittedLaw& law) {
-  const std::optional<FittedLaw> parabola = law_along(LawForm::parabola, line);
   const CampaignKey& key = *std::ranges::find(c.campaign.keys, c.claim.against, &CampaignKey::key);
   std::string found = fmt::format("{} for each {}, {}", c.text(law.coefficients[1], law.ci95[1]),
                                   key.unit.empty() ? "1" : key.unit, r_squared(law));
-  if (!parabola) return {"too few points for a curvature"};
   const double slope = law.coefficients[1] * (c.claim.is == "falls" ? -1 : 1);
   const bool sloped = std::abs(slope) > law.ci95[1];
-  const Curvature bend = curvature(*parabola, line);
+  const Curvature curved = curvature(line);
   found += fmt::format("; the middle deviates by {} % of the rise from a line through the ends{}",
-                       readable(100 * bend.value, 100 * bend.ci95, "").number,
-                       std::abs(bend.value) > bend.ci95 ? "" : ", no significant curvature");
-  if (!std::isfinite(bend.ci95) || !sloped) return {found, Holds::undecided};
+                       readable(100 * curved.value, 100 * curved.ci95, "").number,
+                       std::abs(curved.value) > curved.ci95 ? "" : ", no significant curvature");
+  if (!std::isfinite(curved.ci95) || !sloped) return {found, Holds::undecided};
   if (!c.claim.is.empty() && slope < 0) return {found, Holds::no};
-  if (std::abs(bend.value) + bend.ci95 <= c.claim.within) return {found, Holds::yes};
-  return {found, std::abs(bend.value) - bend.ci95 > c.claim.within ? Holds::no : Holds::undecided};
+  if (std::abs(curved.value) + curved.ci95 <= c.claim.within) return {found, Holds::yes};
+  return {found,
+          std::abs(curved.value) - curved.ci95 > c.claim.within ? Holds::no : Holds::undecided};
 }
 
 }  // namespace
