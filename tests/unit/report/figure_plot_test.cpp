@@ -108,6 +108,30 @@ TEST(FigurePlot, says_quantity_unit_number_of_replicates_and_law) {
       << made.csv;
 }
 
+TEST(FigurePlot, of_several_lines_each_is_named_once_in_legend_and_csv) {
+  std::vector<Row> points;
+  for (const char* f_mat : {"1", "2"})
+    for (const double f : {10.0, 13.0, 16.0, 20.0, 25.0})
+      points.push_back({fmt::format("{} Hz", f), f_mat, f * f, 1});
+  PaperFigure drawn = figure("collision_rate");
+  const Campaign c = campaign("collision_rate", "1/s", points);
+  const auto legend = [&] {
+    std::vector<std::string> names;
+    for (const Series& s : figure_plot(drawn, c).plot.series)
+      if (!s.name.empty()) names.push_back(s.name);
+    return names;
+  };
+  EXPECT_EQ(legend(),
+            (std::vector<std::string>{"f mat 1", "f mat 2",
+                                      "points: mean of 5 replicates, bars: 95 % interval"}));
+  drawn.law = LawForm::power;
+  const std::vector<std::string> names = legend();
+  ASSERT_EQ(names.size(), 3U);
+  EXPECT_TRUE(names[1].starts_with("f mat 2: $n$ = ")) << names[1];
+  const std::string csv = figure_plot(drawn, c).csv;
+  EXPECT_NE(csv.find("\nf mat 2,mean,10,100,99,101\n"), std::string::npos) << csv;
+}
+
 TEST(FigurePlot, the_csv_has_the_drawn_numbers) {
   const std::vector<Row> points{{"10 Hz", "1", 0.002, 0.0001}, {"20 Hz", "1", 0.003, 0.0002}};
   PaperFigure drawn = figure("energy_normal_mean");
@@ -154,7 +178,7 @@ TEST(FigurePlot, a_band_holds_all_values_of_the_free_numbers_with_their_interval
   ASSERT_EQ(nominal.size(), 2U);
   EXPECT_EQ(nominal[0][1], 7);
   EXPECT_EQ(nominal[1][1], 9);
-  EXPECT_EQ(named(made.plot, Mark::area).name, "all values of f mat, with 95 % intervals");
+  EXPECT_EQ(named(made.plot, Mark::area).name, "all values of $f_{Mat}$, with 95 % intervals");
   drawn.nominal.clear();
   EXPECT_TRUE(rows(figure_plot(drawn, c).csv, "mean").empty());
 }

@@ -41,17 +41,19 @@ TEST(Representatives, of_two_regimes_are_one_of_each_the_frequent_one_first) {
   EXPECT_EQ(shown[1].replicate, 0U);
 }
 
-TEST(Representatives, of_two_states_by_power_are_one_of_each_in_a_mill_without_regimes) {
-  results::Outcome o = results::fake_outcome({100, 101, 300});
-  o.summary.two_states.emplace();
-  o.summary.two_states->states[0].replicates = {1, 2};
-  o.summary.two_states->states[1].replicates = {3};
-  const auto shown = representatives(o);
+TEST(Representatives, of_two_groups_by_power_are_one_of_each_in_a_mill_without_regimes) {
+  const auto shown = representatives(results::fake_outcome({101, 100, 300, 102, 301, 100, 299}));
   ASSERT_EQ(shown.size(), 2U);
-  EXPECT_EQ(shown[0].words, "low power, 2 of 3 replicates");
-  EXPECT_EQ(shown[0].replicate, 0U);
-  EXPECT_EQ(shown[1].words, "high power, 1 of 3 replicates");
-  EXPECT_EQ(shown[1].replicate, 2U);
+  EXPECT_EQ(shown[0].words, "low power, 4 of 7 replicates");
+  EXPECT_EQ(shown[0].replicate, 5U);  // 100, 100, 101, 102: the second
+  EXPECT_EQ(shown[1].words, "high power, 3 of 7 replicates");
+  EXPECT_EQ(shown[1].replicate, 2U);  // 300 of 299, 300, 301
+}
+
+TEST(Representatives, groups_that_differ_by_less_than_a_fifth_are_one) {
+  EXPECT_EQ(
+      representatives(results::fake_outcome({1010, 1000, 1150, 1020, 1151, 1005, 1149})).size(),
+      1U);
 }
 
 TEST(Representatives, of_a_single_replicate_need_no_number) {

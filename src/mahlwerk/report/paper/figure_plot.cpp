@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/band.hpp"
@@ -83,68 +83,89 @@ std::string points_words(const std::vector<ClaimLine>& lines, const FigureContex
   return bars ? words + ", bars: 95 % interval" : words;
 }
 
-/// Points and laws of each line.
-std::vector<Series> line_series(const std::vector<ClaimLine>& lines, const FigureContext& c) {
-  std::vector<Series> list;
+/// A series of the plot and its name in the CSV file.
+struct FigureSeries {
+  Series series;
+  std::string name = {};
+};
+
+/// The law of a line; nothing if the figure has none or there are too few points.
+std::optional<FigureSeries> law_series(const ClaimLine& line, const FigureContext& c) {
+  const auto law = c.figure.law ? law_along(*c.figure.law, line) : std::nullopt;
+  if (!law) return std::nullopt;
+  FigureSeries made{curve(*law, line)};
+  made.series.name = (line.others.empty() ? "" : line.others + ": ") +
+                     law_words(*law, {.x = symbol_of_key(c.figure.against),
+                                      .x_unit = c.x_unit,
+                                      .y = symbol_of_quantity(c.figure.quantity),
+                                      .multiple = c.multiple});
+  made.name = plain_text(made.series.name);
+  return made;
+}
+
+/// Points and laws of each line. In a figure of several lines the curves name them, and a note
+/// explains the points.
+std::vector<FigureSeries> line_series(const std::vector<ClaimLine>& lines, const FigureContext& c) {
+  std::vector<FigureSeries> list;
   const bool alone = lines.size() == 1 && lines.front().others.empty();
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    Series points = points_of(lines[i].points, c);
-    points.name = alone ? points_words(lines, c) : lines[i].others;
-    points.mark = c.figure.law ? Mark::dots : Mark::points;
-    points.colour = i;
-    const auto law = c.figure.law ? law_along(*c.figure.law, lines[i]) : std::nullopt;
+    std::optional<FigureSeries> law = law_series(lines[i], c);
+    FigureSeries points{points_of(lines[i].points, c), lines[i].others};
+    points.series.name = alone ? points_words(lines, c) : law ? "" : lines[i].others;
+    points.series.mark = c.figure.law ? Mark::dots : Mark::points;
+    points.series.colour = i;
+    if (law) law->series.colour = i;
+    if (law) list.push_back(std::move(*law));
     list.push_back(std::move(points));
-    if (!law) continue;
-    Series fitted = curve(*law, lines[i]);
-    fitted.name = law_words(*law, {.x = symbol_of_key(c.figure.against),
-                                   .x_unit = c.x_unit,
-                                   .y = symbol_of_quantity(c.figure.quantity),
-                                   .multiple = c.multiple});
-    fitted.colour = i;
-    list.push_back(std::move(fitted));
   }
   if (!alone && !lines.empty())
-    list.push_back({.name = points_words(lines, c), .mark = Mark::note});
+    list.push_back({{.name = "points: " + points_words(lines, c), .mark = Mark::note}});
   return list;
 }
 
 std::string keys_words(const std::vector<std::string>& keys) {
   std::string words;
-  for (const std::string& key : keys) words += (words.empty() ? "" : ", ") + key_words(key);
+  for (const std::string& key : keys) {
+    const std::string symbol = symbol_of_key(key);
+    words += (words.empty() ? "" : ", ") + (symbol.empty() ? key_words(key) : symbol);
+  }
   return words;
 }
 
 /// The band over free numbers of each line and, if the figure names them, their nominal values.
-std::vector<Series> band_series(const FigureContext& c) {
-  std::vector<Series> list;
+std::vector<FigureSeries> band_series(const FigureContext& c) {
+  std::vector<FigureSeries> list;
   std::vector<ClaimLine> nominal;
   const std::vector<BandLine> bands = bands_along(c.figure, c.campaign);
   for (std::size_t i = 0; i < bands.size(); ++i) {
-    Series area{
-        .name = fmt::format("{}{}all values of {}, with 95 % intervals", bands[i].others,
-                            bands[i].others.empty() ? "" : ": ", keys_words(c.figure.band_over)),
-        .mark = Mark::area,
-        .colour = i};
+    FigureSeries area{
+        {.name = fmt::format("{}{}all values of {}, with 95 % intervals", bands[i].others,
+                             bands[i].others.empty() ? "" : ": ", keys_words(c.figure.band_over)),
+         .mark = Mark::area,
+         .colour = i}};
+    area.name = plain_text(area.series.name);
     for (const BandPoint& b : bands[i].points) {
-      area.x.push_back(b.x);
-      area.y.push_back(NAN);
-      area.low.push_back(std::clamp(b.low, c.range.range_least, c.range.range_most));
-      area.high.push_back(std::clamp(b.high, c.range.range_least, c.range.range_most));
+      area.series.x.push_back(b.x);
+      area.series.y.push_back(NAN);
+      area.series.low.push_back(std::clamp(b.low, c.range.range_least, c.range.range_most));
+      area.series.high.push_back(std::clamp(b.high, c.range.range_least, c.range.range_most));
     }
     list.push_back(std::move(area));
     if (!bands[i].nominal.empty()) nominal.push_back({bands[i].others, bands[i].nominal});
   }
-  for (Series& points : line_series(nominal, c)) list.push_back(std::move(points));
+  for (FigureSeries& points : line_series(nominal, c)) list.push_back(std::move(points));
   return list;
 }
 
-Series measured_series(const MeasuredSeries& given, const FigureContext& c) {
-  Series made{.name = given.name, .x = given.x, .y = given.y, .mark = Mark::squares};
+FigureSeries measured_series(const MeasuredSeries& given, const FigureContext& c) {
+  FigureSeries made{{.name = given.name, .x = given.x, .y = given.y, .mark = Mark::squares},
+                    given.name};
   for (std::size_t i = 0; i < given.y.size(); ++i) {
     const bool bars = i < given.error_low.size() && i < given.error_high.size();
-    made.low.push_back(bars ? std::max(given.y[i] - given.error_low[i], c.range.range_least) : NAN);
-    made.high.push_back(bars ? std::min(given.y[i] + given.error_high[i], c.range.range_most)
-                             : NAN);
+    made.series.low.push_back(bars ? std::max(given.y[i] - given.error_low[i], c.range.range_least)
+                                   : NAN);
+    made.series.high.push_back(bars ? std::min(given.y[i] + given.error_high[i], c.range.range_most)
+                                    : NAN);
   }
   return made;
 }
@@ -156,17 +177,17 @@ std::string_view kind_of(Mark mark) {
                                  : "mean";
 }
 
-std::string table(const std::vector<Series>& list, const FigureContext& c) {
+std::string table(const std::vector<FigureSeries>& list, const FigureContext& c) {
   std::string key = c.figure.against;
   std::ranges::replace(key, '.', '_');
   std::string text = results::csv_line({"series", "kind", results::column_name(key, c.x_unit),
                                         results::column_name(c.figure.quantity, c.y_unit),
                                         results::column_name("low", c.y_unit),
                                         results::column_name("high", c.y_unit)});
-  for (const Series& s : list)
+  for (const auto& [s, name] : list)
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       const Interval ends = interval_at(s, i, c.range);
-      text += results::csv_line({results::csv_cell(std::string_view(plain_text(s.name))),
+      text += results::csv_line({results::csv_cell(std::string_view(name)),
                                  std::string(kind_of(s.mark)), results::csv_cell(s.x[i]),
                                  results::csv_cell(s.y[i]), results::csv_cell(ends.low),
                                  results::csv_cell(ends.high)});
@@ -174,17 +195,17 @@ std::string table(const std::vector<Series>& list, const FigureContext& c) {
   return text;
 }
 
-double largest(const std::vector<Series>& list) {
+double largest(const std::vector<FigureSeries>& list) {
   double most = 0;
-  for (const Series& s : list)
+  for (const auto& [s, name] : list)
     for (const std::vector<double>* values : {&s.y, s.mark == Mark::area ? &s.high : &s.y})
       for (const double v : *values)
         if (std::isfinite(v)) most = std::max(most, std::abs(v));
   return most;
 }
 
-std::vector<Series> all_series(const FigureContext& c) {
-  std::vector<Series> list =
+std::vector<FigureSeries> all_series(const FigureContext& c) {
+  std::vector<FigureSeries> list =
       c.figure.band_over.empty()
           ? line_series(lines_along(c.campaign, c.figure.at, c.figure.against, c.figure.quantity),
                         c)
@@ -215,7 +236,7 @@ FigurePlot figure_plot(const PaperFigure& figure, const Campaign& campaign) {
                   {},
                   {.label = "", .range_least = range.least, .range_most = range.most}};
   c.multiple = multiple(largest(all_series(c)), c.y_unit);
-  std::vector<Series> list = all_series(c);  // again: laws name the multiple of the unit
+  std::vector<FigureSeries> list = all_series(c);  // again: laws name the multiple of the unit
   FigurePlot made{.plot = {.title = "",
                            .x = {key_axis(figure.against, c.x_unit)},
                            .y = {.label = quantity_axis(figure.quantity, c.multiple),
@@ -225,14 +246,14 @@ FigurePlot figure_plot(const PaperFigure& figure, const Campaign& campaign) {
                            .width = column_width,
                            .font = figure_font},
                   .csv = table(list, c)};
-  for (Series& s : list) {
+  for (auto& [s, name] : list) {
     for (std::vector<double>* values : {&s.y, &s.error, &s.low, &s.high})
       for (double& v : *values) v /= c.multiple.factor;
     made.plot.series.push_back(std::move(s));
   }
-  // Areas first, so that they cover nothing; then curves; points on top.
+  // Areas are below all lines; notes end the legend.
   std::ranges::stable_sort(made.plot.series, {}, [](const Series& s) {
-    return s.mark == Mark::area ? 0 : s.mark == Mark::line ? 1 : s.mark == Mark::note ? 3 : 2;
+    return s.mark == Mark::area ? 0 : s.mark == Mark::note ? 2 : 1;
   });
   made.plot.height = height_of(made.plot);
   return made;

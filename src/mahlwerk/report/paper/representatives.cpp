@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/observe/groups.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 
 namespace mahlwerk::report {
@@ -36,32 +37,74 @@ void add(std::vector<ReplicateGroup>& groups, const std::string& state, const Re
   group->members.push_back(member);
 }
 
-std::vector<ReplicateGroup> groups_of(const Outcome& outcome,
-                                      const std::vector<const Replicate*>& all) {
-  std::vector<ReplicateGroup> groups;
-  for (const Replicate* r : all) add(groups, regime_of(outcome, *r), r);
-  if (groups.size() > 1 || !outcome.summary.two_states) return groups;
-  const std::string regime = groups.empty() ? "" : groups.front().state;
-  groups.clear();
-  const std::vector<std::size_t>& low = outcome.summary.two_states->states[0].replicates;
-  for (const Replicate* r : all) {
-    const bool is_low = std::ranges::find(low, results::number_of(outcome, *r)) != low.end();
-    add(groups,
-        fmt::format("{}{} power", regime.empty() ? "" : regime + ", ", is_low ? "low" : "high"), r);
+/// The number that orders replicates: the speed of the balls, where there is none the dissipated
+/// power.
+struct MotionNumbers {
+  bool speeds = false;
+  std::vector<double> of;  // by replicate of the outcome; NaN where there is none
+};
+
+MotionNumbers motion_numbers(const Outcome& outcome) {
+  MotionNumbers made;
+  if (outcome.summary.by_replicate.size() < outcome.replicates.size()) {
+    made.of.assign(outcome.replicates.size(), NAN);
+    return made;
   }
+  for (const char* quantity : {"ball_speed_seen_from_carrier", "dissipated_power"}) {
+    made.of.clear();
+    for (const Replicate& r : outcome.replicates)
+      made.of.push_back(results::value_of(outcome, r, quantity));
+    made.speeds = quantity == std::string_view("ball_speed_seen_from_carrier");
+    if (std::ranges::any_of(made.of, [](double v) { return std::isfinite(v); })) break;
+  }
+  return made;
+}
+
+double number_in(const MotionNumbers& numbers, const Outcome& outcome, const Replicate& r) {
+  return numbers.of[results::number_of(outcome, r) - 1];
+}
+
+/// Two groups by the number, if they are significant (sta.7) and differ by a fifth.
+std::vector<ReplicateGroup> split(const Outcome& outcome, const std::vector<const Replicate*>& all,
+                                  const MotionNumbers& numbers, const std::string& regime) {
+  std::vector<double> values;
+  for (const Replicate* r : all) values.push_back(number_in(numbers, outcome, *r));
+  if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) return {};
+  const auto found = observe::two_groups(values);
+  if (!found) return {};
+  double highest_low = -INFINITY, lowest_high = INFINITY;
+  for (const double v : values)
+    if (v > found->between)
+      lowest_high = std::min(lowest_high, v);
+    else
+      highest_low = std::max(highest_low, v);
+  constexpr double much = 0.2;
+  if (!(lowest_high - highest_low > much * std::abs(lowest_high))) return {};
+  std::vector<ReplicateGroup> groups;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    add(groups,
+        fmt::format("{}{} {}", regime.empty() ? "" : regime + ", ",
+                    values[i] > found->between ? "high" : "low",
+                    numbers.speeds ? "speed" : "power"),
+        all[i]);
   return groups;
 }
 
-double speed_of(const Outcome& outcome, const Replicate& replicate) {
-  if (outcome.summary.by_replicate.size() < outcome.replicates.size()) return NAN;
-  const double speed = results::value_of(outcome, replicate, "ball_speed_seen_from_carrier");
-  return std::isfinite(speed) ? speed : results::value_of(outcome, replicate, "dissipated_power");
+std::vector<ReplicateGroup> groups_of(const Outcome& outcome,
+                                      const std::vector<const Replicate*>& all,
+                                      const MotionNumbers& numbers) {
+  std::vector<ReplicateGroup> groups;
+  for (const Replicate* r : all) add(groups, regime_of(outcome, *r), r);
+  if (groups.size() != 1) return groups;
+  std::vector<ReplicateGroup> two = split(outcome, all, numbers, groups.front().state);
+  return two.empty() ? groups : two;
 }
 
 /// The replicate with the median speed; replicates without speed count as fastest.
-const Replicate* median_of(const Outcome& outcome, std::vector<const Replicate*> members) {
+const Replicate* median_of(const Outcome& outcome, std::vector<const Replicate*> members,
+                           const MotionNumbers& numbers) {
   std::ranges::stable_sort(members, {}, [&](const Replicate* r) {
-    const double speed = speed_of(outcome, *r);
+    const double speed = number_in(numbers, outcome, *r);
     return std::isnan(speed) ? INFINITY : speed;
   });
   return members[(members.size() - 1) / 2];
@@ -73,12 +116,14 @@ std::vector<Representative> representatives(const Outcome& outcome) {
   std::vector<const Replicate*> all = results::averaged_replicates(outcome);
   if (all.empty())
     for (const Replicate& r : outcome.replicates) all.push_back(&r);
-  std::vector<ReplicateGroup> groups = groups_of(outcome, all);
+  const MotionNumbers numbers = motion_numbers(outcome);
+  std::vector<ReplicateGroup> groups = groups_of(outcome, all, numbers);
   std::ranges::stable_sort(groups, std::greater{},
                            [](const ReplicateGroup& g) { return g.members.size(); });
   std::vector<Representative> list;
   for (const ReplicateGroup& group : groups) {
-    const std::size_t number = results::number_of(outcome, *median_of(outcome, group.members));
+    const std::size_t number =
+        results::number_of(outcome, *median_of(outcome, group.members, numbers));
     std::string words = group.state;
     if (groups.size() > 1)
       words += fmt::format("{}{} of {} replicates", words.empty() ? "" : ", ", group.members.size(),

@@ -16,10 +16,11 @@ struct Representative {
   std::string words;          ///< "cataracting, replicate 3 of 8"
 };
 
-/// The replicates to draw: one for each regime that occurs among the averaged replicates (obs.8,
-/// the most frequent first), else, for each of two states by the dissipated power (sta.7), else one
-/// for all. It is the one with the median speed of the balls (of an even number the slower of the
-/// middle two), without such a quantity with the median dissipated power.
+/// The replicates to draw: one for each regime that occurs among the averaged replicates (obs.8);
+/// if all have the same, one for each of two groups by the speed of the balls, if these are
+/// significant (sta.7) and differ by a fifth; else one for all. The most frequent group comes
+/// first. It is the replicate with the median speed (of an even number the slower of the middle
+/// two). Where balls have no such speed, the dissipated power counts.
 std::vector<Representative> representatives(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::report

@@ -51,6 +51,8 @@ constexpr std::array keys{Named{"mill.frequency", "vibration frequency", "$f$"},
                           Named{"contact.friction", "friction coefficient", "$µ$", "–"},
                           Named{"contact.rolling_friction", "rolling friction", "$µ_{r}$", "–"},
                           Named{"contact.restitution", "coefficient of restitution", "$e$", "–"},
+                          Named{"breakage.f_mat", "", "$f_{Mat}$"},
+                          Named{"breakage.x_w_min", "", "$xW_{m,min}$"},
                           Named{"run.time", "simulated time", "$t$"},
                           Named{"grinding.time", "milling time", "$t$"}};
 

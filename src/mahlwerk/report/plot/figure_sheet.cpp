@@ -26,7 +26,7 @@ std::string title_lines(const std::string& title, double x, double room, double&
   const double letter = letter_width * figure_font / 12;
   std::string text;
   for (const std::string& line :
-       wrapped(title, static_cast<std::size_t>(std::max(1.0, room / letter)))) {
+       balanced(title, static_cast<std::size_t>(std::max(1.0, room / letter)))) {
     y += line_height;
     text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x, y - 3,
                         rich_text(line, figure_font));

@@ -78,4 +78,14 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t letters) {
   return lines;
 }
 
+std::vector<std::string> balanced(std::string_view text, std::size_t letters) {
+  std::vector<std::string> lines = wrapped(text, letters);
+  for (std::size_t fewer = letters; fewer-- > 1;) {
+    std::vector<std::string> narrower = wrapped(text, fewer);
+    if (narrower.size() > lines.size()) break;
+    lines = std::move(narrower);
+  }
+  return lines;
+}
+
 }  // namespace mahlwerk::report

@@ -19,5 +19,7 @@ std::string plain_text(std::string_view text);
 
 /// The text in lines of at most `letters` characters; a longer word has a line of its own.
 std::vector<std::string> wrapped(std::string_view text, std::size_t letters);
+/// The same with as few lines, which are of similar length.
+std::vector<std::string> balanced(std::string_view text, std::size_t letters);
 
 }  // namespace mahlwerk::report

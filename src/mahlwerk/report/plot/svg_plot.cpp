@@ -142,7 +142,7 @@ void Canvas::measure() {
   top_ = plot_.title.empty() ? 12 : 34;
   place_legend();
   bottom_ = plot_.height - (plot_.width > narrow ? 46 : 42);
-  y_label_ = wrapped(plot_.y.label, static_cast<std::size_t>((bottom_ - top_) / letter));
+  y_label_ = balanced(plot_.y.label, static_cast<std::size_t>((bottom_ - top_) / letter));
   left_ += (plot_.font + 1) * (std::max(1.0, static_cast<double>(y_label_.size())) - 1);
 }
 
