@@ -67,7 +67,8 @@ TEST(Trajectories, a_ball_at_rest_on_the_disc_is_a_point_there_and_a_circle_seen
   const results::Outcome o = outcome();
   const std::string disc = trajectories_picture(o, 0, View::carrier, 340);
   EXPECT_EQ(count(disc, "stroke-opacity=\"0.8\""), 1);  // of the ball; the grain has none
-  EXPECT_LE(spread(disc), 0.2);                         // coordinates are rounded to 0.1 px
+  EXPECT_EQ(count(disc, "r=\"16.8\" fill=\"#0072B2\" fill-opacity"), 1) << "the ball, 5 of 50 mm";
+  EXPECT_LE(spread(disc), 0.2);  // coordinates are rounded to 0.1 px
   // A panel of 340 px less its rim shows a jar 100 mm wide: the circle's diameter is half of that.
   const std::string jar = trajectories_picture(o, 0, View::jar, 340);
   EXPECT_NEAR(spread(jar), 0.5 * 336, 1);

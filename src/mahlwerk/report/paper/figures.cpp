@@ -184,8 +184,9 @@ std::string caption_of(const std::vector<DrawnSection>& sections) {
         return s.figure->drawn == Drawn::trajectories && !s.points.empty();
       }))
     caption +=
-        " Trajectories are those of the centres of the balls, each in its colour; the circle "
-        "is the wall of the jar.";
+        " Trajectories are those of the centres of the balls, each in its colour; discs are the "
+        "balls "
+        "at the end, the circle is the wall of the jar.";
   for (const DrawnSection& section : sections)
     if (const std::string about = ending_in_stop(section.figure->about);
         !about.empty() && said.insert(about).second)

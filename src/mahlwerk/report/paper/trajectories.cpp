@@ -131,6 +131,17 @@ std::string circle(const PanelCanvas& sheet, const PanelPoint& p, double radius,
                      sheet.across(p), sheet.down(p), sheet.length(radius), colour);
 }
 
+/// The ball at the end of the film, so that a ball at rest is seen, too.
+std::string last_place(const Film& film, const PanelCanvas& sheet, std::size_t ball,
+                       std::size_t number) {
+  const PanelPoint p = film.place(film.frames() - 1, ball);
+  return fmt::format(
+      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"{}\" fill-opacity=\"0.1\" "
+      "stroke=\"{}\" stroke-width=\"0.6\" stroke-opacity=\"0.6\"/>\n",
+      sheet.across(p), sheet.down(p), sheet.length(film.radius[ball]), kind_colour(number),
+      kind_colour(number));
+}
+
 /// Root mean square speed of the grains [m/s].
 double grain_speed(const Film& film, std::size_t frame) {
   double sum = 0, count = 0;
@@ -178,11 +189,14 @@ std::string trajectories_picture(const results::Outcome& outcome, std::size_t re
                                  double size) {
   return picture(outcome, replicate, view, size, "Trajectories of the balls",
                  [](const Film& film, const PanelCanvas& sheet) {
-                   std::string text;
+                   std::string discs, paths;
                    std::size_t number = 0;
-                   for (std::size_t i = 0; i < film.radius.size(); ++i)
-                     if (!film.grain[i]) text += trajectory(film, sheet, i, number++);
-                   return text;
+                   for (std::size_t i = 0; i < film.radius.size(); ++i) {
+                     if (film.grain[i]) continue;
+                     discs += last_place(film, sheet, i, number);
+                     paths += trajectory(film, sheet, i, number++);
+                   }
+                   return discs + paths;
                  });
 }
 

@@ -21,7 +21,8 @@ constexpr double scale_bar_height = 18;
 bool has_frames(const results::Outcome& outcome, std::size_t replicate);
 
 /// Trajectories of the balls (not of grains) in the plane of motion over all frames, a colour for
-/// each ball, in a square of `size` [px] above a scale bar. Empty without frames.
+/// each ball, and the balls as discs where they end, in a square of `size` [px] above a scale bar.
+/// Empty without frames.
 std::string trajectories_picture(const results::Outcome& outcome, std::size_t replicate, View view,
                                  double size);
 

@@ -29,6 +29,10 @@ double letter_of(double font) {
   return letter_width * font / 12;
 }
 
+bool has_dots(const Series& s) {
+  return s.mark == Mark::points || s.mark == Mark::dots || s.mark == Mark::squares;
+}
+
 double dot_radius(const Plot& plot) {
   return plot.width > narrow ? 3.5 : 2.6;
 }
@@ -84,10 +88,7 @@ Canvas::Canvas(const Plot& plot) : plot_(plot), x_(plot.x.logarithmic), y_(plot.
   grid();
   legend();
   // Dots on an axis are drawn whole.
-  const bool dots = std::ranges::any_of(plot.series, [](const Series& s) {
-    return s.mark == Mark::points || s.mark == Mark::dots || s.mark == Mark::squares;
-  });
-  const double dot = dots ? 4 : 0;
+  const double dot = std::ranges::any_of(plot.series, has_dots) ? 4 : 0;
   // An inner <svg> clips without an id; clip paths would need unique ids on pages with several
   // plots.
   text_ += fmt::format(
@@ -127,9 +128,7 @@ void Canvas::measure() {
       y_.include(ends.high);
     }
   }
-  const bool points = std::any_of(plot_.series.begin(), plot_.series.end(), [](const Series& s) {
-    return s.mark == Mark::points || s.mark == Mark::dots || s.mark == Mark::squares;
-  });
+  const bool points = std::ranges::any_of(plot_.series, has_dots);
   x_.set_limits(plot_.x, points);
   y_.set_limits(plot_.y, true);
   std::size_t widest = 0;
@@ -143,7 +142,10 @@ void Canvas::measure() {
   place_legend();
   bottom_ = plot_.height - (plot_.width > narrow ? 46 : 42);
   y_label_ = balanced(plot_.y.label, static_cast<std::size_t>((bottom_ - top_) / letter));
-  left_ += (plot_.font + 1) * (std::max(1.0, static_cast<double>(y_label_.size())) - 1);
+  const double shift = (plot_.font + 1) * std::max(0.0, static_cast<double>(y_label_.size()) - 1);
+  left_ += shift;
+  if (plot_.width > narrow)
+    for (Entry& entry : entries_) entry.x += shift;
 }
 
 /// Places the legend above the plot, in as many rows as it needs. An entry that is wider than the
