@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mahlwerk/report/readable.hpp"
 
 namespace mahlwerk::report {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/readable.hpp"
 
