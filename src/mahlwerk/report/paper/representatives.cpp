@@ -22,15 +22,6 @@ struct ReplicateGroup {
   std::vector<const Replicate*> members;
 };
 
-/// The regime of one replicate alone.
-std::string regime_of(const Outcome& outcome, const Replicate& replicate) {
-  Outcome alone;
-  alone.mill_case = outcome.mill_case;
-  alone.engine = outcome.engine;
-  alone.replicates = {replicate};
-  return results::regime(alone);
-}
-
 void add(std::vector<ReplicateGroup>& groups, const std::string& state, const Replicate* member) {
   auto group = std::ranges::find(groups, state, &ReplicateGroup::state);
   if (group == groups.end()) group = groups.insert(groups.end(), {state, {}});
@@ -94,7 +85,7 @@ std::vector<ReplicateGroup> groups_of(const Outcome& outcome,
                                       const std::vector<const Replicate*>& all,
                                       const MotionNumbers& numbers) {
   std::vector<ReplicateGroup> groups;
-  for (const Replicate* r : all) add(groups, regime_of(outcome, *r), r);
+  for (const Replicate* r : all) add(groups, results::regime(outcome.mill_case, *r), r);
   if (groups.size() != 1) return groups;
   std::vector<ReplicateGroup> two = split(outcome, all, numbers, groups.front().state);
   return two.empty() ? groups : two;

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 10> shares{
     "finest_share",
     "conversion"};
 
-constexpr std::array<std::string_view, 56> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 57> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -75,7 +75,8 @@ constexpr std::array<std::string_view, 56> not_negative{"collision_rate",
                                                         "energy_residual",
                                                         "energy_balance",
                                                         "deepest_overlap",
-                                                        "simulated_time"};
+                                                        "simulated_time",
+                                                        "charge_distance"};
 
 template <class Names>
 bool holds(const Names& names, std::string_view name) {
