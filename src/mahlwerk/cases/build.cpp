@@ -4,6 +4,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
+#include "mahlwerk/kinematics/carrier.hpp"
 
 namespace mahlwerk::cases {
 
@@ -14,20 +15,65 @@ scene::Chamber chamber(const Case& c) {
           .gravity = {0, 0, -c.gravity}};
 }
 
+std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
+  std::vector<scene::Ball> balls;
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (const SizeClass& size : sets[i].sizes())
+      balls.insert(balls.end(), static_cast<std::size_t>(size.count),
+                   {.radius = 0.5 * size.diameter,
+                    .density = sets[i].density,
+                    .position = {},
+                    .velocity = {},
+                    .spin = {},
+                    .kind = static_cast<std::int32_t>(i)});
+  return balls;
+}
+
+namespace {
+
+/// The balls in the state of another run; the mill starts in its own initial position.
+std::vector<scene::Ball> balls_of_state(const Case& c, const std::vector<BallState>& state) {
+  std::vector<scene::Ball> balls = balls_by_set(c.balls);
+  const Rotation carrier = kinematics::carrier(*c.mill.motion, 0).rotation;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    balls[i].position = carrier * state[i].position;
+    balls[i].velocity = carrier * state[i].velocity;
+    balls[i].spin = carrier * state[i].spin;
+  }
+  return balls;
+}
+
+/// Gives balls of a set with given velocities or spins these; `of_set` is the ball's number there.
+void set_given_motion(scene::Ball& ball, const BallSet& set, std::size_t of_set,
+                      const Rotation& axes, const Vec3& frame) {
+  if (of_set < set.velocities.size()) ball.velocity = axes * set.velocities[of_set] - frame;
+  if (of_set < set.spins.size()) ball.spin = axes * set.spins[of_set];
+}
+
+}  // namespace
+
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
                                         const std::atomic<bool>* stop) {
+  if (c.run.start_from.states)
+    return balls_of_state(c, c.run.start_from.states->at(static_cast<std::size_t>(replicate)));
   Random random(c.seed, static_cast<std::uint32_t>(replicate));
-  std::vector<scene::Ball> balls = fill(*c.jar.shape, c.balls, random, stop);
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
   const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
+  const Rotation axes = start.rotation * mount;
+  const Vec3 up = axes.apply_inverse({0, 0, 1});
+  std::vector<scene::Ball> balls =
+      fill(*c.jar.shape, c.balls, random, stop, c.run.start == StartLayout::layers ? &up : nullptr);
   // Ball velocities are relative to the jar's centre, initial speeds to the chosen frame.
   const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.frame.velocity;
+  std::vector<std::size_t> placed(c.balls.size());  // balls of each set so far
   for (scene::Ball& ball : balls) {
     ball.position = start.rotation * (mount * ball.position);
     const double speed = random.uniform(0, c.run.start_speed);
     ball.velocity = speed * random.direction() - frame;
     const double spin = random.uniform(0, c.run.start_spin);
     ball.spin = spin * random.direction();
+    const auto set = static_cast<std::size_t>(ball.kind);
+    set_given_motion(ball, c.balls[set], placed[set]++, axes, frame);
   }
   return balls;
 }

@@ -20,10 +20,18 @@ scene::Chamber chamber(const Case& c);
 
 /// Balls at random positions without contact, with random velocities and spins in the ranges of
 /// [run] (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Positions given by the case are
-/// kept. The result depends only on the seed and the replicate. Throws Interrupted once `*stop` is
-/// set.
+/// kept, or those of run.start_from. The result depends only on the seed and the replicate. Throws
+/// Interrupted once `*stop` is set.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
                                         const std::atomic<bool>* stop = nullptr);
+
+/// The balls of all sets in the order of starting_balls(), at rest in the middle of the jar.
+std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets);
+
+/// Parts the overlapping balls of a start state, for the event engine. Throws InputError
+/// "bad-start-state" if that fails, Interrupted once `*stop` is set.
+void remove_overlaps(const Case& c, std::vector<scene::Ball>& balls,
+                     const std::atomic<bool>* stop = nullptr);
 
 /// Index of the ball set of each ball, in the order of starting_balls().
 std::vector<std::int32_t> kinds_of_balls(const Case& c);

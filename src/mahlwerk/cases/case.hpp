@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,6 +83,9 @@ struct BallSet {
   /// [m] initial positions in the jar's own axes, relative to its centre: one for each ball, or
   /// none for random positions.
   std::vector<Vec3> positions = {};
+  /// [m/s] initial velocities relative to Run::start_frame and [rad/s] initial spins, along the
+  /// jar's own axes: one for each of `positions`, or none for random ones.
+  std::vector<Vec3> velocities = {}, spins = {};
   Distribution distribution = {};        ///< distribution of the diameters
   std::vector<SizeClass> classes = {};   ///< its size classes, smallest first; none: equal balls
   bool grains = false;                   ///< whether the balls are grains of the powder
@@ -143,6 +147,34 @@ enum class StartFrame {
   jar  ///< moves with the jar's centre, without rotation
 };
 
+/// Arrangement of the balls at the start.
+enum class StartLayout {
+  random,
+  layers  ///< the first ball set lowest, each set above the one before
+};
+
+/// State of a ball at the start of a run, in the axes of the jar's carrier.
+struct BallState {
+  double radius = 0;      ///< [m]
+  std::int32_t kind = 0;  ///< ball set, from 0
+  Vec3 position;          ///< [m] from the jar's centre
+  Vec3 velocity;          ///< [m/s] relative to the jar's centre
+  Vec3 spin;              ///< [rad/s]
+  bool operator==(const BallState&) const = default;
+};
+
+/// Initial states of all balls, from the end of another run.
+struct StartStates {
+  std::string file;     ///< file or result folder as written; relative to the case file; or empty
+  bool folder = false;  ///< whether it is a folder, with one state for each replicate
+  /// By replicate; shared by the copies of a case. Null without `file` or after a fault.
+  std::shared_ptr<const std::vector<std::vector<BallState>>> states = {};
+  bool operator==(const StartStates& o) const {
+    return file == o.file && folder == o.folder &&
+           (states == o.states || (states && o.states && *states == *o.states));
+  }
+};
+
 /// Ends a replicate once the confidence interval of a quantity is narrow enough.
 struct StopCriterion {
   double within = 0;     ///< half-width of the 95 % confidence interval over the mean
@@ -163,6 +195,9 @@ struct Run {
   double start_speed = 0;  ///< [m/s] initial speeds are uniform between 0 and this
   double start_spin = 0;   ///< [rad/s] initial spins are uniform between 0 and this
   StartFrame start_frame = StartFrame::laboratory;  ///< of start_speed
+  StartLayout start = StartLayout::random;
+  double settle_at_rest = 0;    ///< [s] before the mill starts, with the mill standing still
+  StartStates start_from = {};  ///< replaces random positions, speeds and spins
   std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
   double time_step_fraction = 0.125;  ///< of the Rayleigh time, for the step the engine chooses
   bool free_flight_skip = true;       ///< whether the soft engine skips steps in free flight
@@ -173,8 +208,9 @@ struct Run {
 enum class FramesFormat { both, xyz, vtk };
 
 struct Observe {
-  double threshold = 0;     ///< [m/s] normal speed u_n above which collisions are counted apart
-  bool collisions = false;  ///< whether every collision is recorded in collisions.h5
+  double threshold = 0;      ///< [m/s] normal speed u_n above which collisions are counted apart
+  bool collisions = false;   ///< whether every collision is recorded in collisions.h5
+  bool final_state = false;  ///< whether the balls at the end are written, for Run::start_from
   /// [s] between two frames of the balls for replay; none: no frames
   std::optional<double> frames = std::nullopt;
   FramesFormat frames_format = FramesFormat::both;

@@ -73,6 +73,7 @@ struct Replicate {
   bool precision_reached = true;           ///< false if [run] until was not reached
   std::string stop_reason;                 ///< reason if physics stopped the run, else empty
   std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
+  std::vector<scene::Ball> balls_at_end;   ///< with observe.final_state: in the carrier's axes
   double cpu_seconds = 0;
   double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted time
 };

@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/event/engine.hpp"
@@ -76,9 +77,8 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
 
 namespace {
 
-std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
+std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case, const scene::Chamber& mill,
                                            const std::vector<scene::Ball>& balls, int threads) {
-  const scene::Chamber mill = cases::chamber(mill_case);
   if (mill_case.run.engine == cases::EngineName::soft) {
     soft::Settings rules = soft_settings(mill_case).rules;
     rules.threads = threads;
@@ -103,7 +103,10 @@ std::size_t replicates_together(const cases::Case& mill_case) {
 
 std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,
                                       const std::atomic<bool>* stop) {
-  auto made = make_engine(mill_case, cases::starting_balls(mill_case, index, stop), threads);
+  const auto make = [&](const scene::Chamber& mill, const std::vector<scene::Ball>& balls) {
+    return make_engine(mill_case, mill, balls, threads);
+  };
+  auto made = make(cases::chamber(mill_case), balls_at_start(mill_case, index, make, stop));
   made->stop_on(stop);
   return made;
 }
@@ -285,6 +288,9 @@ results::Replicate ReplicateRun::result() const {
   given.complete = finished() && given.stop_reason.empty();
   given.precision_reached = !mill_case_->run.until || converged_;
   if (!given.complete) add_partial_window(given);
+  if (given.complete && mill_case_->observe.final_state)
+    given.balls_at_end =
+        seen_from_carrier(*mill_case_, engine_->balls(), given.energy_balance.time);
   results::grind(*mill_case_, given, index_);
   return given;
 }

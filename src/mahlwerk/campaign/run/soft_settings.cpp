@@ -93,6 +93,10 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   SoftSettings s;
   s.rules.model = mill_case.contact.model;
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
+  // Balls that another run or the jar at rest has pressed together keep their overlaps.
+  constexpr double pressed = 0.5;
+  if (mill_case.run.start_from.states || mill_case.run.settle_at_rest > 0)
+    s.rules.max_initial_overlap = pressed;
   s.speed = meeting_speed(mill_case);
   s.steps = soft::time_steps(one_of_each(mill_case), *s.rules.model.law,
                              cases::pair_table(mill_case), s.speed);

@@ -20,6 +20,8 @@ std::vector<Fault> inconsistencies(const Case& c);
 /// Given initial positions outside the jar, and overlaps with its wall or between balls. For a case
 /// without other inconsistencies.
 void bad_positions(const Case& c, std::vector<Fault>& found);
+/// A start state with other balls, or too few states for the replicates.
+void bad_start_state(const Case& c, std::vector<Fault>& found);
 /// Solid volume of powder and balls larger than the jar.
 void bad_powder(const Case& c, std::vector<Fault>& found);
 /// Inconsistencies of [powder], [capture], [fragments], [grinding] and [kinetics].

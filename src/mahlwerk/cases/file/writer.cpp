@@ -81,6 +81,12 @@ std::string input_files_fingerprint(const Case& c) {
   }
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*c.mill.motion))
     for (const kinematics::Sample& sample : measured->samples()) add(sample);
+  if (c.run.start_from.states)
+    for (const auto& state : *c.run.start_from.states)
+      for (const BallState& ball : state) {
+        add(ball.radius), add(ball.kind);
+        add(ball.position), add(ball.velocity), add(ball.spin);
+      }
   return fmt::format("# files {:016x}\n", fingerprint(bytes));
 }
 

@@ -29,46 +29,90 @@ std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view k
   return count;
 }
 
-/// The position of one ball; no value after a fault.
-std::optional<Vec3> read_position(SectionReader& in, const Node& row, std::size_t number) {
+/// A list of vectors, one for each ball of a set, in the jar's own axes.
+struct VectorList {
+  NumberSpec component;
+  std::string_view example;
+};
+const VectorList position_list{
+    {"positions", "m", any_number, "positions of ball centres, from the jar's centre"},
+    "[\"9 mm\", \"0 mm\", \"-7.74 mm\"]"};
+const VectorList velocity_list{
+    {"velocities", "m/s", any_number, "initial velocities of the balls of `positions`"},
+    "[\"1 m/s\", \"0 m/s\", \"0 m/s\"]"};
+const VectorList spin_list{
+    {"spins", "rad/s", any_number, "initial spins of the balls of `positions`"},
+    "[\"0 rad/s\", \"20 rad/s\", \"0 rad/s\"]"};
+
+/// The vector of one ball; no value after a fault.
+std::optional<Vec3> read_vector(SectionReader& in, const VectorList& list, const Node& row,
+                                std::size_t number) {
   if (row.kind != Node::Kind::list || row.items.size() != 3) {
-    in.fault(row, fmt::format("ball {} of `positions` must have three coordinates", number),
-             "write x, y, z in the jar's own axes: [\"9 mm\", \"0 mm\", \"-7.74 mm\"]",
-             "wrong-type");
+    in.fault(row,
+             fmt::format("ball {} of `{}` must have three {}", number, list.component.key,
+                         &list == &position_list ? "coordinates" : "components"),
+             fmt::format("write x, y, z in the jar's own axes: {}", list.example), "wrong-type");
     return std::nullopt;
   }
-  const NumberSpec coordinate("positions", "m", any_number,
-                              "positions of ball centres, from the jar's centre");
   std::array<double, 3> at{};
-  for (std::size_t i = 0; i < 3; ++i) at[i] = in.quantity(row.items[i], coordinate);
-  const Vec3 position{at[0], at[1], at[2]};
-  return std::isnan(position.x + position.y + position.z) ? std::nullopt : std::optional(position);
+  for (std::size_t i = 0; i < 3; ++i) at[i] = in.quantity(row.items[i], list.component);
+  const Vec3 vector{at[0], at[1], at[2]};
+  return std::isnan(vector.x + vector.y + vector.z) ? std::nullopt : std::optional(vector);
 }
 
-std::string positions_text(const std::vector<Vec3>& positions) {
+std::string vectors_text(const VectorList& list, const std::vector<Vec3>& vectors) {
+  const std::string_view unit = list.component.unit;
   std::string rows;
-  for (const Vec3& p : positions)
-    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, "m")),
-                        in_quotes(show(p.y, "m")), in_quotes(show(p.z, "m")));
+  for (const Vec3& p : vectors)
+    rows += fmt::format("{}[{}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(p.x, unit)),
+                        in_quotes(show(p.y, unit)), in_quotes(show(p.z, unit)));
   return "[" + rows + "]";
 }
 
-/// The initial positions of the balls of a set; none after a fault.
-std::vector<Vec3> read_positions(SectionReader& in, const Node& at) {
-  std::vector<Vec3> positions;
+/// One vector for each ball of a set; none after a fault.
+std::vector<Vec3> read_vectors(SectionReader& in, const VectorList& list, const Node& at) {
+  std::vector<Vec3> vectors;
+  const std::string_view key = list.component.key;
   bool sound = at.kind == Node::Kind::list && !at.items.empty();
   if (!sound)
-    in.fault(at, "`positions` must be a list of positions",
-             "write positions = [[\"9 mm\", \"0 mm\", \"-7.74 mm\"]]", "wrong-type");
+    in.fault(at, fmt::format("`{}` must be a list of {}", key, key),
+             fmt::format("write {} = [{}]", key, list.example), "wrong-type");
   for (const Node& row : at.items) {
-    const auto position = read_position(in, row, positions.size() + 1);
-    sound = sound && position;
-    positions.push_back(position.value_or(Vec3{}));
+    const auto vector = read_vector(in, list, row, vectors.size() + 1);
+    sound = sound && vector;
+    vectors.push_back(vector.value_or(Vec3{}));
   }
   if (!sound) return {};
-  in.record_origin("positions", positions_text(positions), &at);
-  in.record_origin("count", std::to_string(positions.size()), &at, "one for each of `positions`");
+  in.record_origin(key, vectors_text(list, vectors), &at);
+  return vectors;
+}
+
+/// The initial positions of the balls of a set, which are also its number; none after a fault.
+std::vector<Vec3> read_positions(SectionReader& in, const Node& at) {
+  std::vector<Vec3> positions = read_vectors(in, position_list, at);
+  if (!positions.empty())
+    in.record_origin("count", std::to_string(positions.size()), &at, "one for each of `positions`");
   return positions;
+}
+
+/// The initial velocities or spins of balls with given positions.
+std::vector<Vec3> read_motion(SectionReader& in, const VectorList& list, const BallSet& set) {
+  const std::string_view key = list.component.key;
+  const Node* at = in.find(key);
+  if (at == nullptr) return {};
+  if (!in.gives("positions")) {
+    in.fault(*at, fmt::format("`{}` needs `positions`: random balls have random speeds", key),
+             "give the positions of the balls, or run.start_speed and run.start_spin", "too-much");
+    return {};
+  }
+  std::vector<Vec3> vectors = read_vectors(in, list, *at);
+  if (vectors.empty() || set.positions.empty() || vectors.size() == set.positions.size())
+    return vectors;
+  in.fault(*at,
+           fmt::format("`{}` has {} entries for {} `positions`", key, vectors.size(),
+                       set.positions.size()),
+           "give one for each ball, in the order of the positions", "wrong-type");
+  return {};
 }
 
 constexpr NumberSpec mass_of_set("mass", "kg", positive, "mass of all balls of this set");
@@ -106,14 +150,18 @@ void describe_count(KeyVisitor& v, BallSet& set) {
   v.alternative({"model", "", any_number, "name of a ball set in the catalogue"});
   v.alternative(mass_of_set);
   v.alternative(filling_of_set);
-  const std::vector<Vec3>& positions = set.positions;
-  if (!positions.empty() || v.visits_all())
-    v.custom(
-        {"positions", "positions of ball centres, from the jar's centre",
-         (positions.empty() || std::cmp_equal(positions.size(), set.count)) &&
-             std::ranges::all_of(positions, [](const Vec3& p) { return std::isfinite(norm(p)); })},
-        [&] { return positions_text(positions); });
-  if (positions.empty() || v.visits_all())
+  const auto vectors = [&](const VectorList& list, const std::vector<Vec3>& given) {
+    if (given.empty() && !v.visits_all()) return;
+    const bool sound =
+        (given.empty() || std::cmp_equal(given.size(), set.count)) &&
+        std::ranges::all_of(given, [](const Vec3& p) { return std::isfinite(norm(p)); });
+    v.custom({list.component.key, list.component.about, sound},
+             [&] { return vectors_text(list, given); });
+  };
+  vectors(position_list, set.positions);
+  vectors(velocity_list, set.velocities);
+  vectors(spin_list, set.spins);
+  if (set.positions.empty() || v.visits_all())
     v.integer({"count", 1, max_balls, "number of balls"}, set.count);
 }
 
@@ -164,6 +212,8 @@ void describe(KeyVisitor& v, BallSet& set, const Jar& jar) {
   describe_material(v, set);
   if (in == nullptr) return;
   set.count = read_count(*in, set, jar);
+  set.velocities = read_motion(*in, velocity_list, set);
+  set.spins = read_motion(*in, spin_list, set);
   if (set.distribution.law == Distribution::Law::equal || !sound || set.count <= 0 ||
       !set.positions.empty())
     return;

@@ -12,6 +12,8 @@ void describe(KeyVisitor& v, Observe& observe) {
             "project convention; rates are given with and without it"},
            observe.threshold);
   v.flag({"collisions", false, "no record of every collision is kept"}, observe.collisions);
+  if (v.reader() != nullptr || v.visits_all() || observe.final_state)
+    v.flag({"final_state", false, "the balls at the end are not kept"}, observe.final_state);
   v.optional_number({"frames", "s", positive, "time between two frames for replay"},
                     observe.frames);
   v.word({"frames_format", {"both", "xyz", "vtk"}, "both", "for OVITO and for ParaView"},

@@ -50,6 +50,16 @@ void describe_until(KeyVisitor& v, Run& run) {
            run.time);
 }
 
+/// Random speeds and spins at the start.
+void describe_random_motion(KeyVisitor& v, Run& run) {
+  v.number({"start_speed", "m/s", start_speeds, "starting speeds are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_speed);
+  v.number({"start_spin", "rad/s", start_spins, "starting spins are uniform between 0 and this",
+            0.1, "paper A"},
+           run.start_spin);
+}
+
 /// time = "60 s" or "until 2 %", the settling time, and the initial speeds and spins.
 void describe_times(KeyVisitor& v, Run& run) {
   SectionReader* in = v.reader();
@@ -61,13 +71,32 @@ void describe_times(KeyVisitor& v, Run& run) {
   v.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
             "statistics from the start"},
            run.settle);
-  v.number({"start_speed", "m/s", start_speeds, "starting speeds are uniform between 0 and this",
-            0.1, "paper A"},
-           run.start_speed);
-  v.number({"start_spin", "rad/s", start_spins, "starting spins are uniform between 0 and this",
-            0.1, "paper A"},
-           run.start_spin);
+  if (run.start_from.file.empty() || v.visits_all()) describe_random_motion(v, run);
   if (run.until && in != nullptr) describe_until(v, run);
+}
+
+/// The file or folder with the state of the balls at the start; keys that it replaces are refused.
+void read_start_from(SectionReader& in, StartStates& start) {
+  const Node* at = in.find("start_from");
+  if (at == nullptr) return;
+  start.file = in.text("start_from").value_or("");
+  if (start.file.empty()) return;
+  start = read_start_states(start.file, *at, in.findings());
+  in.refuse({"start_speed", "start_spin", "start_frame", "start"},
+            "start_from gives the state of all balls", "remove it, or start_from");
+}
+
+/// Arrangement and state of the balls at the start. Written only where a case gives them.
+void describe_start(KeyVisitor& v, Run& run) {
+  const bool all = v.reader() != nullptr || v.visits_all(), own = run.start_from.file.empty();
+  if ((all && own) || v.visits_all() || run.start != StartLayout::random)
+    v.word({"start", {"random", "layers"}, "random", "balls lie anywhere"}, run.start);
+  if (all || run.settle_at_rest != 0)
+    v.number({"settle_at_rest", "s", settle_times,
+              "time before the start of the mill, which stands still; not counted", 0.0,
+              "the mill runs from the start"},
+             run.settle_at_rest);
+  if (v.reader() == nullptr) v.text("start_from", run.start_from.file);
 }
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
@@ -85,13 +114,16 @@ void describe_step(KeyVisitor& v, Run& run) {
 
 void describe(KeyVisitor& v, Run& run) {
   v.word({"engine", engines(), "auto", "chosen by what the case needs"}, run.engine);
+  if (SectionReader* in = v.reader()) read_start_from(*in, run.start_from);
   describe_times(v, run);
-  v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
+  if (run.start_from.file.empty() || v.visits_all())
+    v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
   describe_step(v, run);
   v.flag({"hop", true, "the soft engine skips time steps in free flight"}, run.free_flight_skip);
   v.integer(
       {"replicates", 1, max_replicates, "runs that differ only by chance", 5, "as in paper A"},
       run.replicates);
+  describe_start(v, run);
 }
 
 }  // namespace mahlwerk::cases

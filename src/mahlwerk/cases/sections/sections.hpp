@@ -80,6 +80,8 @@ std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
 /// The mesh of a jar of kind "mesh". After a fault the shape has no surface.
 void describe_mesh(KeyVisitor& v, Jar& jar);
 /// Reads a file with a measured motion. Faults cite the file's lines.
+/// The states of run.start_from: `file` relative to the case file. `states` is null after a fault.
+StartStates read_start_states(const std::string& file, const Node& at, Findings& findings);
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
                                        Findings& findings);
 

@@ -37,12 +37,58 @@ std::vector<Portion> portions(const std::vector<BallSet>& sets) {
   return found;
 }
 
+/// Horizontal layers of the jar, one for each set.
+class Layers {
+ public:
+  /// Layers without `up` are the whole jar. The shares of the jar's volume are those of the balls'
+  /// volumes, by random points of the jar.
+  Layers(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, const Vec3* up)
+      : up_(up), top_(sets.size(), INFINITY) {
+    if (up == nullptr) return;
+    constexpr std::size_t points = 20'000;  // heights to within a percent of the jar
+    Random random(1, 0);
+    const PositionSampler sampler(shape, 0.5 * largest_ball(sets));
+    std::vector<double> heights(points);
+    for (double& h : heights) h = dot(sampler.draw(random), *up);
+    std::ranges::sort(heights);
+    double all = 0, below = 0;
+    for (const BallSet& set : sets) all += static_cast<double>(set.count) * ball_volume(set);
+    for (std::size_t i = 0; i + 1 < sets.size(); ++i) {
+      below += static_cast<double>(sets[i].count) * ball_volume(sets[i]);
+      const double rank = below / all * static_cast<double>(points - 1);
+      top_[i] = heights[static_cast<std::size_t>(rank)];
+    }
+  }
+
+  /// A random position in the layer of a set; anywhere if the layer is too thin to be found.
+  Vec3 draw(const PositionSampler& sampler, std::size_t set, Random& random) const {
+    Vec3 p = sampler.draw(random);
+    for (int tries = 100'000; up_ != nullptr && !holds(set, p) && tries > 0; --tries)
+      p = sampler.draw(random);
+    return p;
+  }
+
+ private:
+  bool holds(std::size_t set, const Vec3& p) const {
+    const double height = dot(p, *up_);
+    return height <= top_[set] && (set == 0 || height > top_[set - 1]);
+  }
+
+  const Vec3* up_;
+  std::vector<double> top_;  // [m] upper end of each set's layer
+};
+
 /// Places a charge, largest balls first: by random sequential addition, else by pushing apart.
 class ChargeFiller {
  public:
   ChargeFiller(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
-               const std::atomic<bool>* stop)
-      : shape_(shape), sets_(sets), random_(random), stop_(stop), portions_(portions(sets)) {
+               const std::atomic<bool>* stop, const Vec3* up)
+      : shape_(shape),
+        sets_(sets),
+        random_(random),
+        stop_(stop),
+        layers_(shape, sets, up),
+        portions_(portions(sets)) {
     order_.resize(portions_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
     std::ranges::stable_sort(order_, std::greater(), [&](auto i) { return portions_[i].diameter; });
@@ -115,10 +161,10 @@ class ChargeFiller {
     const double radius = 0.5 * portion.diameter;
     for (std::size_t next = portion.from; next < portion.from + portion.count; ++next) {
       if (stop_ != nullptr && *stop_) throw Interrupted();
-      Vec3 p = sampler.draw(random_);
+      Vec3 p = layers_.draw(sampler, portion.set, random_);
       bool found = free(p, radius, grids);
       for (int tries = tries_left(crowded); !found && tries > 0; --tries) {
-        p = sampler.draw(random_);
+        p = layers_.draw(sampler, portion.set, random_);
         found = free(p, radius, grids);
       }
       crowded += found ? 0 : 1;
@@ -238,6 +284,7 @@ class ChargeFiller {
   const std::vector<BallSet>& sets_;
   Random& random_;
   const std::atomic<bool>* stop_;
+  Layers layers_;
   std::vector<Portion> portions_;   // in the order of the case
   std::vector<std::size_t> order_;  // of portions, largest balls first
   std::size_t count_ = 0;
@@ -252,8 +299,8 @@ class ChargeFiller {
 }  // namespace
 
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
-                              Random& random, const std::atomic<bool>* stop) {
-  ChargeFiller filler(shape, sets, random, stop);
+                              Random& random, const std::atomic<bool>* stop, const Vec3* up) {
+  ChargeFiller filler(shape, sets, random, stop, up);
   filler.place();
   return filler.balls();
 }

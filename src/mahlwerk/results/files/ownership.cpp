@@ -114,7 +114,8 @@ bool is_of_slurm(const fs::path& folder, std::string_view name) {
 bool is_our_name(const fs::path& folder, std::string_view name) {
   return std::ranges::find(our_files, name) != our_files.end() ||
          is_numbered(name, "frames-", ".xyz") || is_numbered(name, "frames-", ".pvd") ||
-         is_numbered(name, "stopped-", ".csv") || is_of_shard(name) || is_of_slurm(folder, name);
+         is_numbered(name, "stopped-", ".csv") || is_numbered(name, "final-", ".csv") ||
+         is_of_shard(name) || is_of_slurm(folder, name);
 }
 
 std::string beginning(const fs::path& file) {

@@ -23,7 +23,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl";
+constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl", start_folder = "start";
 
 /// The samples of a measured motion, in the form that a case reads.
 Table samples(const kinematics::Tabulated& motion) {
@@ -80,6 +80,10 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
       all.push_back({stopped_name(static_cast<int>(i)),
                      "the balls of a replicate at the time when physics stopped it",
                      balls_at_stop(r)});
+  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
+    if (const Replicate& r = outcome.replicates[i]; !r.balls_at_end.empty())
+      all.push_back({final_name(static_cast<int>(i)),
+                     "the balls of a replicate at its end, for run.start_from", balls_at_end(r)});
   return all;
 }
 
@@ -95,6 +99,13 @@ std::string write_case(const Folder& folder, cases::Case mill_case, std::string_
     folder.write(below + std::string(jar_file),
                  cases::stl_text(mesh->surface()));  // in m, as moved
     mill_case.jar.mesh = {.file = std::string(jar_file), .unit = "m", .centred = false};
+  }
+  if (cases::StartStates& start = mill_case.run.start_from; start.states) {
+    for (std::size_t k = 0; k < start.states->size(); ++k)
+      folder.write(fmt::format("{}{}/{}.csv", below, start_folder, final_name(static_cast<int>(k))),
+                   csv(start_state((*start.states)[k])));
+    start.file = start_folder;
+    start.folder = true;
   }
   std::string text = cases::write(mill_case);
   folder.write(name, text);

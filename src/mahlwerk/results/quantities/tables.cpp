@@ -76,26 +76,51 @@ Table replicates(const Outcome& outcome) {
   return table;
 }
 
-Table balls_at_stop(const Replicate& replicate) {
+namespace {
+
+/// The state of balls; `axes`: "in laboratory axes".
+Table state_table(const std::vector<scene::Ball>& balls, const std::string& axes) {
   Table table{{{"ball", "1", "number of the ball, from 1"},
                {"kind", "1", "number of its ball set in the case, from 1"},
                {"radius", "m", "radius of the ball"},
-               {"x", "m", "x of the ball's centre from the jar's centre, in laboratory axes"},
+               {"x", "m", "x of the ball's centre from the jar's centre, " + axes},
                {"y", "m", "y of the ball's centre, likewise"},
                {"z", "m", "z of the ball's centre, likewise"},
                {"velocity_x", "m/s", "x velocity relative to the jar's centre"},
                {"velocity_y", "m/s", "y velocity relative to the jar's centre"},
                {"velocity_z", "m/s", "z velocity relative to the jar's centre"},
-               {"spin_x", "rad/s", "x component of the angular velocity, in laboratory axes"},
+               {"spin_x", "rad/s", "x component of the angular velocity, " + axes},
                {"spin_y", "rad/s", "y component of the angular velocity"},
                {"spin_z", "rad/s", "z component of the angular velocity"}},
               {}};
   double number = 0;
-  for (const scene::Ball& b : replicate.balls_at_stop)
+  for (const scene::Ball& b : balls)
     table.rows.push_back({++number, b.kind + 1.0, b.radius, b.position.x, b.position.y,
                           b.position.z, b.velocity.x, b.velocity.y, b.velocity.z, b.spin.x,
                           b.spin.y, b.spin.z});
   return table;
+}
+
+}  // namespace
+
+Table balls_at_stop(const Replicate& replicate) {
+  return state_table(replicate.balls_at_stop, "in laboratory axes");
+}
+
+Table balls_at_end(const Replicate& replicate) {
+  return state_table(replicate.balls_at_end,
+                     "in the axes of the jar's carrier: the disc, or the laboratory");
+}
+
+Table start_state(const std::vector<cases::BallState>& state) {
+  std::vector<scene::Ball> balls;
+  for (const cases::BallState& b : state)
+    balls.push_back({b.radius, 0, b.position, b.velocity, b.spin, b.kind});
+  return state_table(balls, "in the axes of the jar's carrier: the disc, or the laboratory");
+}
+
+std::string final_name(int replicate) {
+  return "final-" + std::to_string(replicate + 1);
 }
 
 std::string stopped_name(int replicate) {

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/start.hpp"
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+class NullObserver final : public scene::Observer {
+  void collisions(std::span<const scene::Collision>) override {}
+};
+
+/// The jar of the case, standing still where its mill starts.
+scene::Chamber at_rest(const cases::Case& mill_case) {
+  scene::Chamber jar = cases::chamber(mill_case);
+  jar.mount = kinematics::rotation(*mill_case.mill.motion, 0) * jar.mount;
+  jar.motion = kinematics::AnyMotion(kinematics::Still{});
+  if (const auto* stirred = geometry::as<geometry::Attritor>(*jar.shape)) {
+    geometry::Attritor still = *stirred;
+    still.rotor_speed = 0;
+    jar.shape = geometry::AnyShape(still);
+  }
+  return jar;
+}
+
+}  // namespace
+
+std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, int replicate,
+                                        const EngineMaker& make, const std::atomic<bool>* stop) {
+  std::vector<scene::Ball> balls = cases::starting_balls(mill_case, replicate, stop);
+  const cases::Run& run = mill_case.run;
+  if (run.start_from.states && run.engine == cases::EngineName::event)
+    cases::remove_overlaps(mill_case, balls, stop);
+  if (run.settle_at_rest == 0) return balls;
+  // Velocities are relative to the jar's centre, which moves once the mill has started.
+  const Vec3 centre = kinematics::frame_motion(*mill_case.mill.motion, 0).velocity;
+  for (scene::Ball& b : balls) b.velocity += centre;
+  const auto engine = make(at_rest(mill_case), balls);
+  engine->stop_on(stop);
+  NullObserver nobody;
+  engine->advance(run.settle_at_rest, nobody);
+  if (stop != nullptr && *stop) throw Interrupted();
+  balls = engine->balls();
+  for (scene::Ball& b : balls) b.velocity -= centre;
+  return balls;
+}
+
+std::vector<scene::Ball> seen_from_carrier(const cases::Case& mill_case,
+                                           std::vector<scene::Ball> balls, double time) {
+  const Rotation carrier = kinematics::carrier(*mill_case.mill.motion, time).rotation;
+  for (scene::Ball& b : balls) {
+    b.position = carrier.apply_inverse(b.position);
+    b.velocity = carrier.apply_inverse(b.velocity);
+    b.spin = carrier.apply_inverse(b.spin);
+  }
+  return balls;
+}
+
+}  // namespace mahlwerk::campaign
