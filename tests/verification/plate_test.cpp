@@ -4,6 +4,7 @@
 // A ball on a plate that vibrates: a tall box whose lid the ball never reaches.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -72,6 +73,44 @@ TEST(VibratingPlate, flights_alternate_above_the_first_bifurcation) {
   const double one = times[n - 1] - times[n - 2], other = times[n - 2] - times[n - 3];
   states("two flights over a period", (one + other) / period, 2, 1e-9, "period 2");
   EXPECT_GT(std::abs(one - other), 0.01 * period) << "they differ";
+}
+
+/// A ball that rests on the plate leaves it where A w^2 sin(w t) = g, and falls back on it. For a
+/// fast mill the plate comes and goes within a step that only the motion of the ball would allow.
+TEST(VibratingPlate, a_ball_at_rest_is_lifted_where_the_plate_falls_faster) {
+  for (const double gamma : {1.01, 1.3, 3.0}) {
+    const double amplitude = gamma * gravity / (omega * omega);
+    const double lift = std::asin(1 / gamma) / omega;  // [s]
+    const auto gap = [&](double t) {                   // [m] of the ball in free flight
+      const double s = t - lift;
+      return amplitude * (1 / gamma - std::sin(omega * t)) +
+             amplitude * omega * std::cos(omega * lift) * s - 0.5 * gravity * s * s;
+    };
+    double before = lift + 1e-4, after = lift + 1e-4;  // of the touch
+    while (gap(after) > 0) before = after, after += 1e-5;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (before + after);
+      (gap(middle) > 0 ? before : after) = middle;
+    }
+    scene::Ball ball = ball_a();
+    ball.position.z = -0.5 * lid + radius;
+    const scene::Chamber plate{
+        geometry::Box{1, 1, lid}, shaken(frequency, amplitude), {}, {0, 0, -gravity}};
+    event::Rules rules;
+    rules.bounce = {e, 1, 0};
+    const auto engine = event::one_ball(plate, ball, rules);
+    Recorder recorder;
+    engine->advance(20 * period, recorder);
+    const auto first = std::ranges::find_if(
+        recorder.all, [&](const scene::Collision& c) { return c.time > lift + 1e-4; });
+    ASSERT_NE(first, recorder.all.end());
+    const std::string at = ", Gamma = " + std::to_string(gamma);
+    states("time of the first touch over a period" + at, first->time / period, before / period,
+           1e-5, "parabola and sine; the ball is released to within 1e-6 of a period");
+    const scene::EnergyBalance b = engine->energy_balance();
+    stays_below("residual over what the plate gives" + at, std::abs(b.residual() / b.wall_work),
+                1e-6, "energy of the plate, bounces and contact");
+  }
 }
 
 }  // namespace

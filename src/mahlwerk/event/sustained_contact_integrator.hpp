@@ -18,10 +18,13 @@ struct IntegrationStep {
 };
 
 /// One step of `h` [s] from the state `y` at `t` [s]. `rate(t, y, forces)` is the derivative,
-/// `first` its value at the start; `radius` [m] of the ball.
+/// `first` its value at the start; `radius` [m] of the ball; `energy` [J] that of a ball as fast as
+/// the wall, the scale of errors of the work. A ball at rest on a wall that moves up and down has
+/// no other error.
 template <class Rate>
 IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactState& y,
-                                    const ContactState& first, double h, double radius) {
+                                    const ContactState& first, double h, double radius,
+                                    double energy) {
   const ContactState& k1 = first;
   ContactForces forces;
   const ContactState k2 = rate(t + h / 5, y + h / 5 * k1, forces);
@@ -45,10 +48,10 @@ IntegrationStep dormand_prince_step(const Rate& rate, double t, const ContactSta
            22.0 / 525 * k6 + -1.0 / 40 * k7);
   constexpr double relative_tolerance = 1e-8;
   const double speed = norm(end.velocity) + radius * norm(end.spin) + 1e-3;  // [m/s] floor
-  const double error =
-      std::max({norm(error_estimate.position) / (relative_tolerance * radius),
-                norm(error_estimate.velocity) / (relative_tolerance * speed),
-                radius * norm(error_estimate.spin) / (relative_tolerance * speed)});
+  const double error = std::max({norm(error_estimate.position) / (relative_tolerance * radius),
+                                 norm(error_estimate.velocity) / (relative_tolerance * speed),
+                                 radius * norm(error_estimate.spin) / (relative_tolerance * speed),
+                                 std::abs(error_estimate.work) / (relative_tolerance * energy)});
   return {end, k7, forces, error};
 }
 
@@ -60,7 +63,11 @@ class SustainedContactIntegrator {
 
   SustainedContactIntegrator(const J& jar, const BallBody& ball, const Rules& rules,
                              const TouchTolerance& tolerance)
-      : jar_(&jar), contact_(jar, ball, rules), ball_(ball), rules_(rules), tolerance_(tolerance) {}
+      : jar_(&jar), contact_(jar, ball, rules), ball_(ball), rules_(rules), tolerance_(tolerance) {
+    constexpr double least_speed = 1e-3;  // [m/s]
+    const double speed = jar.motion_bounds().speed + jar.max_wall_speed() + least_speed;
+    wall_energy_ = ball.mass * speed * speed;
+  }
 
   /// Begins at `t` [s] with the ball on the faces of `support`. On a single face the ball rolls or
   /// slides, depending on its slip.
@@ -89,19 +96,19 @@ class SustainedContactIntegrator {
 
     const double curvature_jump_time = time_to_curvature_jump(t);
     const double wanted =
-        std::min({step_, slide_limit(), safe_time_of_others(t), curvature_jump_time});
+        std::min({step_, slide_limit(), safe_time_of_others(t), curvature_jump_time, lift_limit()});
     double h = wanted;
-    IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
+    IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     while (!(s.error <= 1)) {
       h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
-      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
+      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     }
     // A step shortened for other reasons says nothing about the error.
     if (h < wanted || wanted == step_)
       step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (leaves_wall(t + h, s)) {
       h = bisect_release_time(rate, t, h);
-      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius);
+      s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     }
     t += h;
     state_ = s.end;
@@ -166,6 +173,15 @@ class SustainedContactIntegrator {
     const double slowing =
         3.5 * dot(forces_.sticking_friction - forces_.friction, forces_.slip) / speed;  // [m/s2]
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
+  }
+
+  /// Longest step [s] in which the acceleration of the jar's centre cannot lift the ball off and
+  /// press it back: the normal force would be checked at the end only.
+  double lift_limit() const {
+    constexpr double unseen = 1e-5;  // [s] a shorter flight does not matter
+    const double jerk = jar_->motion_bounds().jerk;
+    if (!(jerk > 0)) return geometry::never;
+    return unseen + std::max(forces_.normal_force[forces_.least(support_)], 0.0) / jerk;
   }
 
   /// Longest step [s] up to a jump of the wall's curvature, which no Runge-Kutta step should
@@ -289,7 +305,8 @@ class SustainedContactIntegrator {
     double holds = 0, leaves = h;
     for (int i = 0; i < 60 && leaves - holds > min_step(); ++i) {
       const double middle = 0.5 * (holds + leaves);
-      const IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, middle, ball_.radius);
+      const IntegrationStep s =
+          dormand_prince_step(rate, t, state_, rate_, middle, ball_.radius, wall_energy_);
       (leaves_wall(t + middle, s) ? leaves : holds) = middle;
     }
     return leaves;
@@ -305,7 +322,8 @@ class SustainedContactIntegrator {
   ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
   ContactForces forces_;
   bool rate_known_ = false;
-  double step_ = 1e-5;  // [s] from the step-size control
+  double step_ = 1e-5;      // [s] from the step-size control
+  double wall_energy_ = 0;  // [J]
 };
 
 }  // namespace mahlwerk::event
