@@ -66,6 +66,20 @@ TEST_F(FramesTest, say_where_the_balls_and_the_jar_are) {
   EXPECT_TRUE(read(file).ends_with(" 10 -20 30.5 0.5 -1 2\n"));
 }
 
+TEST_F(FramesTest, of_a_drum_without_ends_have_its_period_along_the_axis) {
+  cases::Case drum = fake_outcome().mill_case;
+  drum.mill.motion = kinematics::Tumbling{1};
+  drum.mill.jar_axis = {1, 0, 0};
+  drum.jar.shape = geometry::PeriodicCylinder{0.03, 0.04};  // reaches to 25 mm
+  FrameFiles frames(scratch() / "frames-1", drum);
+  frames.add(0.1, {ball(0.001)});
+  EXPECT_NE(read(scratch() / "frames-1.xyz")
+                .find("Lattice=\"0.04 0 0 0 0.05 0 0 0 0.05\" Origin=\"-0.02 -0.025 -0.025\" "
+                      "pbc=\"T F F\""),
+            std::string::npos)
+      << read(scratch() / "frames-1.xyz");
+}
+
 TEST_F(FramesTest, read_back_as_the_same_doubles) {
   FrameFiles frames(scratch() / "frames-1", fake_outcome().mill_case);
   const double odd = 1.0 / 3;

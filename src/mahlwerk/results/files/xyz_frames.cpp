@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/geometry/periodic_box.hpp"
+#include "mahlwerk/geometry/shape.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -19,25 +20,36 @@ std::string numbers(const Vec3& a) {
   return fmt::format("{} {} {}", shortest(a.x), shortest(a.y), shortest(a.z));
 }
 
-/// The jar's cell: a cube that holds it in any orientation, or the periods of a periodic box.
-std::string cell_of(const geometry::AnyShape& shape) {
-  const auto* periodic = geometry::as<geometry::PeriodicBox>(shape);
-  const double reach = geometry::reach(shape);
-  const Vec3 size = periodic != nullptr ? periodic->periods() : 2 * reach * Vec3{1, 1, 1};
-  return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{}\"", shortest(size.x),
-                     shortest(size.y), shortest(size.z), numbers(-0.5 * size),
-                     periodic != nullptr ? "T T T" : "F F F");
+/// The jar's cell: a cube that holds it in any orientation; along a periodic axis, the period.
+/// `axis` is the direction of the jar's z axis, which a periodic cylinder keeps along a laboratory
+/// axis.
+std::string cell_of(const geometry::AnyShape& shape, const Vec3& axis) {
+  Vec3 periods = geometry::periods(shape);
+  if (!std::isfinite(periods.x) && std::isfinite(periods.z)) {
+    const auto along = [&](double component) {
+      return std::abs(component) > 0.5 ? periods.z : geometry::never;
+    };
+    periods = {along(axis.x), along(axis.y), along(axis.z)};
+  }
+  const double cube = 2 * geometry::reach(shape);
+  const auto side = [&](double period) { return std::isfinite(period) ? period : cube; };
+  const auto letter = [](double period) { return std::isfinite(period) ? 'T' : 'F'; };
+  const Vec3 size{side(periods.x), side(periods.y), side(periods.z)};
+  return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\" Origin=\"{}\" pbc=\"{} {} {}\"",
+                     shortest(size.x), shortest(size.y), shortest(size.z), numbers(-0.5 * size),
+                     letter(periods.x), letter(periods.y), letter(periods.z));
 }
 
 }  // namespace
 
 XyzFrames::XyzFrames(std::filesystem::path file, const geometry::AnyShape& shape)
-    : path_(std::move(file)), file_(std::fopen(path_.c_str(), "wb")), cell_(cell_of(shape)) {
+    : path_(std::move(file)), file_(std::fopen(path_.c_str(), "wb")), shape_(shape) {
   if (!file_) throw cannot_write_frames(path_);
 }
 
 void XyzFrames::add(const Frame& frame) {
   const bool forces = !frame.forces.empty();
+  if (cell_.empty()) cell_ = cell_of(*shape_, frame.turn.ez);
   std::string text = fmt::format(
       "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{} "
       "Time={} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "

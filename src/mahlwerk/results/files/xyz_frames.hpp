@@ -19,7 +19,8 @@ class XyzFrames {
  private:
   std::filesystem::path path_;
   OpenFile file_;
-  std::string cell_;  // keys of the cell around the jar
+  Indirect<geometry::AnyShape> shape_;
+  std::string cell_;  // keys of the cell around the jar, from the first frame on
 };
 
 }  // namespace mahlwerk::results
