@@ -56,6 +56,7 @@ void Charge::sample(double time, const std::vector<scene::Ball>& balls, double w
     const double y = dot(b.position, carrier.rotation * up_);
     mass_by_angle[static_cast<std::size_t>(angle_slot(x, y))] += weight * b.mass();
     mass_total += weight * b.mass();
+    spin_squared += weight * b.mass() * squared(b.spin);
     add_wall_contact(b, own, jar.spin, weight);
   }
   in_jar.add_time(weight);
@@ -96,12 +97,13 @@ void Charge::merge(const Charge& other) {
   mass_at_wall += other.mass_at_wall;
   wall_slip += other.wall_slip;
   mass_total += other.mass_total;
+  spin_squared += other.spin_squared;
 }
 
 void Charge::serialize(Archive& archive) {
   in_jar.serialize(archive);
   in_carrier.serialize(archive);
-  archive(mass_by_angle)(mass_at_wall)(wall_slip)(mass_total);
+  archive(mass_by_angle)(mass_at_wall)(wall_slip)(mass_total)(spin_squared);
 }
 
 }  // namespace mahlwerk::observe

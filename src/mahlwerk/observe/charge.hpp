@@ -35,6 +35,7 @@ class Charge {
   double mass_at_wall = 0;  ///< [kg s] of balls within a hundredth of their radius from the wall
   double wall_slip = 0;     ///< [kg m] mass of balls at the wall times slip speed and time
   double mass_total = 0;    ///< [kg s] of all balls
+  double spin_squared = 0;  ///< [kg rad2/s] mass times squared angular velocity and time
 
   void merge(const Charge& other);
   void serialize(Archive& archive);

@@ -111,7 +111,7 @@ TEST(Claims, a_line_is_straight_if_its_curvature_is_surely_small) {
   const Campaign square = campaign({100, 200, 300, 400, 500}, {1, 4, 9, 16, 25}, 0.1);
   const Verdict bent = judge(law, square);
   EXPECT_EQ(bent.holds, Holds::no);
-  EXPECT_TRUE(has(bent, "deviates by -16.66")) << bent.finding;
+  EXPECT_TRUE(has(bent, "deviates by -16.67")) << bent.finding;
   law.within = 0.2;
   EXPECT_EQ(judge(law, square).holds, Holds::yes);
   // A scatter as large as the rise leaves both open.

@@ -87,6 +87,16 @@ TEST(Motion, speeds_are_root_mean_squares_in_each_frame) {
   EXPECT_NEAR(value(at_rest, "ball_speed_seen_from_jar"), 2.0 * 0.05, 1e-12);
 }
 
+TEST(Motion, spin_is_the_root_mean_square_by_mass) {
+  Outcome outcome = drum();
+  scene::Ball b = cases::starting_balls(outcome.mill_case, 0).front();
+  for (const double spin : {3.0, 4.0}) {
+    b.spin = {0, spin, 0};
+    outcome.replicates[0].charge.sample(0, {b}, 1);
+  }
+  EXPECT_NEAR(value(outcome, "ball_spin"), std::sqrt(12.5), 1e-12);
+}
+
 TEST(Motion, tangential_energy_and_grazing_are_those_of_the_collisions) {
   // Half of 100 collisions of 2 g have a slip of 2 m/s: 4 mJ each, at 45 degrees, in 10 s.
   const Outcome outcome = fake_outcome({100});

@@ -56,13 +56,26 @@ std::string percent(double share) {
   return fmt::format("{:+.0f} %", 100 * share);
 }
 
-std::string sentence(const ClaimContext& c, const Comparison& one) {
+/// The value of the key; of a list, as `velocities`, its first number.
+std::string short_text(const std::string& at) {
+  if (!at.starts_with('[')) return at;
+  const std::size_t from = at.find_first_not_of("[\" "), to = at.find_first_of("\",]", from);
+  return from == std::string::npos ? at : at.substr(from, to - from);
+}
+
+/// "53 to 88 W (-24 % to +25 %)"; one number if both ends round to it.
+std::string prediction(const ClaimContext& c, const Comparison& one) {
   const Readable low = readable(one.band.low, NAN, c.unit, one.value->value),
                  high = readable(one.band.high, NAN, c.unit, one.value->value);
-  return fmt::format("{}measured {}, predicted {} to {} {} ({} to {})",
-                     one.value->at.empty() ? "" : one.value->at + ": ",
-                     c.text(one.value->value, one.value->error), low.number, high.number, high.unit,
-                     percent(one.low()), percent(one.high()));
+  if (low.number == high.number) return fmt::format("{} ({})", low.text(), percent(one.low()));
+  return fmt::format("{} to {} ({} to {})", low.number, high.text(), percent(one.low()),
+                     percent(one.high()));
+}
+
+std::string sentence(const ClaimContext& c, const Comparison& one) {
+  return fmt::format("{}measured {}, predicted {}",
+                     one.value->at.empty() ? "" : short_text(one.value->at) + ": ",
+                     c.text(one.value->value, one.value->error), prediction(c, one));
 }
 
 /// Each comparison if there are few; else how many agree, and the range of deviations.
@@ -77,8 +90,8 @@ std::string summary(const ClaimContext& c, const std::vector<Comparison>& all) {
   const auto low = std::ranges::min_element(all, {}, &Comparison::low);
   const auto high = std::ranges::max_element(all, {}, &Comparison::high);
   return fmt::format("{} of {} measured values in the band; deviations from {} at {} to {} at {}",
-                     agree, all.size(), percent(low->low()), low->value->at, percent(high->high()),
-                     high->value->at);
+                     agree, all.size(), percent(low->low()), short_text(low->value->at),
+                     percent(high->high()), short_text(high->value->at));
 }
 
 }  // namespace

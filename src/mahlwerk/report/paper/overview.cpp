@@ -57,7 +57,7 @@ std::string overview_score(const std::vector<OverviewRow>& rows) {
   for (const OverviewRow& row : rows) {
     sets.insert(row.folder);
     if (row.holds != Holds::undecided) judged.insert(row.folder);
-    if (row.holds == Holds::yes && row.deviation <= close) exact.insert(row.folder);
+    if (row.status != "unverified" && row.deviation <= close) exact.insert(row.folder);
   }
   std::string counts;
   for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::undecided}) {

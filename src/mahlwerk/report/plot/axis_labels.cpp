@@ -29,6 +29,7 @@ constexpr std::array quantities{
     Named{"shaft_torque", "", "$M$"},
     Named{"flight_share", "share of time in flight", "$φ$"},
     Named{"ball_speed_seen_from_carrier", "ball speed in the frame of the carrier", "$v$"},
+    Named{"ball_spin", "angular velocity of the balls", "$ω$"},
     Named{"ball_speed_seen_from_jar", "ball speed in the frame of the jar", "$v$"},
     Named{"impact_speed_normal_mean", "", "$u_{n}$"},
     Named{"impact_speed_tangential_mean", "", "$u_{t}$"},

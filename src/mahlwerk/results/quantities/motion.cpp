@@ -87,6 +87,11 @@ std::vector<Measure> motion_measures(const Case& mill_case) {
       {"ball_speed_seen_from_jar", "m/s",
        "root mean square speed of the balls by mass, in the jar's frame",
        [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_jar); }});
+  list.push_back({"ball_spin", "rad/s",
+                  "root mean square angular velocity of the balls by mass, in the laboratory",
+                  [](const Case&, const Replicate& r) {
+                    return std::sqrt(share(r.charge.spin_squared, r.charge.mass_total));
+                  }});
   return list;
 }
 
