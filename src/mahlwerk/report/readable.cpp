@@ -134,8 +134,9 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
     if (m.unit == said) shown = sign;
   if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
     return {fmt::format("{:.0f}", v), ""};  // a count
-  const bool plain =
-      shown_size == 0 || (shown_size >= 1e-3 && shown_size < 1e7) || ci >= shown_size;
+  constexpr double small = 1e-3;
+  const bool plain = shown_size == 0 || (shown_size >= small && shown_size < 1e7) ||
+                     (ci >= shown_size && ci >= small);
   return {plain ? fixed(v, ci) : scientific(v, ci), std::move(shown)};
 }
 

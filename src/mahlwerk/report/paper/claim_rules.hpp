@@ -19,7 +19,8 @@ struct ClaimContext {
   std::string unit;  ///< of the quantity
 
   std::string text(double value, double ci95) const;
-  std::string text(const LinePoint& s) const { return text(s.value, s.ci95); }
+  /// The interval does not leave the range of the quantity.
+  std::string text(const LinePoint& s) const;
   std::string key() const;  ///< `against` in words: "speed"
 };
 

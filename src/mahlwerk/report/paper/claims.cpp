@@ -10,6 +10,7 @@
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_rules.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/quantities/range.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -167,6 +168,10 @@ std::string_view word(Holds holds) {
 
 std::string ClaimContext::text(double value, double ci95) const {
   return readable(value, ci95, unit).text();
+}
+
+std::string ClaimContext::text(const LinePoint& s) const {
+  return readable_within(s.value, s.ci95, unit, results::range_of(claim.quantity)).text();
 }
 
 std::string ClaimContext::key() const {
