@@ -177,7 +177,7 @@ TEST(Claims, measured_values_agree_if_their_interval_meets_the_band_over_what_is
                        .source = "s",
                        .error_is = "",
                        .status = Measurement::Status::verified,
-                       .values = {{"100 rpm", 10, 0.5, "10 W"}, {"200 rpm", 20, 0.5, "20 W"}},
+                       .values = {{"100 rpm", "10 W", "0.5 W"}, {"200 rpm", "20 W", "0.5 W"}},
                        .where = ""};
   const Verdict both = judge(one, assumed_friction({100, 200}, {9, 18}, {11, 19.6}), &measured);
   EXPECT_EQ(both.holds, Holds::yes) << both.finding;

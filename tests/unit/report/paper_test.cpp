@@ -76,8 +76,8 @@ TEST(Paper, measured_values_are_read_with_their_errors_and_checked_against_the_c
   EXPECT_EQ(paper.measured[0].status, Measurement::Status::quoted);
   ASSERT_EQ(paper.measured[0].values.size(), 2U);
   EXPECT_EQ(paper.measured[0].values[1].at, "20 Hz");
-  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].value, 5);
-  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].error, 1);
+  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].in("1/s"), 5);
+  EXPECT_DOUBLE_EQ(paper.measured[0].values[1].error_in("1/s"), 1);
   const auto code_of = [&](std::string text, const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
     try {

@@ -37,14 +37,13 @@ Band band_at(const std::vector<ClaimLine>& lines, const std::string& at) {
 
 /// A measured value beside the band.
 struct Comparison {
-  const Measurement::Value* value = nullptr;
+  std::string at;               ///< value of the key; empty without a key
+  double value = 0, error = 0;  ///< in the unit of the quantity
   Band band;
-  double low() const { return band.low / value->value - 1; }  ///< [1] deviations of its ends
-  double high() const { return band.high / value->value - 1; }
+  double low() const { return band.low / value - 1; }  ///< [1] deviations of its ends
+  double high() const { return band.high / value - 1; }
   double largest() const { return std::max(std::abs(low()), std::abs(high())); }
-  bool agrees() const {
-    return band.low <= value->value + value->error && band.high >= value->value - value->error;
-  }
+  bool agrees() const { return band.low <= value + error && band.high >= value - error; }
   /// Whether the assumed keys change the prediction so much that they decide.
   bool wide() const {
     constexpr double most = 2;
@@ -65,17 +64,16 @@ std::string short_text(const std::string& at) {
 
 /// "53 to 88 W (-24 % to +25 %)"; one number if both ends round to it.
 std::string prediction(const ClaimContext& c, const Comparison& one) {
-  const Readable low = readable(one.band.low, NAN, c.unit, one.value->value),
-                 high = readable(one.band.high, NAN, c.unit, one.value->value);
+  const Readable low = readable(one.band.low, NAN, c.unit, one.value),
+                 high = readable(one.band.high, NAN, c.unit, one.value);
   if (low.number == high.number) return fmt::format("{} ({})", low.text(), percent(one.low()));
   return fmt::format("{} to {} ({} to {})", low.number, high.text(), percent(one.low()),
                      percent(one.high()));
 }
 
 std::string sentence(const ClaimContext& c, const Comparison& one) {
-  return fmt::format("{}measured {}, predicted {}",
-                     one.value->at.empty() ? "" : short_text(one.value->at) + ": ",
-                     c.text(one.value->value, one.value->error), prediction(c, one));
+  return fmt::format("{}measured {}, predicted {}", one.at.empty() ? "" : short_text(one.at) + ": ",
+                     c.text(one.value, one.error), prediction(c, one));
 }
 
 /// Each comparison if there are few; else how many agree, and the range of deviations.
@@ -90,8 +88,8 @@ std::string summary(const ClaimContext& c, const std::vector<Comparison>& all) {
   const auto low = std::ranges::min_element(all, {}, &Comparison::low);
   const auto high = std::ranges::max_element(all, {}, &Comparison::high);
   return fmt::format("{} of {} measured values in the band; deviations from {} at {} to {} at {}",
-                     agree, all.size(), percent(low->low()), short_text(low->value->at),
-                     percent(high->high()), short_text(high->value->at));
+                     agree, all.size(), percent(low->low()), short_text(low->at),
+                     percent(high->high()), short_text(high->at));
 }
 
 }  // namespace
@@ -103,7 +101,7 @@ Verdict judge_measured(ClaimContext c, std::vector<ClaimLine> lines, const Measu
   }
   std::vector<Comparison> all;
   for (const Measurement::Value& value : measured.values) {
-    all.push_back({&value, band_at(lines, value.at)});
+    all.push_back({value.at, value.in(c.unit), value.error_in(c.unit), band_at(lines, value.at)});
     if (all.back().band.empty() || !all.back().band.complete)
       return {fmt::format("no predicted interval at {}", value.at)};
   }

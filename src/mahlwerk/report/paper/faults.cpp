@@ -72,7 +72,8 @@ class ReferenceCheck {
             "paper-unknown-measurement");
       value(claim.against, v.at);
       try {
-        parse_in(v.text, unit == "1" || !claim.relative_to.empty() ? "" : unit);
+        v.in(claim.relative_to.empty() ? unit : "");
+        v.error_in(claim.relative_to.empty() ? unit : "");
       } catch (const UnitError& error) {
         fault(error.what(), fmt::format("{} is in {}", claim.quantity, unit), "bad-quantity");
       }

@@ -12,15 +12,16 @@ namespace mahlwerk::report {
 PaperFigure with_measured(const PaperFigure& figure, const Paper& paper, const Campaign& campaign) {
   PaperFigure drawn = figure;
   const auto key = std::ranges::find(campaign.keys, figure.against, &CampaignKey::key);
+  const std::string unit = unit_of(campaign, figure.quantity);
   for (const std::string& name : figure.measurements) {
     const Measurement* measured = paper.measurement(name);
     if (measured == nullptr || key == campaign.keys.end()) continue;
     MeasuredSeries series{.name = "measured: " + name, .x = {}, .y = {}};
     for (const Measurement::Value& value : measured->values) {
       series.x.push_back(parse_in(value.at, key->unit));
-      series.y.push_back(value.value);
-      series.error_low.push_back(value.error);
-      series.error_high.push_back(value.error);
+      series.y.push_back(value.in(unit));
+      series.error_low.push_back(value.error_in(unit));
+      series.error_high.push_back(value.error_in(unit));
     }
     drawn.measured.push_back(std::move(series));
   }

@@ -59,9 +59,10 @@ struct Measurement {
     unverified  ///< not found in print; gives no verdict
   };
   struct Value {
-    std::string at;               ///< value of the key, "70 rpm"; empty without a key
-    double value = 0, error = 0;  ///< in SI units; half-width of the interval
-    std::string text;             ///< as in the file: "83 W"
+    std::string at;                ///< value of the key, "70 rpm"; empty without a key
+    std::string text, error_text;  ///< value and half-width of the interval: "83 W", "4 W"
+    double in(std::string_view unit) const;        ///< the value in `unit`, as in summary.json
+    double error_in(std::string_view unit) const;  ///< its half-width
   };
   std::string name;      ///< by which claims and figures refer to it
   std::string source;    ///< where the numbers stand: page, table or figure

@@ -197,12 +197,11 @@ Claim read_claim(SectionReader& in) {
   return claim;
 }
 
-/// A quantity in SI units; reports a fault if the text is none.
-double si_value(SectionReader& in, const Node& node, const std::string& text) try {
-  return parse_quantity(text).value;
+/// Reports a fault if the text is no quantity.
+void check_quantity(SectionReader& in, const Node& node, const std::string& text) try {
+  parse_quantity(text);
 } catch (const UnitError& error) {
   in.fault(node, error.what(), "write a number with its unit, as in \"83 W\"", "bad-quantity");
-  return 0;
 }
 
 /// A row of `values`: [key, value, error], [value, error] without a key.
@@ -216,11 +215,12 @@ Measurement::Value read_measured_value(SectionReader& in, const Node& row, bool 
              "wrong-type");
     return {};
   }
-  const std::string& text = row.items[first].text;
-  return {.at = keyed ? row.items[0].text : "",
-          .value = si_value(in, row, text),
-          .error = si_value(in, row, row.items[first + 1].text),
-          .text = text};
+  Measurement::Value value{.at = keyed ? row.items[0].text : "",
+                           .text = row.items[first].text,
+                           .error_text = row.items[first + 1].text};
+  check_quantity(in, row, value.text);
+  check_quantity(in, row, value.error_text);
+  return value;
 }
 
 Measurement read_measurement(SectionReader& in) {
@@ -292,6 +292,14 @@ Paper read_paper(const std::filesystem::path& file) {
     throw InputError(Fault{file.generic_string(), "there is no such file, or it cannot be read",
                            "name a folder with a paper.toml", "no-such-paper"});
   return read_paper_text(text, file);
+}
+
+double Measurement::Value::in(std::string_view unit) const {
+  return parse_in(text, unit == "1" ? "" : unit);
+}
+
+double Measurement::Value::error_in(std::string_view unit) const {
+  return parse_in(error_text, unit == "1" ? "" : unit);
 }
 
 const Measurement* Paper::measurement(std::string_view name) const {
