@@ -185,6 +185,11 @@ std::optional<Fault> write(const PaperJob& job,
     job.folder->write(name + "/campaign.html", report::campaign_page(one.numbers, version()));
   }
   std::optional<Fault> missing = write_figures(job, result);
+  for (const report::MadeTable& table : result.tables) {
+    const std::string name = "tables/" + table.table->name;
+    job.folder->write(name + ".md", report::table_markdown(table));
+    job.folder->write(name + ".csv", table.csv);
+  }
   job.folder->write("claims.csv", report::claims_csv(result));
   job.folder->write("claims.md", report::claims_markdown(result));
   job.folder->write("paper.html", report::paper_page(result, version()));
@@ -198,6 +203,7 @@ void print_summary(const PaperJob& job, const report::PaperResult& result, doubl
                         report::claims_text(result)));
   fmt::print("page:     {}\n", (place / "paper.html").string());
   fmt::print("figures:  {}\n", (place / "figures").string());
+  if (!result.tables.empty()) fmt::print("tables:   {}\n", (place / "tables").string());
   fmt::print("claims:   {}\n\n", (place / "claims.csv").string());
   fmt::print("done in {} s\n", two_digits(seconds));
 }

@@ -114,7 +114,13 @@ std::vector<ClaimLine> lines_along(const Campaign& campaign, const PointSelector
     if (column < p->value.size()) spot.value = p->value[column];
     if (column < p->ci95.size()) spot.ci95 = p->ci95[column];
     auto line = std::ranges::find(lines, label, &ClaimLine::others);
-    if (line == lines.end()) line = lines.insert(lines.end(), {label, {}});
+    if (line == lines.end()) {
+      line = lines.insert(lines.end(), {label, {}});
+      for (const std::size_t k : others) {
+        line->keys.push_back(campaign.keys[k].key);
+        line->values.push_back(p->values[k]);
+      }
+    }
     line->points.push_back(std::move(spot));
   }
   for (ClaimLine& line : lines)

@@ -32,6 +32,7 @@ struct LinePoint {
 struct ClaimLine {
   std::string others;  ///< values of the other keys, "friction 0.5, ratio -2"; may be empty
   std::vector<LinePoint> points;  ///< by ascending number of the key; words in campaign order
+  std::vector<std::string> keys = {}, values = {};  ///< of `others`: the keys, their values
 };
 
 /// The points that `at` selects, grouped into lines along `against` (empty: each point is a line).

@@ -134,7 +134,8 @@ Verdict judge_line(const Context& c, const ClaimLine& line) {
       return judge_bound(c, line);
     case Kind::maximum:
       return judge_maximum(c, line);
-    case Kind::measured:  // all lines together
+    case Kind::measured:        // all lines together
+    case Kind::capture_bounds:  // of the outcomes, captured_table.cpp
       break;
   }
   return {};

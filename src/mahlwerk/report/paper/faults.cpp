@@ -10,6 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
+#include "mahlwerk/report/paper/tables.hpp"
 #include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::report {
@@ -47,6 +48,13 @@ class ReferenceCheck {
     fault(fmt::format("a result of {}.toml has no quantity {}", campaign_, name),
           near.empty() ? "docs/formats.md lists them" : fmt::format("do you mean {}?", near),
           "paper-unknown-quantity");
+  }
+
+  /// The campaign has captures whose bounds are known.
+  void capture() {
+    if (!has_capture_bounds(case_))
+      fault(fmt::format("{}.toml has no captures with known bounds", campaign_),
+            "give it [capture] model = \"barrios\" and a cylinder", "paper-no-capture");
   }
 
   /// The measurements that a figure draws exist.
@@ -135,6 +143,14 @@ std::vector<Fault> paper_faults(const Paper& paper,
     check.quantity(claim.quantity);
     if (claim.kind == Claim::Kind::measured)
       check.measurement(claim, paper.measurement(claim.measured));
+    if (claim.kind == Claim::Kind::capture_bounds) check.capture();
+  }
+  for (const PaperTable& table : paper.tables) {
+    ReferenceCheck check(table.where, table.campaign, cases.at(table.campaign), faults);
+    check.key(table.against);
+    check.at(table.at);
+    check.quantity(table.quantity);
+    if (table.kind == PaperTable::Kind::captured) check.capture();
   }
   return faults;
 }

@@ -14,6 +14,7 @@
 #include "mahlwerk/report/paper/measurements.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "mahlwerk/report/paper/representatives.hpp"
+#include "mahlwerk/report/paper/tables.hpp"
 #include "mahlwerk/report/paper/trajectories.hpp"
 #include "mahlwerk/report/plot/figure_sheet.hpp"
 
@@ -258,9 +259,15 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
   std::set<std::string> used;
   for (auto& [stem, sections] : figures)
     result.pictures.push_back(picture(stem, std::move(sections), used));
-  for (const Claim& claim : paper.claims)
+  for (const PaperTable& table : paper.tables)
+    result.tables.push_back(made_table(table, run.at(table.campaign)));
+  for (const Claim& claim : paper.claims) {
+    const RunCampaign& campaign = run.at(claim.campaign);
     result.verdicts.push_back(
-        judge(claim, run.at(claim.campaign).numbers, paper.measurement(claim.measured)));
+        claim.kind == Claim::Kind::capture_bounds
+            ? judge_capture_bounds(claim, campaign)
+            : judge(claim, campaign.numbers, paper.measurement(claim.measured)));
+  }
   for (const auto& [name, campaign] : run) {
     result.seconds[name] = campaign.seconds;
     for (const results::Outcome& outcome : campaign.outcomes) {

@@ -29,12 +29,6 @@ std::string percent(const OverviewRow& row) {
   return std::isfinite(row.deviation) ? fmt::format("{:.0f} %", 100 * row.deviation) : "";
 }
 
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-    text.insert(at, "\\");
-  return text;
-}
-
 }  // namespace
 
 std::vector<OverviewRow> overview_rows(const PaperResult& result, std::string_view folder) {
@@ -77,8 +71,8 @@ std::string overview_markdown(const std::vector<OverviewRow>& rows) {
       "|---|---|---|---|---|---|\n";
   for (const OverviewRow& row : rows)
     text += fmt::format("| [{0}](../validation/{0}/README.md) | {1} | {2} | {3} | {4} | {5} |\n",
-                        row.folder, cell(row.claim), cell(row.found), word(row.holds), percent(row),
-                        row.status);
+                        row.folder, markdown_cell(row.claim), markdown_cell(row.found),
+                        word(row.holds), percent(row), row.status);
   return text;
 }
 

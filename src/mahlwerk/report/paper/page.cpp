@@ -55,6 +55,27 @@ std::string claim_rows(const PaperResult& result) {
   return rows;
 }
 
+/// The tables of the paper, with their titles and notes.
+std::string table_sections(const PaperResult& result) {
+  std::string body;
+  for (const MadeTable& made : result.tables) {
+    std::string rows;
+    for (const std::vector<std::string>& row : made.rows) {
+      rows += "<tr>";
+      for (const std::string& cell : row) rows += fmt::format("<td>{}</td>", escaped(cell));
+      rows += "</tr>\n";
+    }
+    std::string heads;
+    for (const std::string& head : made.heads) heads += fmt::format("<th>{}</th>", escaped(head));
+    body += fmt::format(
+        "<h3>{}</h3>\n<div class=\"wide\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n"
+        "{}</tbody></table></div>\n<p><small>{}{}{}</small></p>\n",
+        escaped(made.table->title), heads, rows, escaped(made.note),
+        made.table->about.empty() ? "" : " ", escaped(made.table->about));
+  }
+  return body.empty() ? "" : "<h2>Tables</h2>\n" + body;
+}
+
 std::string campaign_rows(const PaperResult& result) {
   std::string rows;
   for (const auto& [name, seconds] : result.seconds)
@@ -66,6 +87,12 @@ std::string campaign_rows(const PaperResult& result) {
 }
 
 }  // namespace
+
+std::string markdown_cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+    text.insert(at, "\\");
+  return text;
+}
 
 std::string paper_page(const PaperResult& result, std::string_view version) {
   const Paper& paper = *result.paper;
@@ -87,6 +114,7 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
     if (!picture.svg.empty())
       body += fmt::format("<figure>\n{}<figcaption><b>Figure {}.</b> {}</figcaption>\n</figure>\n",
                           picture.svg, escaped(picture.number), escaped(picture.caption));
+  body += table_sections(result);
   body += fmt::format(
       "<h2>Campaigns</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Campaign</th><th "
       "class=\"n\">CPU time</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
@@ -121,17 +149,26 @@ std::string claims_text(const PaperResult& result) {
 }
 
 std::string claims_markdown(const PaperResult& result) {
-  const auto cell = [](std::string text) {
-    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-      text.insert(at, "\\");
-    return text;
-  };
   std::string text = "| figure | the paper says | we find | holds | why |\n|---|---|---|---|---|\n";
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(claim.figure), cell(claim.says),
-                        cell(result.verdicts[i].finding), word(result.verdicts[i].holds),
-                        cell(why(result, i)));
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", markdown_cell(claim.figure),
+                        markdown_cell(claim.says), markdown_cell(result.verdicts[i].finding),
+                        word(result.verdicts[i].holds), markdown_cell(why(result, i)));
+  }
+  return text;
+}
+
+std::string table_markdown(const MadeTable& made) {
+  std::string text, rule;
+  for (const std::string& head : made.heads) {
+    text += "| " + markdown_cell(head) + " ";
+    rule += "|---";
+  }
+  text += "|\n" + rule + "|\n";
+  for (const std::vector<std::string>& row : made.rows) {
+    for (const std::string& one : row) text += "| " + markdown_cell(one) + " ";
+    text += "|\n";
   }
   return text;
 }

@@ -29,10 +29,20 @@ struct PaperPicture {
   std::map<std::string, std::string> tables;  ///< the drawn numbers: "figure-6a.csv" and its text
 };
 
+/// A table with its cells as text.
+struct MadeTable {
+  const PaperTable* table = nullptr;
+  std::vector<std::string> heads;
+  std::vector<std::vector<std::string>> rows;
+  std::string csv;   ///< the numbers, in SI units
+  std::string note;  ///< sentence below it; may be empty
+};
+
 /// A paper with the results of its campaigns.
 struct PaperResult {
   const Paper* paper = nullptr;
   std::vector<PaperPicture> pictures;
+  std::vector<MadeTable> tables = {};
   std::vector<Verdict> verdicts;          ///< by claim
   std::map<std::string, double> seconds;  ///< by campaign
   /// Overrides of the campaigns' settings, "run.time = 2 s". The paper's explanations of claims are
@@ -47,6 +57,10 @@ PaperResult paper_result(const Paper& paper, const std::map<std::string, RunCamp
 std::string paper_page(const PaperResult& result, std::string_view version);
 /// figures/captions.md: the captions of the figures.
 std::string captions_markdown(const PaperResult& result);
+/// A cell of a table in Markdown: bars are escaped.
+std::string markdown_cell(std::string text);
+/// tables/NAME.md: the table in Markdown.
+std::string table_markdown(const MadeTable& table);
 /// The claims for the terminal.
 std::string claims_text(const PaperResult& result);
 /// The claims as a table in Markdown, and as CSV.

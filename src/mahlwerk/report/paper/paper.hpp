@@ -72,18 +72,40 @@ struct Measurement {
   std::string where;  ///< location for faults
 };
 
+/// A table of a campaign, on the page and as tables/NAME.md and NAME.csv.
+struct PaperTable {
+  enum class Kind {
+    quantity,  ///< mean and interval: a row for each combination of the other keys
+    captured   ///< grains that a collision captures, by energy, between their bounds
+  };
+  std::string name;   ///< of its files
+  std::string title;  ///< what it shows
+  std::string about;  ///< text below it; may be empty
+  std::string campaign;
+  Kind kind = Kind::quantity;
+  std::string quantity;                   ///< of summary.json; empty if captured
+  std::string against;                    ///< key of [sweep] whose values are the columns
+  PointSelector at;                       ///< selected points; empty: all
+  bool ratio = false;                     ///< a column with the last value over the first
+  std::string one, other;                 ///< captured: the pair, as in capture.csv
+  std::vector<double> energies;           ///< [J] captured: a row for the decade around each
+  std::vector<std::string> energy_texts;  ///< as in the file: "1 mJ"
+  std::string where;                      ///< location for faults
+};
+
 /// A claim of a paper and its test. Points that differ in other keys than `against` are tested line
 /// by line.
 struct Claim {
   enum class Kind {
-    law,      ///< the quantity follows a law of the key: curvature, exponent
-    trend,    ///< it rises or falls at each step, intervals not overlapping
-    compare,  ///< it is larger or smaller at one value of the key than at another
-    alike,    ///< it is constant along the line
-    regime,   ///< the charge is in this regime
-    bound,    ///< it is above or below a number
-    maximum,  ///< it is largest in a range of the key
-    measured  ///< it agrees with measured values; other keys are assumed and give a band
+    law,            ///< the quantity follows a law of the key: curvature, exponent
+    trend,          ///< it rises or falls at each step, intervals not overlapping
+    compare,        ///< it is larger or smaller at one value of the key than at another
+    alike,          ///< it is constant along the line
+    regime,         ///< the charge is in this regime
+    bound,          ///< it is above or below a number
+    maximum,        ///< it is largest in a range of the key
+    measured,       ///< it agrees with measured values; other keys are assumed and give a band
+    capture_bounds  ///< captured grains lie between the bounds that no strength enters
   };
   std::string figure;  ///< figure or section number of the paper
   std::string says, why;
@@ -112,13 +134,14 @@ struct Paper {
   bool quick = true;    ///< part of `mahlwerk papers --quick`
   std::vector<PaperFigure> figures;
   std::vector<Claim> claims;
+  std::vector<PaperTable> tables = {};
   std::vector<Measurement> measured;
   std::filesystem::path folder;  ///< folder of the campaigns
 
   /// The measurement of that name; nullptr if there is none.
   const Measurement* measurement(std::string_view name) const;
 
-  /// The campaigns that figures and claims name, each once, in the order of first mention.
+  /// The campaigns that figures, claims and tables name, each once, in the order of first mention.
   std::vector<std::string> campaigns() const;
 };
 

@@ -22,8 +22,9 @@ using Kind = Claim::Kind;
 
 // In the order of the enumerations.
 const Words drawn_words{"quantity", "trajectories", "snapshots"};
-const Words kind_words{"law",    "trend", "compare", "alike",
-                       "regime", "bound", "maximum", "measured"};
+const Words kind_words{"law",   "trend",   "compare",  "alike",         "regime",
+                       "bound", "maximum", "measured", "capture-bounds"};
+const Words table_words{"quantity", "captured"};
 const Words law_words{"linear", "power", "quadratic"};
 const Words claimed_law_words{"linear", "power"};
 const Words status_words{"verified", "quoted", "unverified"};
@@ -158,6 +159,7 @@ void read_measured_claim(SectionReader& in, Claim& claim) {
 }
 
 void read_test(SectionReader& in, Claim& claim) {
+  if (claim.kind == Kind::capture_bounds) return;
   if (claim.kind != Kind::regime)
     claim.quantity = needed(in, "quantity", "its name in summary.json");
   const bool along =
@@ -240,6 +242,45 @@ Measurement read_measurement(SectionReader& in) {
   return made;
 }
 
+/// energies = ["1 uJ", "1 mJ"]
+void read_energies(SectionReader& in, PaperTable& table) {
+  const Node* list = in.find("energies");
+  if (list == nullptr || list->items.empty() || !std::ranges::all_of(list->items, is_value)) {
+    in.missing("energies", "the energies of the rows", "write energies = [\"1 uJ\", \"1 mJ\"]");
+    return;
+  }
+  for (const Node& item : list->items) {
+    table.energies.push_back(si_value(in, item, item.text));
+    table.energy_texts.push_back(item.text);
+    if (!(table.energies.back() > 0))
+      in.fault(item, "an energy must be above 0", "write energies = [\"1 uJ\", \"1 mJ\"]",
+               "out-of-range");
+  }
+}
+
+PaperTable read_table(SectionReader& in) {
+  PaperTable table;
+  table.name = needed(in, "name", "the name of its files");
+  if (table.name.find_first_of("/\\.") != std::string::npos)
+    in.fault(*in.find("name"), "the name of a table is a file name without its ending",
+             "write a word, as in name = \"free-numbers\"", "wrong-type");
+  table.title = needed(in, "title", "what it shows");
+  table.about = in.text("about").value_or("");
+  table.campaign = campaign_in(in);
+  table.kind = chosen<PaperTable::Kind>(in, "kind", table_words, "quantity");
+  table.against = needed(in, "against", "the key of [sweep] whose values are the columns");
+  table.at = read_selector(in);
+  if (table.kind == PaperTable::Kind::quantity) {
+    table.quantity = needed(in, "quantity", "its name in summary.json");
+    in.flag({"ratio", false, "no such column"}, table.ratio);
+  } else {
+    table.one = in.text("one").value_or("balls.1");
+    table.other = needed(in, "other", "the other body of the pair, as in capture.csv");
+    read_energies(in, table);
+  }
+  return table;
+}
+
 template <class One, class Read>
 std::vector<One> read_list(SectionReader& top, const char* key, Findings& findings,
                            const Read& read) {
@@ -279,6 +320,7 @@ Paper read_paper_text(const std::string& text, const std::filesystem::path& file
   paper.licence = top.text("licence").value_or("");
   top.flag({"quick", true, "part of --quick"}, paper.quick);
   paper.claims = read_list<Claim>(top, "claim", findings, read_claim);
+  paper.tables = read_list<PaperTable>(top, "table", findings, read_table);
   paper.measured = read_list<Measurement>(top, "measured", findings, read_measurement);
   top.report_unknown_keys();
   if (!findings.faults.empty()) throw InputError(std::move(findings.faults));
@@ -314,6 +356,7 @@ std::vector<std::string> Paper::campaigns() const {
   };
   for (const PaperFigure& figure : figures) add(figure.campaign);
   for (const Claim& claim : claims) add(claim.campaign);
+  for (const PaperTable& table : tables) add(table.campaign);
   return names;
 }
 
