@@ -49,6 +49,16 @@ TEST(Summary, powers_and_shares_leave_out_what_was_before_counting) {
   EXPECT_EQ(value(o, "replicates"), 3);
 }
 
+// (obs.13) 50, 60 and 70 hits of 4 mJ in 10 s; the jar works 5 J and 1 mJ for each of 100, 120,
+// 140.
+TEST(Summary, the_impact_efficiency_is_the_normal_energy_of_hits_over_the_work_of_the_jar) {
+  const double expected = (0.2 / 5.1 + 0.24 / 5.12 + 0.28 / 5.14) / 3;
+  EXPECT_NEAR(value(fake_outcome(), "impact_efficiency"), expected, 1e-12);
+  Outcome idle = fake_outcome();
+  for (Replicate& r : idle.replicates) r.energy_balance.wall_work = r.at_settled.wall_work;
+  EXPECT_TRUE(std::isnan(value(idle, "impact_efficiency")));
+}
+
 TEST(Summary, residuals_are_those_of_the_worst_replicate) {
   Outcome o = fake_outcome();
   EXPECT_DOUBLE_EQ(value(o, "energy_residual"), 1.4e-13);

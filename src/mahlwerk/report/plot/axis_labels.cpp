@@ -27,6 +27,7 @@ constexpr std::array quantities{
     Named{"dissipated_power", "", "$P$"},
     Named{"drawn_power", "", "$P$"},
     Named{"shaft_torque", "", "$M$"},
+    Named{"impact_efficiency", "", "$η$"},
     Named{"flight_share", "share of time in flight", "$φ$"},
     Named{"ball_speed_seen_from_carrier", "ball speed in the frame of the carrier", "$v$"},
     Named{"ball_spin", "angular velocity of the balls", "$ω$"},

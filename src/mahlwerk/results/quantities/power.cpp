@@ -6,6 +6,16 @@ namespace mahlwerk::results {
 
 using scene::EnergyBalance;
 
+namespace {
+
+/// Normal impact energy of the collisions above the threshold, over the work of the jar (obs.13).
+double impact_efficiency(const cases::Case&, const Replicate& r) {
+  const double drawn = per_time(r, &EnergyBalance::wall_work);
+  return share(share(r.tally.above.energy_normal, r.time()), drawn);
+}
+
+}  // namespace
+
 std::vector<Measure> power_measures() {
   return {
       {"dissipated_power", "W", "power dissipated in collisions and sustained contacts together",
@@ -14,6 +24,11 @@ std::vector<Measure> power_measures() {
        [](const cases::Case&, const Replicate& r) {
          return per_time(r, &EnergyBalance::wall_work);
        }},
+      {"impact_efficiency", "1",
+       "normal impact energy of the collisions above the threshold, over the work of the jar on "
+       "the "
+       "balls",
+       impact_efficiency},
       {"contact_time_share", "1", "share of the balls' time spent in sustained contact",
        [](const cases::Case& c, const Replicate& r) {
          return per_time(r, &EnergyBalance::contact_time) / count_of_balls(c);

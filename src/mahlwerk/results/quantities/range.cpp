@@ -77,7 +77,8 @@ constexpr std::array<std::string_view, 58> not_negative{"collision_rate",
                                                         "energy_balance",
                                                         "deepest_overlap",
                                                         "simulated_time",
-                                                        "charge_distance"};
+                                                        "charge_distance",
+                                                        "impact_efficiency"};
 
 template <class Names>
 bool holds(const Names& names, std::string_view name) {
