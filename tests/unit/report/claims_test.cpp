@@ -230,6 +230,16 @@ TEST(Claims, a_bound_is_kept_by_more_than_the_interval) {
   EXPECT_EQ(judge(bound, campaign({100, 200}, {0.8, 0.8}, 0.1)).holds, Holds::undecided);
 }
 
+TEST(Claims, a_bound_is_compared_in_the_unit_of_its_quantity) {
+  Campaign doses = campaign({100, 200}, {100, 200}, 10);  // J/g
+  doses.columns[0].unit = "J/g";
+  Claim bound = claim(Kind::bound, "above");
+  bound.bound = 50e3;  // J/kg
+  EXPECT_EQ(judge(bound, doses).holds, Holds::yes);
+  bound.bound = 300e3;
+  EXPECT_EQ(judge(bound, doses).holds, Holds::no);
+}
+
 TEST(Claims, other_keys_make_lines_of_their_own_but_not_those_that_go_together) {
   Campaign c;
   c.title = "two lines";

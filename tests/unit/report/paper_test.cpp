@@ -160,7 +160,7 @@ TEST(Paper, the_page_has_each_figure_and_claim_with_what_was_found) {
   EXPECT_NE(page.find("10.03"), std::string::npos)
       << result.verdicts[0].finding;  // mean of 100,100,101
   EXPECT_NE(claims_markdown(result).find("| 1 | it rises \\| <b> |"), std::string::npos);
-  EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why\n"));
+  EXPECT_TRUE(claims_csv(result).starts_with("figure,the_paper_says,we_find,holds,why,own\n"));
   EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1."), std::string::npos);
   for (const std::string& told : {page, claims_text(result)})
     EXPECT_NE(told.find("1 of 2 points: two-states: They are two."), std::string::npos) << told;
@@ -191,6 +191,26 @@ TEST(Paper, figures_with_the_same_number_are_lettered_panels_of_one_file) {
                                               "figure-6a.csv", "figure-6b.csv", "figure-2-2.csv"}));
   EXPECT_EQ(result.pictures[1].caption, "b: rate <b>. a: rate <b>.");
   EXPECT_EQ(result.pictures[2].caption, "rate <b>.");
+}
+
+TEST(Paper, our_own_statements_stand_apart_from_the_claims_of_the_paper) {
+  std::string ours = claim + "own = true\n";
+  ours.replace(ours.find("it rises"), 8, "we add");
+  const Paper paper = read_paper_text(head + ours + claim, "paper.toml");
+  const PaperResult result{.paper = &paper,
+                           .pictures = {},
+                           .verdicts = {{"a", Holds::no}, {"b", Holds::yes}},
+                           .seconds = {}};
+  for (const std::string& told :
+       {paper_page(result, "1"), claims_text(result), claims_markdown(result)}) {
+    ASSERT_NE(told.find("we add"), std::string::npos) << told;
+    EXPECT_LT(told.find("it rises"), told.find("we add")) << told;
+  }
+  EXPECT_NE(claims_text(result).find("Of 1 claim: yes 1. Of 1 statement of ours: no 1."),
+            std::string::npos)
+      << claims_text(result);
+  EXPECT_NE(claims_markdown(result).find("| figure | we say | we find |"), std::string::npos);
+  EXPECT_NE(claims_csv(result).find(",a,no,w,yes\n"), std::string::npos) << claims_csv(result);
 }
 
 TEST(Paper, words_about_its_own_settings_are_left_out_where_others_were_run) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_rules.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -102,11 +103,20 @@ Verdict judge_regime(const Context& c, const ClaimLine& line) {
   return {found, good > 0 ? Holds::partly : Holds::no};
 }
 
+/// A value in SI units, in the unit of a quantity of the summary: J/g, deg.
+double in_unit(double si, const std::string& unit) try {
+  const double zero = parse_quantity("0 " + unit).value;
+  return (si - zero) / (parse_quantity("1 " + unit).value - zero);
+} catch (const UnitError&) {
+  return si;  // "1", "1/s"
+}
+
 Verdict judge_bound(const Context& c, const ClaimLine& line) {
+  const double limit = in_unit(c.claim.bound, c.unit);
   std::string found;
   std::size_t good = 0, bad = 0;
   for (const LinePoint& s : line.points) {
-    const bool above = s.low() > c.claim.bound, below = s.high() < c.claim.bound;
+    const bool above = s.low() > limit, below = s.high() < limit;
     const bool wanted = c.claim.is == "above";
     good += (wanted ? above : below) ? 1 : 0;
     bad += (wanted ? below : above) ? 1 : 0;

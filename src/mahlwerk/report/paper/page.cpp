@@ -15,15 +15,32 @@
 namespace mahlwerk::report {
 namespace {
 
-/// Number of claims by verdict, as a sentence.
-std::string score(const PaperResult& result) {
+/// Numbers of the claims of the paper, or of our own statements.
+std::vector<std::size_t> claims_of(const PaperResult& result, bool own) {
+  std::vector<std::size_t> those;
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i)
+    if (result.paper->claims[i].own == own) those.push_back(i);
+  return those;
+}
+
+/// Counts by verdict: "Of 3 claims: yes 2, no 1."
+std::string score_of(const PaperResult& result, bool own) {
+  const std::vector<std::size_t> those = claims_of(result, own);
   std::string text;
   for (const Holds one : {Holds::yes, Holds::partly, Holds::no, Holds::undecided}) {
-    const auto count = std::ranges::count(result.verdicts, one, &Verdict::holds);
+    const auto count = std::ranges::count_if(
+        those, [&](std::size_t i) { return result.verdicts[i].holds == one; });
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", word(one), count);
   }
-  return fmt::format("Of {} claim{}: {}.", result.verdicts.size(),
-                     result.verdicts.size() == 1 ? "" : "s", text);
+  return fmt::format("Of {} {}{}{}: {}.", those.size(), own ? "statement" : "claim",
+                     those.size() == 1 ? "" : "s", own ? " of ours" : "", text);
+}
+
+/// Counts for the paper's claims and, apart, for our own statements.
+std::string score(const PaperResult& result) {
+  std::string text = score_of(result, false);
+  if (!claims_of(result, true).empty()) text += " " + score_of(result, true);
+  return text;
 }
 
 std::string why(const PaperResult& result, std::size_t claim) {
@@ -43,9 +60,9 @@ double whole_time(const PaperResult& result) {
   return sum;
 }
 
-std::string claim_rows(const PaperResult& result) {
+std::string claim_rows(const PaperResult& result, bool own) {
   std::string rows;
-  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+  for (const std::size_t i : claims_of(result, own)) {
     const Claim& claim = result.paper->claims[i];
     const Verdict& judged = result.verdicts[i];
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td><td>{}</td></tr>\n",
@@ -76,6 +93,13 @@ std::string table_sections(const PaperResult& result) {
   return body.empty() ? "" : "<h2>Tables</h2>\n" + body;
 }
 
+std::string claim_table(const PaperResult& result, bool own) {
+  return fmt::format(
+      "<div class=\"wide\"><table>\n<thead><tr><th>Figure</th><th>{}</th><th>We find</th><th>Holds"
+      "</th><th>Why</th></tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
+      own ? "We say" : "The paper says", claim_rows(result, own));
+}
+
 std::string campaign_rows(const PaperResult& result) {
   std::string rows;
   for (const auto& [name, seconds] : result.seconds)
@@ -103,13 +127,13 @@ std::string paper_page(const PaperResult& result, std::string_view version) {
   body += notice_boxes(result.notices, result.points, "point");
   if (!paper.about.empty())
     body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(paper.about));
-  body += fmt::format(
-      "<h2>Claims of the paper and findings</h2>\n<div class=\"wide\"><table>\n<thead><tr>"
-      "<th>Figure</th><th>The paper says</th><th>We find</th><th>Holds</th><th>Why</th></tr>"
-      "</thead>\n<tbody>\n{}</tbody></table></div>\n<p><small>± is the 95 % confidence half-width "
-      "over independent replicates. Every number in \"We find\" is from the runs just made; "
-      "docs/papers.md has the rules by which a claim holds.</small></p>\n<h2>Figures</h2>\n",
-      claim_rows(result));
+  body += "<h2>Claims of the paper and findings</h2>\n" + claim_table(result, false);
+  if (!claims_of(result, true).empty())
+    body += "<h2>Statements of ours, not of the paper</h2>\n" + claim_table(result, true);
+  body +=
+      "<p><small>± is the 95 % confidence half-width over independent replicates. Every number in "
+      "\"We find\" is from the runs just made; docs/papers.md has the rules by which a claim "
+      "holds.</small></p>\n<h2>Figures</h2>\n";
   for (const PaperPicture& picture : result.pictures)
     if (!picture.svg.empty())
       body += fmt::format("<figure>\n{}<figcaption><b>Figure {}.</b> {}</figcaption>\n</figure>\n",
@@ -135,12 +159,16 @@ std::string captions_markdown(const PaperResult& result) {
 
 std::string claims_text(const PaperResult& result) {
   std::string text;
-  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
-    const Claim& claim = result.paper->claims[i];
-    const Verdict& judged = result.verdicts[i];
-    text += fmt::format("{:<6} {:<14} {}\n{:22}{}\n", claim.figure, word(judged.holds), claim.says,
-                        "", judged.finding);
-    if (!why(result, i).empty()) text += fmt::format("{:22}why: {}\n", "", why(result, i));
+  for (const bool own : {false, true}) {
+    const std::vector<std::size_t> those = claims_of(result, own);
+    if (own && !those.empty()) text += "\nstatements of ours, not of the paper:\n";
+    for (const std::size_t i : those) {
+      const Claim& claim = result.paper->claims[i];
+      const Verdict& judged = result.verdicts[i];
+      text += fmt::format("{:<6} {:<14} {}\n{:22}{}\n", claim.figure, word(judged.holds),
+                          claim.says, "", judged.finding);
+      if (!why(result, i).empty()) text += fmt::format("{:22}why: {}\n", "", why(result, i));
+    }
   }
   const std::string changed = changes(result);
   const std::string warned = notice_lines(result.notices, result.points, "point");
@@ -149,12 +177,18 @@ std::string claims_text(const PaperResult& result) {
 }
 
 std::string claims_markdown(const PaperResult& result) {
-  std::string text = "| figure | the paper says | we find | holds | why |\n|---|---|---|---|---|\n";
-  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
-    const Claim& claim = result.paper->claims[i];
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", markdown_cell(claim.figure),
-                        markdown_cell(claim.says), markdown_cell(result.verdicts[i].finding),
-                        word(result.verdicts[i].holds), markdown_cell(why(result, i)));
+  std::string text;
+  for (const bool own : {false, true}) {
+    const std::vector<std::size_t> those = claims_of(result, own);
+    if (own && those.empty()) continue;
+    text += fmt::format("{}| figure | {} | we find | holds | why |\n|---|---|---|---|---|\n",
+                        text.empty() ? "" : "\n", own ? "we say" : "the paper says");
+    for (const std::size_t i : those) {
+      const Claim& claim = result.paper->claims[i];
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", markdown_cell(claim.figure),
+                          markdown_cell(claim.says), markdown_cell(result.verdicts[i].finding),
+                          word(result.verdicts[i].holds), markdown_cell(why(result, i)));
+    }
   }
   return text;
 }
@@ -179,11 +213,11 @@ std::string claims_csv(const PaperResult& result) {
     for (const std::string_view cell : cells) quoted.push_back(results::csv_cell(cell));
     return results::csv_line(quoted);
   };
-  std::string text = line({"figure", "the_paper_says", "we_find", "holds", "why"});
+  std::string text = line({"figure", "the_paper_says", "we_find", "holds", "why", "own"});
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const Claim& claim = result.paper->claims[i];
     text += line({claim.figure, claim.says, result.verdicts[i].finding,
-                  word(result.verdicts[i].holds), why(result, i)});
+                  word(result.verdicts[i].holds), why(result, i), claim.own ? "yes" : "no"});
   }
   return text;
 }
