@@ -199,11 +199,12 @@ Claim read_claim(SectionReader& in) {
   return claim;
 }
 
-/// Reports a fault if the text is no quantity.
-void check_quantity(SectionReader& in, const Node& node, const std::string& text) try {
-  parse_quantity(text);
+/// A quantity in SI units; reports a fault if the text is none.
+double si_value(SectionReader& in, const Node& node, const std::string& text) try {
+  return parse_quantity(text).value;
 } catch (const UnitError& error) {
   in.fault(node, error.what(), "write a number with its unit, as in \"83 W\"", "bad-quantity");
+  return 0;
 }
 
 /// A row of `values`: [key, value, error], [value, error] without a key.
@@ -220,8 +221,8 @@ Measurement::Value read_measured_value(SectionReader& in, const Node& row, bool 
   Measurement::Value value{.at = keyed ? row.items[0].text : "",
                            .text = row.items[first].text,
                            .error_text = row.items[first + 1].text};
-  check_quantity(in, row, value.text);
-  check_quantity(in, row, value.error_text);
+  si_value(in, row, value.text);  // for its faults
+  si_value(in, row, value.error_text);
   return value;
 }
 
