@@ -17,6 +17,7 @@ import re
 import resource
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -57,19 +58,22 @@ class Runner:
 
     def shell(self, where: str, text: str, place, env, wanted: int = 0) -> None:
         begin = time.monotonic()
+        running = subprocess.Popen(["bash", "-c", text], cwd=place, env=env, text=True,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
         try:
-            done = subprocess.run(["bash", "-c", text], cwd=place, env=env, text=True,
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, timeout=LIMIT)
+            output = running.communicate(timeout=LIMIT)[0]
         except subprocess.TimeoutExpired:
+            os.killpg(running.pid, signal.SIGKILL)
+            running.communicate()
             return self.fail(where, f"'{text}' takes more than {LIMIT} s; annotate it "
                              "(CONTRIBUTING.md, \"Commands in the documents\")")
         took = time.monotonic() - begin
         self.run += 1
         self.times.append((took, where))
-        if done.returncode != wanted:
-            return self.fail(where, f"'{text}' ends with {done.returncode}, expected {wanted}:\n"
-                             + done.stdout[-2000:])
+        if running.returncode != wanted:
+            return self.fail(where, f"'{text}' ends with {running.returncode}, expected {wanted}:\n"
+                             + output[-2000:])
         print(f"ok {where}: {text}  ({took:.1f} s)", flush=True)
 
     def known_help(self, command: str) -> str:
