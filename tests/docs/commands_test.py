@@ -28,7 +28,7 @@ from commands import Faulty, Step
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 COPIED = ("examples", "papers", "validation", "catalogue", "docs", "tools")
-LIMIT = 400  # [s] of one command
+LIMIT = 600  # [s] of one command
 # A scheduler that accepts every job. campaign.slurm_jobs_... runs real ones where Slurm is installed.
 SBATCH = "#!/bin/sh\ncase \"$*\" in *--parsable*) echo 1;; *) echo Submitted batch job 1;; esac\n"
 
