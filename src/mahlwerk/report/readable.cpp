@@ -147,6 +147,8 @@ Readable readable_within(double value, double ci95, std::string_view unit, resul
   const bool inside = value >= range.least && value <= range.most;
   if (!inside || !std::isfinite(low) || (low >= range.least && high <= range.most)) return usual;
   const Multiple m = multiple(size > 0 ? size : std::max(std::abs(value), ci95), unit);
+  constexpr double small = 1e-3;
+  if (ci95 / m.factor < small) return usual;  // too many decimal places
   const int digits = places(value / m.factor, ci95 / m.factor);
   const auto shown = [&](double v) {
     if (v == range.least || v == range.most) return fmt::format("{:.6g}", v / m.factor);
