@@ -32,11 +32,12 @@ class Papers : public ProgramTest {
 };
 
 TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
-  const ProgramResult e = mahlwerk("papers vertical-vibration-mill --out out");
+  const std::string few = "papers vertical-vibration-mill --set run.replicates=8";
+  const ProgramResult e = mahlwerk(few + " --out out");
   ASSERT_EQ(e.code, 0) << e.output;
   for (const char* file :
        {"out/paper.html", "out/claims.csv", "out/claims.md", "out/diameter/campaign.csv",
-        "out/size/point-005/summary.json", "out/figures/figure-7.svg", "out/figures/figure-7.csv",
+        "out/size/point-005/summary.json", "out/figures/figure-7.svg", "out/figures/figure-7a.csv",
         "out/figures/figure-6.svg", "out/figures/figure-6a.csv", "out/figures/figure-6b.csv",
         "out/figures/captions.md"})
     EXPECT_TRUE(exists(file)) << file;
@@ -44,12 +45,11 @@ TEST_F(Papers, one_command_makes_every_figure_and_judges_every_claim) {
   EXPECT_NE(e.output.find("6a     yes"), std::string::npos) << e.output;
   EXPECT_NE(e.output.find("6b     yes"), std::string::npos) << e.output;
   EXPECT_NE(e.output.find("7      yes"), std::string::npos) << e.output;
-  EXPECT_NE(e.output.find("intro  no"), std::string::npos) << e.output;
+  EXPECT_NE(e.output.find("intro  partly"), std::string::npos) << e.output;
   // A second run into the same folder needs --force, and gives the same numbers.
   const std::string claims = text("out/claims.csv");
-  EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out").code, 2);
-  EXPECT_EQ(mahlwerk("papers vertical-vibration-mill --out out --force --quiet --threads 1").code,
-            0);
+  EXPECT_EQ(mahlwerk(few + " --out out").code, 2);
+  EXPECT_EQ(mahlwerk(few + " --out out --force --quiet --threads 1").code, 0);
   EXPECT_EQ(text("out/claims.csv"), claims);
 }
 
