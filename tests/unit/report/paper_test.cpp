@@ -96,6 +96,11 @@ TEST(Paper, measured_values_are_read_with_their_errors_and_checked_against_the_c
   EXPECT_EQ(code_of(measured + test, ", \"1 1/s\"], [\"20", "], [\"20"), "wrong-type");
   EXPECT_EQ(code_of(measured + test, "against = \"mill.frequency\"\n", ""),
             "paper-unknown-measurement");
+  // A figure that draws them asks for the same before anything runs.
+  const std::string drawing = measured + figure + "measured = \"m\"\n";
+  EXPECT_EQ(code_of(drawing, "p. 3", "p. 4"), "");
+  EXPECT_EQ(code_of(drawing, "\"5 1/s\"", "\"5 W\""), "bad-quantity");
+  EXPECT_EQ(code_of(drawing, "[\"20 Hz\"", "[\"fast\""), "bad-quantity");
 }
 
 TEST(Paper, faults_name_the_line_and_come_together) {

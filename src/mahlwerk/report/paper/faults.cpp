@@ -57,10 +57,25 @@ class ReferenceCheck {
             "give it [capture] model = \"barrios\" and a cylinder", "paper-no-capture");
   }
 
-  /// The measurements that a figure draws exist.
+  /// The measurements that a figure draws exist and are numbers on both of its axes.
   void drawn(const Paper& paper, const PaperFigure& figure) {
-    for (const std::string& name : figure.measurements)
-      if (paper.measurement(name) == nullptr) no_measurement(name);
+    for (const std::string& name : figure.measurements) {
+      const Measurement* measured = paper.measurement(name);
+      if (measured == nullptr) {
+        no_measurement(name);
+        continue;
+      }
+      for (const Measurement::Value& v : measured->values) {
+        in_unit_of(v, figure.quantity, unit_of(figure.quantity));
+        try {
+          parse_quantity(v.at);
+        } catch (const UnitError& error) {
+          fault(fmt::format("the measured values \"{}\" have no place on the axis: {}", name,
+                            error.what()),
+                "draw only values against a number", "bad-quantity");
+        }
+      }
+    }
   }
 
   /// The measurement exists, its values are quantities of that dimension at points of the campaign.
@@ -69,9 +84,7 @@ class ReferenceCheck {
       no_measurement(claim.measured);
       return;
     }
-    std::string unit;
-    for (const results::Quantity& q : quantities())
-      if (q.name == claim.quantity) unit = q.unit;
+    const std::string unit = claim.relative_to.empty() ? unit_of(claim.quantity) : "";
     for (const Measurement::Value& v : measured->values) {
       if (claim.against.empty() != v.at.empty())
         fault(
@@ -79,16 +92,25 @@ class ReferenceCheck {
             "give `against` and a value of this key in each row, or neither",
             "paper-unknown-measurement");
       value(claim.against, v.at);
-      try {
-        v.in(claim.relative_to.empty() ? unit : "");
-        v.error_in(claim.relative_to.empty() ? unit : "");
-      } catch (const UnitError& error) {
-        fault(error.what(), fmt::format("{} is in {}", claim.quantity, unit), "bad-quantity");
-      }
+      in_unit_of(v, claim.quantity, unit);
     }
   }
 
  private:
+  std::string unit_of(const std::string& name) const {
+    for (const results::Quantity& q : quantities())
+      if (q.name == name) return q.unit;
+    return "";
+  }
+  void in_unit_of(const Measurement::Value& v, const std::string& name, const std::string& unit) {
+    try {
+      v.in(unit);
+      v.error_in(unit);
+    } catch (const UnitError& error) {
+      fault(error.what(), fmt::format("{} is in {}", name, unit.empty() ? "1" : unit),
+            "bad-quantity");
+    }
+  }
   void no_measurement(const std::string& name) {
     fault(fmt::format("there is no section [[measured]] with the name \"{}\"", name),
           "write one, or name another", "paper-unknown-measurement");
