@@ -86,13 +86,15 @@ TEST_F(Frames, say_where_the_jar_is_and_move_as_the_balls_do) {
 }
 
 TEST_F(Frames, are_there_when_the_run_is_killed) {
-  mahlwerk("run " + example("01-one-ball") +
-           " --set run.time=\"100000 s\" --set observe.frames=\"1 s\" --set run.replicates=1 "
-           "--out out & sleep 1; kill -KILL $!; wait $!");
+  const ProgramResult e =
+      mahlwerk("run " + example("01-one-ball") +
+               " --set run.time=\"100000 s\" --set observe.frames=\"1 s\" --set run.replicates=1 "
+               "--out out & while kill -0 $! && [ $(cat .out.partial-*/frames-1.xyz 2> /dev/null | "
+               "grep -c Lattice) -lt 12 ]; do sleep 0.02; done; kill -KILL $!; wait $!");
   std::string found;
   for (const auto& entry : std::filesystem::directory_iterator(here_))
     if (entry.is_directory()) found = (entry.path().filename() / "frames-1.xyz").string();
-  EXPECT_GT(frames(text(found)).size(), 10U) << found;
+  EXPECT_GT(frames(text(found)).size(), 10U) << found << e.output;
 }
 
 TEST_F(Frames, too_many_are_refused_and_so_are_checkpoints) {
