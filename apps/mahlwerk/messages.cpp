@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "listener.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
@@ -62,23 +63,31 @@ void to_stderr(std::string_view text) {
 }
 
 void print_warning(const Fault& warning) {
+  if (listener() != nullptr) return listener()->warning(warning);
   to_stderr(errors_as_json ? Json::object({{"warning", object(warning)}}).text() + '\n'
                            : "warning: " + mahlwerk::describe({warning}) + '\n');
 }
+
+WriteErrorReporter::WriteErrorReporter() : listener_(listener()) {}
 
 void WriteErrorReporter::operator()(const Fault& trouble) {
   const std::lock_guard lock(mutex_);
   if (first_) return;
   first_ = trouble;
+  if (listener_ != nullptr) return listener_->warning(trouble);
   print_warning(trouble);
 }
 
 void WriteErrorReporter::repeat() const {
   const std::lock_guard lock(mutex_);
-  if (first_) print_warning(*first_);
+  if (first_ && listener_ == nullptr) print_warning(*first_);
 }
 
 int report_end(int code, std::string_view words, const std::vector<Fault>& faults) {
+  if (listener() != nullptr) {
+    listener()->ended(code, faults);
+    return code;
+  }
   if (!errors_as_json) {
     to_stderr(printable(words) + '\n');
     return code;

@@ -14,6 +14,8 @@
 // closed terminal must not end a run.
 namespace mahlwerk::app {
 
+class Listener;
+
 /// Switches all later messages to JSON.
 void set_json_messages();
 bool json_messages();
@@ -24,10 +26,12 @@ void print_warning(const Fault& warning);
 /// Reports a write error once when it first occurs and once at the end. Thread-safe.
 class WriteErrorReporter {
  public:
+  WriteErrorReporter();
   void operator()(const Fault& trouble);
   void repeat() const;
 
  private:
+  Listener* listener_;
   mutable std::mutex mutex_;
   std::optional<Fault> first_;
 };

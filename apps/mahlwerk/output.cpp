@@ -13,6 +13,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "listener.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
@@ -31,6 +32,7 @@ void to_stdout(std::string_view text) {
 }
 
 void json_to_stdout(const results::Json& json) {
+  if (listener() != nullptr) return listener()->result(json.text());
   fmt::print("{}\n", json.text(2));
 }
 

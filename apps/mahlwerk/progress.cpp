@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "listener.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "messages.hpp"
@@ -49,17 +50,18 @@ std::chrono::duration<double> between_lines() {
 }  // namespace
 
 const std::atomic<bool>& stop_wanted() {
-  return stop_asked;
+  return listener() != nullptr ? listener()->stop : stop_asked;
 }
 
 void catch_ctrl_c() {
+  if (listener() != nullptr) return;  // signals belong to the program that called the command
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
 }
 
 ProgressLine::ProgressLine(bool quiet)
-    : on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
+    : listener_(listener()), on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
   if (!terminal_ && json_messages()) on_ = false;  // no progress lines between JSON messages
 }
 
@@ -82,6 +84,7 @@ void ProgressLine::show(const campaign::Progress& p) {
 void ProgressLine::show(std::string line) {
   if (!on_) return;
   line = printable(line);
+  if (listener_ != nullptr) return listener_->progress(line);
   if (!terminal_) {
     const Clock::time_point now = Clock::now();
     if (now - last_ < every_) return;

@@ -10,13 +10,15 @@
 
 namespace mahlwerk::app {
 
-/// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(). A second signal other than SIGHUP ends
-/// the program at once.
+class Listener;
+
+/// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(), or by the listener of this thread. A second
+/// signal other than SIGHUP ends the program at once.
 const std::atomic<bool>& stop_wanted();
 void catch_ctrl_c();
 
 /// Progress of a run on stderr: on a terminal one line that is overwritten, else a new line every
-/// 30 s (or MAHLWERK_PROGRESS_EVERY seconds).
+/// 30 s (or MAHLWERK_PROGRESS_EVERY seconds). A listener gets every line.
 class ProgressLine {
  public:
   explicit ProgressLine(bool quiet);
@@ -28,6 +30,7 @@ class ProgressLine {
 
  private:
   using Clock = std::chrono::steady_clock;
+  Listener* listener_;
   bool on_, terminal_, shown_ = false;
   std::chrono::duration<double> every_{0};  // between two lines without a terminal
   Clock::time_point started_ = Clock::now(), last_ = started_;

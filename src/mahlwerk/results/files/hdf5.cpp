@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/files/collision_columns.hpp"
 #include "mahlwerk/results/files/hdf5_handle.hpp"
 
 namespace mahlwerk::results {
@@ -20,44 +21,6 @@ namespace {
 using scene::Collision;
 constexpr hsize_t chunk = 4096;                 // records; 0.5 MB
 constexpr std::size_t records_at_once = 16384;  // records per write
-
-/// One number of a record: its name in the file, its unit, its description and its offset in
-/// Collision.
-struct RecordMember {
-  const char *name, *unit, *about;
-  std::size_t offset;
-  bool whole = false;  ///< a 32-bit integer instead of a double
-};
-
-const RecordMember record_parts[] = {
-    {"time", "s", "time of first contact, since the start of the run", offsetof(Collision, time)},
-    {"duration", "s", "duration of the contact; 0 in the event engine",
-     offsetof(Collision, duration)},
-    {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
-    {"other", "1", "number of the other ball; below 0: face -1 - other of the jar",
-     offsetof(Collision, other), true},
-    {"where_x", "m", "x of the contact point, in the jar's own rotating axes",
-     offsetof(Collision, where) + offsetof(Vec3, x)},
-    {"where_y", "m", "y of the contact point, likewise",
-     offsetof(Collision, where) + offsetof(Vec3, y)},
-    {"where_z", "m", "z of the contact point, likewise",
-     offsetof(Collision, where) + offsetof(Vec3, z)},
-    {"normal_x", "1", "x of the unit normal from the ball's centre to the contact, same axes",
-     offsetof(Collision, normal) + offsetof(Vec3, x)},
-    {"normal_y", "1", "y of the unit normal, likewise",
-     offsetof(Collision, normal) + offsetof(Vec3, y)},
-    {"normal_z", "1", "z of the unit normal, likewise",
-     offsetof(Collision, normal) + offsetof(Vec3, z)},
-    {"mass", "kg", "effective mass", offsetof(Collision, mass)},
-    {"approach", "m/s", "normal speed u_n at first contact", offsetof(Collision, approach)},
-    {"slip", "m/s", "tangential speed |u_t| of the contact points, spin included",
-     offsetof(Collision, slip)},
-    {"glide", "m/s", "tangential speed of the centres, without spin", offsetof(Collision, glide)},
-    {"impulse", "N s", "impulse along the normal", offsetof(Collision, impulse)},
-    {"lost_normal", "J", "energy dissipated along the normal", offsetof(Collision, lost_normal)},
-    {"lost_tangential", "J", "energy dissipated across the normal",
-     offsetof(Collision, lost_tangential)},
-};
 
 InputError failure(const std::filesystem::path& file, const char* doing) {
   return hdf5_failure(
@@ -69,7 +32,7 @@ InputError failure(const std::filesystem::path& file, const char* doing) {
 /// HDF5 compound type with the memory layout of Collision.
 Handle record_type() {
   Handle type(H5Tcreate(H5T_COMPOUND, sizeof(Collision)), H5Tclose);
-  for (const RecordMember& p : record_parts)
+  for (const CollisionColumn& p : collision_columns())
     H5Tinsert(type, p.name, p.offset, p.whole ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE);
   return type;
 }
@@ -107,7 +70,7 @@ Handle& CollisionFile::Impl::set(int replicate) {
                  H5Dclose);
   if (!found.valid()) throw failure(path, "make a data set in the file");
   bool good = write_attribute(found, "about", "every counted collision of a replicate, by time");
-  for (const RecordMember& p : record_parts) {
+  for (const CollisionColumn& p : collision_columns()) {
     good = write_attribute(found, std::string("unit_") + p.name, p.unit) && good;
     good = write_attribute(found, std::string("about_") + p.name, p.about) && good;
   }

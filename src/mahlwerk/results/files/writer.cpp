@@ -38,7 +38,8 @@ Table samples(const kinematics::Tabulated& motion) {
   return table;
 }
 
-/// All tables, those of every result first. Each is also a CSV file.
+}  // namespace
+
 std::vector<NamedTable> tables(const Outcome& outcome) {
   std::vector<NamedTable> all{
       {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
@@ -86,8 +87,6 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
                      "the balls of a replicate at its end, for run.start_from", balls_at_end(r)});
   return all;
 }
-
-}  // namespace
 
 std::string write_case(const Folder& folder, cases::Case mill_case, std::string_view name) {
   const std::string below(name.substr(0, name.find_last_of('/') + 1));

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A resolved case, and the keys that a case may have.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "commands.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/keys.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "outcome.hpp"
+
+namespace mahlwerk::python {
+namespace {
+
+namespace py = pybind11;
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+cases::Case read_case(const std::string& text, const std::filesystem::path& file,
+                      const Changes& changes) {
+  std::vector<cases::Override> overrides;
+  for (const auto& [key, value] : changes) overrides.push_back({key, value});
+  return cases::read_text(text, file, app::catalogue(), overrides);
+}
+
+py::list origins(const cases::Case& mill_case) {
+  py::list all;
+  for (const cases::Origin& o : mill_case.origins)
+    all.append(py::make_tuple(o.key, o.value, o.source, o.assumed, o.unverified));
+  return all;
+}
+
+py::list derived(const cases::Case& mill_case) {
+  py::list all;
+  for (const cases::DerivedQuantity& one : cases::derived_quantities(mill_case))
+    all.append(py::make_tuple(one.name, one.value, one.unit, one.about));
+  return all;
+}
+
+/// (key, unit, words, about) of every key.
+py::list keys() {
+  py::list all;
+  for (const cases::KeyInfo& key : cases::all_keys())
+    all.append(py::make_tuple(key.key, key.unit, key.words, key.about));
+  return all;
+}
+
+}  // namespace
+
+void bind_case(py::module_& m) {
+  py::class_<cases::Case>(m, "ResolvedCase", "A case with every value filled in.")
+      .def("write", &cases::write)
+      .def("origins", &origins)
+      .def("derived", &derived)
+      .def_property_readonly("sweeps", [](const cases::Case& c) { return !c.sweep.empty(); })
+      .def_readonly("title", &cases::Case::title)
+      .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });
+  m.def("read_case", &read_case, py::arg("text"), py::arg("file"), py::arg("changes"));
+  m.def("keys", &keys);
+  m.def("case_files", [](const std::string& target) { return app::case_files(target); });
+}
+
+}  // namespace mahlwerk::python

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "job.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace mahlwerk::python {
+
+namespace py = pybind11;
+
+void Job::progress(double share, std::string line) {
+  const std::lock_guard lock(mutex_);
+  share_ = share;
+  line_ = std::move(line);
+  fresh_ = true;
+}
+
+void Job::fail(std::exception_ptr raised) {
+  const std::lock_guard lock(mutex_);
+  if (!raised_) raised_ = std::move(raised);
+  stop_->store(true);
+}
+
+void Job::tell(const py::object& show) {
+  std::string line;
+  double share = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(fresh_, false) || show.is_none()) return;
+    line = line_;
+    share = share_;
+  }
+  try {
+    show(share, line);
+  } catch (py::error_already_set&) {
+    fail(std::current_exception());
+  }
+}
+
+void Job::check_signals() {
+  if (PyErr_CheckSignals() == 0) return;
+  py::error_already_set raised;
+  if (raised.matches(PyExc_KeyboardInterrupt)) {
+    interrupted_ = true;
+    stop_->store(true);
+  } else {
+    fail(std::make_exception_ptr(std::move(raised)));
+  }
+}
+
+bool Job::run(const std::function<void()>& work, const py::object& show) {
+  std::exception_ptr thrown;
+  std::thread worker([&] {
+    try {
+      work();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    ended_ = true;
+    changed_.notify_all();
+  });
+  for (bool ended = false; !ended;) {
+    {
+      const py::gil_scoped_release free;
+      std::unique_lock lock(mutex_);
+      constexpr std::chrono::milliseconds between{50};
+      ended = changed_.wait_for(lock, between, [&] { return ended_; });
+    }
+    check_signals();
+    tell(show);
+  }
+  {
+    const py::gil_scoped_release free;
+    worker.join();
+  }
+  if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
+  if (thrown) std::rethrow_exception(thrown);
+  return interrupted_;
+}
+
+}  // namespace mahlwerk::python

@@ -1,0 +1,415 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Cases: a mill, its jar, balls and settings."""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+import html
+import os
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+
+from . import _core, toml
+from .commands import command
+from .errors import InputError, Interrupted, RunError
+from .progress import Progress, shown
+
+if TYPE_CHECKING:
+    from .campaign import Campaign
+    from .result import Quantity, Result
+    from .searches import Comparison, Fit, Match, Optimum
+
+__all__ = ["Case", "Check", "Origin", "Section"]
+
+Place = Union[str, "os.PathLike[str]"]
+Changes = Mapping[str, Any]
+
+
+class Origin(NamedTuple):
+    """A value of a case and where it comes from."""
+
+    key: str
+    value: str  #: as written in a case file, with its unit
+    source: str  #: "case.toml:9", "--set mill.speed", "catalogue ...", "default: ..."
+    assumed: bool  #: a default that nobody chose
+    unverified: bool  #: the source in the catalogue is weak
+
+
+class Check(NamedTuple):
+    """What follows from a case, before it runs."""
+
+    derived: dict[str, Quantity]  #: filling, critical speed, run time ...
+    notes: list[str]  #: the choice of the engine, unusual values
+    assumed: list[Origin]  #: defaults that nobody chose
+
+    def _repr_html_(self) -> str:
+        rows = [(name, q.text(), q.about) for name, q in self.derived.items()]
+        notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.notes)
+        return table_html(("quantity", "value", "meaning"), rows) + notes
+
+
+class Case:
+    """A complete and valid case.
+
+    `source` is a case file, a folder with a case.toml, or a dict of sections as in a case file:
+
+    >>> case = Case({"mill": {"model": "retsch-mm400", "frequency": "30 Hz"},
+    ...              "jar": {"kind": "rounded-cylinder", "diameter": "20 mm", "height": "50 mm"},
+    ...              "balls": [{"count": 2, "diameter": "12 mm", "material": "steel-304"}],
+    ...              "run": {"time": "1 s"}})
+    >>> case["mill.frequency"] = "25 Hz"
+
+    A number with a dimension is a text with its unit ("30 Hz"). `changes` replaces values, as --set
+    does on the command line. Files that the case names are relative to its folder, or to the current
+    folder for a dict. Raises InputError with all faults; a change that is refused changes nothing.
+    """
+
+    def __init__(self, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes] = None):
+        if isinstance(source, Mapping):
+            text, file, in_file = toml.case_text(source), Path.cwd() / "case", False
+        else:
+            files = _core.case_files(os.fspath(source))
+            if len(files) > 1:
+                raise InputError([_core.Fault(
+                    os.fspath(source), f"the folder contains {len(files)} cases, Case takes one",
+                    "name one of its files", "one-case")])
+            file, in_file = Path(files[0]), True
+            text = read_text(file)
+        self._set(text, file, in_file, {k: toml.change_text(v) for k, v in (changes or {}).items()})
+
+    @classmethod
+    def from_text(cls, text: str, folder: Optional[Place] = None) -> Case:
+        """A case from the text of a case file; files that it names are relative to `folder`."""
+        made = cls.__new__(cls)
+        made._set(text, Path(folder or Path.cwd()) / "case", False, {})
+        return made
+
+    def _set(self, text: str, file: Path, in_file: bool, changes: dict[str, str]) -> None:
+        shown_file = os.fspath(file) if in_file else os.path.relpath(file)
+        resolved = _core.read_case(text, shown_file, list(changes.items()))
+        self._text, self._file, self._in_file = text, file, in_file
+        self._changes, self._resolved = changes, resolved
+
+    def replace(self, changes: Changes) -> Case:
+        """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`."""
+        made = type(self).__new__(type(self))
+        made._set(self._text, self._file, self._in_file, self._merged(changes))
+        return made
+
+    def update(self, changes: Changes) -> None:
+        """Changes several values together."""
+        self._set(self._text, self._file, self._in_file, self._merged(changes))
+
+    def _merged(self, changes: Changes) -> dict[str, str]:
+        return {**self._changes, **{k: toml.change_text(v) for k, v in changes.items()}}
+
+    # Values
+
+    def __setitem__(self, key: str, value: Any) -> None:
+        self.update({key: value})
+
+    def __getitem__(self, key: str) -> str:
+        """The value of a key as text with its unit, also a default: `case["mill.speed"]`."""
+        return self.origin(key).value
+
+    def origin(self, key: str) -> Origin:
+        """The value of a key and its source. Raises KeyError for a key without value."""
+        known = {one.key: one for one in self.origins}
+        for name in (key, key.replace("balls.", "balls.1.", 1)):
+            if name in known:
+                return known[name]
+        near = difflib.get_close_matches(key, known, n=1)
+        raise KeyError(f"the case has no {key}" + (f"; did you mean {near[0]}?" if near else ""))
+
+    @property
+    def origins(self) -> list[Origin]:
+        """Every value of the case with its source."""
+        return [Origin(*one) for one in self._resolved.origins()]
+
+    @property
+    def title(self) -> str:
+        return self._resolved.title
+
+    @property
+    def file(self) -> Optional[Path]:
+        """The case file, or None for a case built in Python."""
+        return self._file if self._in_file else None
+
+    @property
+    def text(self) -> str:
+        """The resolved case as TOML: every value, followed by its source as a comment."""
+        return self._resolved.write()
+
+    def __getattr__(self, name: str) -> Section:
+        if not name.startswith("_") and name in sections():
+            return Section(self, name)
+        raise AttributeError(f"a case has no section {name}")
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *sections()]
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Case) and self._resolved == other._resolved
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> Any:
+        return restored, (self._text, self._file, self._in_file, self._changes)
+
+    def __repr__(self) -> str:
+        return f"<Case {self.title!r}{f' from {self._file}' if self._in_file else ''}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(one.key, one.value, one.source) for one in self.origins]
+        return f"<b>{html.escape(self.title)}</b>" + table_html(("key", "value", "source"), rows)
+
+    def save(self, file: Place, *, force: bool = False) -> None:
+        """Writes the resolved case as a case file. Raises FileExistsError unless `force`."""
+        with open(file, "w" if force else "x", encoding="utf-8") as out:
+            out.write(self.text)
+
+    # Work
+
+    def check(self) -> Check:
+        """What follows from the case, as `mahlwerk check`. Raises InputError if no engine can run it."""
+        from .result import Quantity
+
+        with self._as_file() as target:
+            said = command(["check"], target=target, changes=self._changes)[0]
+        return Check({name: Quantity(name, q["value"], None, q["unit"], q["about"])
+                      for name, q in said["follows"].items()}, said["notes"],
+                     [one for one in self.origins if one.assumed])
+
+    def run(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
+            collisions: Optional[bool] = None,
+            observers: Iterable[Callable[[Any, int], Any]] = (),
+            progress: Progress = None) -> Result:
+        """Runs the case, as `mahlwerk run`: the same bits on any number of threads.
+
+        out         result folder to write, as the command line does; None: results are in memory
+        force       replaces an existing result
+        threads     0: all cores
+        collisions  keeps every collision record in memory (136 bytes each); None: if the case has
+                    [observe] collisions and there is no folder
+        observers   functions `f(records, replicate)` that get every counted collision in chunks, a
+                    numpy structured array of at least 65536 records but for the last; `replicate`
+                    counts from 1. Replicates may run side by side, so that calls for different
+                    replicates alternate. An exception ends the run
+        progress    None: in notebooks and on terminals; True, False; or a function
+                    `f(share, line)`
+
+        Raises InputError; RunError if physics stopped a replicate; Interrupted after Ctrl-C. The last
+        two hold what was computed in `result`.
+        """
+        from .result import Result
+
+        if collisions is None:
+            collisions = out is None and self._value("observe.collisions") == "true"
+        folder = None if out is None else Path(out)
+        with shown(progress) as show:
+            ran, interrupted = _core.run(self._resolved, folder, force, threads, bool(collisions),
+                                         list(observers), show)
+        result = Result.of_run(ran, folder)
+        if ran.failure:
+            raise RunError(ran.failure, result)
+        if interrupted:
+            raise Interrupted("interrupted: results computed until then are in `result`", result)
+        return result
+
+    def sweep(self, over: Optional[Changes] = None, out: Optional[Place] = None, *,
+              force: bool = False, threads: int = 0, progress: Progress = None) -> Campaign:
+        """Runs the campaign of the case's [sweep], or over the values in `over`, as `mahlwerk sweep`:
+        `case.sweep({"mill.speed": ["300 rpm", "400 rpm"]})`. `over` takes what [sweep] takes. A second
+        call with the same folder runs only what is missing. Ctrl-C raises Interrupted; its `result`
+        is the campaign so far."""
+        from .campaign import Campaign
+
+        case, place = self._with_section("sweep", over), self._place(out, "")
+        try:
+            with case._as_file(place) as target:
+                command(["sweep"], target=target, changes=case._changes, out=place, force=force,
+                        threads=threads, progress=progress)
+        except (Interrupted, RunError) as error:
+            if (place / "campaign.sqlite").exists():
+                error.result = Campaign(place)
+            raise
+        return Campaign(place)
+
+    def fit(self, data: Place, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
+            progress: Progress = None) -> Fit:
+        """Fits the parameters in [fit] to the measurements in the CSV file `data`, as `mahlwerk fit`."""
+        from .searches import Fit
+
+        place = self._place(out, "-fit")
+        with self._as_file() as target:
+            command(["fit"], target=target, data=os.fspath(data), changes=self._changes, out=place,
+                    force=force, threads=threads, progress=progress)
+        return Fit(place)
+
+    def optimise(self, settings: Optional[Changes] = None, out: Optional[Place] = None, *,
+                 force: bool = False, threads: int = 0, progress: Progress = None) -> Optimum:
+        """Searches the best settings by [optimise], as `mahlwerk optimise`. `settings` is that section
+        as a dict, if the case has none."""
+        from .searches import Optimum
+
+        case, place = self._with_section("optimise", settings), self._place(out, "-optimise")
+        with case._as_file() as target:
+            command(["optimise"], target=target, changes=case._changes, out=place, force=force,
+                    threads=threads, progress=progress)
+        return Optimum(place)
+
+    def match(self, like: Case, settings: Optional[Changes] = None, out: Optional[Place] = None, *,
+              force: bool = False, threads: int = 0, progress: Progress = None) -> Match:
+        """Searches settings of this mill that do what the mill of `like` does, by [match], as
+        `mahlwerk match LIKE --in THIS`."""
+        from .searches import Match
+
+        case, place = self._with_section("match", settings), self._place(out, "-match")
+        with like.replace({})._as_file(resolved=True) as target, case._as_file() as data:
+            command(["match"], target=target, data=data, changes=case._changes, out=place,
+                    force=force, threads=threads, progress=progress)
+        return Match(place)
+
+    def compare(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
+                progress: Progress = None) -> Comparison:
+        """Runs the case with both engines, as `mahlwerk compare`."""
+        from .searches import Comparison
+
+        place = self._place(out, "-compare")
+        with self._as_file() as target:
+            command(["compare"], target=target, changes=self._changes, out=place, force=force,
+                    threads=threads, progress=progress)
+        return Comparison(place)
+
+    # Helpers
+
+    def _value(self, key: str) -> Optional[str]:
+        return next((one.value for one in self.origins if one.key == key), None)
+
+    def _with_section(self, name: str, content: Optional[Changes]) -> Case:
+        """This case, with a section added to its text."""
+        if content is None:
+            return self
+        made = type(self).__new__(type(self))
+        text = self._text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
+        made._set(text, self._file, self._in_file, self._changes)
+        made._in_file = False  # the file does not have the section
+        return made
+
+    def _place(self, out: Optional[Place], suffix: str) -> Path:
+        """The result folder: `out`, or the one that the command line takes."""
+        if out is not None:
+            return Path(out)
+        if not self._in_file:
+            raise InputError([_core.Fault(
+                "", "no folder is given for the results",
+                'give a folder, for instance out="results/name"', "no-folder")])
+        file = self._file.resolve()
+        name = file.parent.name if file.stem == "case" else file.stem
+        return Path("results") / (name + suffix)
+
+    @contextlib.contextmanager
+    def _as_file(self, place: Optional[Path] = None, resolved: bool = False) -> Iterator[str]:
+        """Path of a case file with this case: its own file, a file that stays beside the results in
+        `place`, or a temporary one. `resolved`: the changes are in it, too."""
+        if self._in_file and not (resolved and self._changes):
+            yield os.fspath(self._file)
+            return
+        text = self._text
+        if place is not None:
+            kept = place.parent / (place.name + ".case.toml")
+            keep(kept, text)
+            yield os.fspath(kept)
+            return
+        folder = self._file.parent if os.access(self._file.parent, os.W_OK) else None
+        handle, path = tempfile.mkstemp(".toml", ".case-", folder)
+        try:
+            with open(handle, "w", encoding="utf-8") as out:
+                out.write(self.text if resolved else text)
+            yield path
+        finally:
+            os.unlink(path)
+
+
+class Section:
+    """The values of a section: `case.mill.speed`, and `case.mill.speed = "500 rpm"`."""
+
+    def __init__(self, case: Case, name: str):
+        object.__setattr__(self, "_case", case)
+        object.__setattr__(self, "_name", name)
+
+    def __getattr__(self, key: str) -> str:
+        if key.startswith("_"):
+            raise AttributeError(key)
+        try:
+            return self._case[f"{self._name}.{key}"]
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __setattr__(self, key: str, value: Any) -> None:
+        self._case[f"{self._name}.{key}"] = value
+
+    def __dir__(self) -> list[str]:
+        return sections()[self._name]
+
+    def _values(self) -> list[Origin]:
+        return [one for one in self._case.origins if one.key.startswith(self._name + ".")]
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{one.key} = {one.value}" for one in self._values())
+        return f"<Section {values}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(one.key, one.value, one.source) for one in self._values()]
+        return table_html(("key", "value", "source"), rows)
+
+
+def sections() -> dict[str, list[str]]:
+    """The keys of each section."""
+    if not _sections:
+        for key, *_ in _core.keys():
+            section, _, rest = key.partition(".")
+            if rest:
+                _sections.setdefault(section, []).append(rest)
+    return _sections
+
+
+_sections: dict[str, list[str]] = {}
+
+
+def restored(text: str, file: Path, in_file: bool, changes: dict[str, str]) -> Case:
+    made = Case.__new__(Case)
+    made._set(text, file, in_file, changes)
+    return made
+
+
+def read_text(file: Path) -> str:
+    try:
+        return file.read_bytes().decode("utf-8", "surrogateescape")
+    except OSError as error:
+        raise InputError([_core.Fault(os.fspath(file), f"the file cannot be read: {error.strerror}",
+                                      "", "no-such-case")]) from None
+
+
+def keep(file: Path, text: str) -> None:
+    """Writes the case of a campaign beside its folder; an equal file is left alone."""
+    if file.exists() and file.read_text(encoding="utf-8") == text:
+        return
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise InputError([_core.Fault(os.fspath(file), f"cannot be written: {error.strerror}",
+                                      "choose another folder", "cannot-write")]) from None
+
+
+def table_html(heading: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
+    def line(tag: str, cells: Iterable[str]) -> str:
+        return "<tr>" + "".join(f"<{tag} style='text-align:left'>{html.escape(str(c))}</{tag}>"
+                                for c in cells) + "</tr>"
+
+    return "<table>" + line("th", heading) + "".join(line("td", row) for row in rows) + "</table>"

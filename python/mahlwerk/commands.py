@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Commands of the command line in this process, and what they report as Python values."""
+
+from __future__ import annotations
+
+import json
+import warnings
+from typing import Any
+
+from . import _core
+from .errors import InputError, Interrupted, RunError
+from .progress import Progress, shown
+
+__all__ = ["command", "describe", "catalogue"]
+
+BAD_INPUT, STOPPED, INTERRUPTED = 2, 3, 130
+
+
+def command(words: list[str], *, changes: Any = None, progress: Progress = False,
+            **options: Any) -> Any:
+    """Runs a command and returns what it prints with --json. Its faults are raised: InputError,
+    RunError or Interrupted, by its exit code; its warnings become UserWarning."""
+    options["changes"] = list((changes or {}).items())
+    with shown(progress) as show:
+        code, text, faults, told = _core.command(words, options, show)
+    for one in told:
+        warnings.warn(str(one), stacklevel=3)
+    if code == BAD_INPUT:
+        raise InputError(faults or [_core.Fault("", "the input was refused", "", "")])
+    if code == STOPPED:
+        raise RunError("\n".join(map(str, faults)) or "physics stopped a run")
+    if code == INTERRUPTED:
+        raise Interrupted("\n".join(map(str, faults)) or "interrupted")
+    if code != 0:
+        raise RuntimeError(f"{' '.join(words)} ended with code {code}")
+    return json.loads(text) if text else None
+
+
+def describe(name: str) -> Any:
+    """Every value of a catalogue entry with its source, as `mahlwerk describe`, or the keys of a
+    section or kind with unit, range, default and meaning."""
+    return command(["describe"], target=name)
+
+
+def catalogue(category: str = "") -> Any:
+    """The names in the catalogue: "mills", "jars", "materials", "media", or all."""
+    return command(["list"], target=category)
