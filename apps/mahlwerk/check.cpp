@@ -23,6 +23,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
+#include "messages.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -175,12 +176,19 @@ results::Json as_json(const CheckResult& c, const std::filesystem::path& file) {
   for (const cases::DerivedQuantity& one : c.follows)
     follows[one.name] =
         Json::object({{"value", one.value}, {"unit", one.unit}, {"about", one.about}});
+  Json assumed = Json::object(), faults = Json::array();
+  for (const cases::Origin& origin : c.mill_case.origins)
+    if (origin.assumed) assumed[origin.key] = origin.value;
+  for (const Fault& fault : c.engine) faults.push_back(fault_json(fault));
   return Json::object({{"file", file.string()},
                        {"title", c.mill_case.title},
                        {"points", c.points},
                        {"points_that_cannot_run", c.bad_points},
                        {"follows", std::move(follows)},
-                       {"runs", c.engine.empty()}});
+                       {"assumed", std::move(assumed)},
+                       {"notes", c.notes},
+                       {"runs", c.engine.empty()},
+                       {"faults", std::move(faults)}});
 }
 
 int check(const Request& request) {

@@ -19,13 +19,6 @@ using results::Json;
 
 bool errors_as_json = false;
 
-Json object(const Fault& fault) {
-  return Json::object({{"code", fault.code},
-                       {"where", fault.where},
-                       {"what", fault.what},
-                       {"remedy", fault.remedy}});
-}
-
 std::string_view name_of(int code) {
   switch (code) {
     case bad_input:
@@ -49,6 +42,13 @@ bool is_plain(char c) {
 
 }  // namespace
 
+results::Json fault_json(const Fault& fault) {
+  return Json::object({{"code", fault.code},
+                       {"where", fault.where},
+                       {"what", fault.what},
+                       {"remedy", fault.remedy}});
+}
+
 void set_json_messages() {
   errors_as_json = true;
 }
@@ -64,7 +64,7 @@ void to_stderr(std::string_view text) {
 
 void print_warning(const Fault& warning) {
   if (listener() != nullptr) return listener()->warning(warning);
-  to_stderr(errors_as_json ? Json::object({{"warning", object(warning)}}).text() + '\n'
+  to_stderr(errors_as_json ? Json::object({{"warning", fault_json(warning)}}).text() + '\n'
                            : "warning: " + mahlwerk::describe({warning}) + '\n');
 }
 
@@ -93,7 +93,7 @@ int report_end(int code, std::string_view words, const std::vector<Fault>& fault
     return code;
   }
   Json list = Json::array();
-  for (const Fault& fault : faults) list.push_back(object(fault));
+  for (const Fault& fault : faults) list.push_back(fault_json(fault));
   const Json said =
       Json::object({{"ended", name_of(code)}, {"exit", code}, {"faults", std::move(list)}});
   to_stderr(said.text() + '\n');

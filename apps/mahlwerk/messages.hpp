@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 
 // Messages on stderr: as text, or with --json as one JSON object per line. No function throws: a
 // closed terminal must not end a run.
@@ -40,6 +41,9 @@ class WriteErrorReporter {
 int report_end(int code, std::string_view words, const std::vector<Fault>& faults);
 /// The same; the text is made from the faults.
 int report_end(int code, const std::vector<Fault>& faults);
+
+/// A fault as JSON: code, where, what, remedy.
+results::Json fault_json(const Fault& fault);
 
 /// Writes to stderr; ignores errors.
 void to_stderr(std::string_view text);

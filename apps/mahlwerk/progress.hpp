@@ -12,8 +12,8 @@ namespace mahlwerk::app {
 
 class Listener;
 
-/// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(), or by the listener of this thread. A second
-/// signal other than SIGHUP ends the program at once.
+/// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(), or by the listener of this thread. A
+/// second signal other than SIGHUP ends the program at once.
 const std::atomic<bool>& stop_wanted();
 void catch_ctrl_c();
 

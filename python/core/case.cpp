@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "outcome.hpp"
@@ -37,13 +35,6 @@ py::list origins(const cases::Case& mill_case) {
   return all;
 }
 
-py::list derived(const cases::Case& mill_case) {
-  py::list all;
-  for (const cases::DerivedQuantity& one : cases::derived_quantities(mill_case))
-    all.append(py::make_tuple(one.name, one.value, one.unit, one.about));
-  return all;
-}
-
 /// (key, unit, words, about) of every key.
 py::list keys() {
   py::list all;
@@ -58,7 +49,6 @@ void bind_case(py::module_& m) {
   py::class_<cases::Case>(m, "ResolvedCase", "A case with every value filled in.")
       .def("write", &cases::write)
       .def("origins", &origins)
-      .def("derived", &derived)
       .def_property_readonly("sweeps", [](const cases::Case& c) { return !c.sweep.empty(); })
       .def_readonly("title", &cases::Case::title)
       .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });

@@ -50,7 +50,8 @@ PYBIND11_MODULE(_core, m) {
       .def_readonly("remedy", &Fault::remedy, "What to do; may be empty.")
       .def_readonly("code", &Fault::code, "Heading on the page of errors.")
       .def("__str__", [](const Fault& f) { return describe({f}); })
-      .def("__repr__", [](const Fault& f) { return "<Fault " + f.code + ": " + describe({f}) + ">"; })
+      .def("__repr__",
+           [](const Fault& f) { return "<Fault " + f.code + ": " + describe({f}) + ">"; })
       .def(py::pickle(
           [](const Fault& f) { return py::make_tuple(f.where, f.what, f.remedy, f.code); },
           [](const py::tuple& t) {

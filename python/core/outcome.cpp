@@ -15,6 +15,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/files/collision_columns.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
@@ -35,7 +36,7 @@ std::string format_of(const results::Column& column) {
 }
 
 /// The table as a structured array, with the column names of the CSV file.
-py::array as_array(const results::Table& table) {
+py::array structured(const results::Table& table) {
   const py::module_ numpy = py::module_::import("numpy");
   py::list fields;
   for (const results::Column& column : table.columns)
@@ -67,7 +68,7 @@ py::dict tables(const RunResult& result) {
     for (const results::Column& column : one.table.columns)
       columns.append(py::make_tuple(results::column_name(column.name, column.unit), column.unit,
                                     column.about));
-    all[py::str(one.name)] = py::make_tuple(as_array(one.table), one.about, columns);
+    all[py::str(one.name)] = py::make_tuple(structured(one.table), one.about, columns);
   }
   return all;
 }

@@ -6,10 +6,9 @@
 
 #include <vector>
 
+#include "job.hpp"
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/scene/observer.hpp"
-
-#include "job.hpp"
 
 namespace mahlwerk::python {
 

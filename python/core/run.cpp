@@ -57,12 +57,13 @@ void check(const cases::Case& mill_case, const RunRequest& request) {
 
 std::string line_of(const campaign::Progress& p) {
   char text[160];
-  std::snprintf(text, sizeof text, "%.4g of %.4g s simulated, %.3g collisions", p.simulated, p.total,
-                p.collisions);
+  std::snprintf(text, sizeof text, "%.4g of %.4g s simulated, %.3g collisions", p.simulated,
+                p.total, p.collisions);
   return text;
 }
 
-/// Computes the case; the records go to the files of `streams`, to memory and to Python's observers.
+/// Computes the case; the records go to the files of `streams`, to memory and to Python's
+/// observers.
 results::Outcome compute(const cases::Case& mill_case, const RunRequest& request,
                          const campaign::Streams* streams, std::atomic<bool>& stop, Job& job,
                          std::vector<std::vector<scene::Collision>>& kept) {
@@ -103,8 +104,8 @@ py::tuple run(const cases::Case& mill_case, const std::optional<fs::path>& out, 
   auto result = std::make_unique<RunResult>();
   const bool interrupted = job.run(
       [&] {
-        result->outcome = compute(mill_case, request, folder ? &streams : nullptr, stop, job,
-                                  result->records);
+        result->outcome =
+            compute(mill_case, request, folder ? &streams : nullptr, stop, job, result->records);
         if (!folder) return;
         streams.close();
         report::write(*folder, result->outcome, app::version());

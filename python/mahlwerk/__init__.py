@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and computes what their collisions do.
+
+>>> import mahlwerk
+>>> case = mahlwerk.Case("examples/01-one-ball")
+>>> result = case.run()
+>>> result["collision_rate"]
+>>> result.plot.spectrum()
+
+numpy is loaded with the first table, pandas with the first frame, matplotlib with the first plot.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Union
+
+from . import _core
+from .campaign import Campaign, SweptKey
+from .case import Case, Check, Origin, Section
+from .commands import catalogue, describe
+from .errors import InputError, Interrupted, MahlwerkError, RunError
+from .result import Notice, Quantity, Result
+from .searches import Comparison, Fit, Match, Optimum
+
+Fault = _core.Fault
+__version__: str = _core.version
+
+__all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "InputError", "Interrupted",
+           "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Quantity", "Result", "RunError",
+           "Section", "SweptKey", "catalogue", "describe", "open", "record_columns"]
+
+
+def open(folder: Union[str, "os.PathLike[str]"]) -> Any:
+    """Opens what a command wrote: a Result, Campaign, Fit, Optimum, Match or Comparison."""
+    place = Path(folder)
+    if place.suffix == ".sqlite":
+        return Campaign(place)
+    for file, kind in (("summary.json", Result), ("campaign.sqlite", Campaign), ("fit.json", Fit),
+                       ("match.json", Match), ("optimise.json", Optimum),
+                       ("compare.csv", Comparison)):
+        if (place / file).is_file():
+            return kind(place)
+    what = "holds no result" if place.is_dir() else "is not a folder"
+    raise InputError([Fault(os.fspath(folder), what,
+                            "give a folder that a command of Mahlwerk wrote", "no-result")])
+
+
+def record_columns() -> dict[str, tuple[str, str]]:
+    """Unit and meaning of each field of the collision records."""
+    return _core.record_columns()

@@ -5,10 +5,8 @@
 from __future__ import annotations
 
 import contextlib
-import difflib
 import html
 import os
-import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
@@ -122,6 +120,8 @@ class Case:
         for name in (key, key.replace("balls.", "balls.1.", 1)):
             if name in known:
                 return known[name]
+        import difflib
+
         near = difflib.get_close_matches(key, known, n=1)
         raise KeyError(f"the case has no {key}" + (f"; did you mean {near[0]}?" if near else ""))
 
@@ -179,7 +179,10 @@ class Case:
         from .result import Quantity
 
         with self._as_file() as target:
-            said = command(["check"], target=target, changes=self._changes)[0]
+            said = command(["check"], target=target, changes=self._changes,
+                           refusal_is_result=True)[0]
+        if not said["runs"]:
+            raise InputError([_core.Fault(**fault) for fault in said["faults"]])
         return Check({name: Quantity(name, q["value"], None, q["unit"], q["about"])
                       for name, q in said["follows"].items()}, said["notes"],
                      [one for one in self.origins if one.assumed])
@@ -325,6 +328,8 @@ class Case:
             keep(kept, text)
             yield os.fspath(kept)
             return
+        import tempfile
+
         folder = self._file.parent if os.access(self._file.parent, os.W_OK) else None
         handle, path = tempfile.mkstemp(".toml", ".case-", folder)
         try:

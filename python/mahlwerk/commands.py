@@ -18,21 +18,22 @@ BAD_INPUT, STOPPED, INTERRUPTED = 2, 3, 130
 
 
 def command(words: list[str], *, changes: Any = None, progress: Progress = False,
-            **options: Any) -> Any:
+            refusal_is_result: bool = False, **options: Any) -> Any:
     """Runs a command and returns what it prints with --json. Its faults are raised: InputError,
-    RunError or Interrupted, by its exit code; its warnings become UserWarning."""
+    RunError or Interrupted, by its exit code; its warnings become UserWarning. `refusal_is_result`:
+    what the command prints beside exit code 2 is returned."""
     options["changes"] = list((changes or {}).items())
     with shown(progress) as show:
         code, text, faults, told = _core.command(words, options, show)
     for one in told:
         warnings.warn(str(one), stacklevel=3)
-    if code == BAD_INPUT:
+    if code == BAD_INPUT and not (refusal_is_result and text):
         raise InputError(faults or [_core.Fault("", "the input was refused", "", "")])
     if code == STOPPED:
         raise RunError("\n".join(map(str, faults)) or "physics stopped a run")
     if code == INTERRUPTED:
         raise Interrupted("\n".join(map(str, faults)) or "interrupted")
-    if code != 0:
+    if code not in (0, BAD_INPUT):
         raise RuntimeError(f"{' '.join(words)} ended with code {code}")
     return json.loads(text) if text else None
 

@@ -1,0 +1,167 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Campaigns: many runs over the values of some keys."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
+
+from . import _core
+from .errors import InputError
+from .result import Result
+from .tables import array_of, frame_of
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+    from .plots import CampaignPlots
+
+__all__ = ["Campaign", "SweptKey"]
+
+
+class SweptKey(NamedTuple):
+    """A key that varies."""
+
+    key: str
+    unit: str  #: of the numbers in its column; "" for words
+    column: str  #: name of its column
+    numeric: bool
+    follows: bool  #: varies together with another key
+
+
+class Campaign:
+    """The runs of a case with [sweep]. `Campaign(folder)` opens a campaign's folder or its
+    campaign.sqlite, also while it runs; `Case.sweep` returns one.
+
+    >>> campaign = case.sweep({"mill.speed": ["300 rpm", "400 rpm"]}, out="results/speeds")
+    >>> campaign.frame()[["mill.speed_rpm", "dissipated_power_W"]]
+    >>> campaign[0]  # the result of the first point
+    """
+
+    def __init__(self, folder: Union[str, os.PathLike[str]]):
+        place = Path(folder)
+        self.folder = place.parent if place.suffix == ".sqlite" else place
+        self._store = self.folder / "campaign.sqlite" if place.suffix != ".sqlite" else place
+        if not self._store.is_file():
+            raise InputError([_core.Fault(os.fspath(folder), "there is no campaign.sqlite: the folder is not a campaign",
+                                          "give the folder that `mahlwerk sweep` wrote",
+                                          "no-campaign")])
+
+    def _ask(self, sql: str) -> tuple[list[str], list[tuple[Any, ...]]]:
+        import sqlite3
+
+        store = sqlite3.connect(f"{self._store.resolve().as_uri()}?mode=ro", uri=True, timeout=30)
+        try:
+            found = store.execute(sql)
+            return [one[0] for one in found.description], found.fetchall()
+        finally:
+            store.close()
+
+    @property
+    def title(self) -> str:
+        return dict(self._ask("SELECT key, value FROM campaign")[1]).get("title", "")
+
+    @property
+    def keys(self) -> list[SweptKey]:
+        """The keys that vary."""
+        _, rows = self._ask('SELECT key, unit, "column", "numeric", follows FROM swept ORDER BY position')
+        return [SweptKey(key, unit, column, bool(numeric), bool(follows))
+                for key, unit, column, numeric, follows in rows]
+
+    @property
+    def quantities(self) -> dict[str, tuple[str, str, str, str]]:
+        """Unit, meaning, column and column of the half-width of each quantity."""
+        _, rows = self._ask('SELECT name, unit, about, "column", ci95_column FROM quantities '
+                            "ORDER BY position")
+        return {name: (unit, about, column, ci95) for name, unit, about, column, ci95 in rows}
+
+    @cached_property
+    def table(self) -> np.ndarray:
+        """One row a point: the varied keys, the state of the run, and every quantity with its
+        half-width. Open the campaign again to see what a running campaign has added."""
+        return array_of(*self._ask("SELECT * FROM results"))
+
+    def frame(self) -> pd.DataFrame:
+        """`table` as a pandas frame."""
+        return frame_of(self.table)
+
+    def column(self, name: str) -> np.ndarray:
+        """The values of a key ("mill.speed") or a quantity ("dissipated_power"), by point."""
+        return self.table[self.column_name(name)]
+
+    def column_name(self, name: str) -> str:
+        if name in (self.table.dtype.names or ()):
+            return name
+        for one in self.keys:
+            if one.key == name:
+                return one.column
+        found = self.quantities.get(name)
+        if found is None:
+            import difflib
+
+            near = difflib.get_close_matches(name, [k.key for k in self.keys] + list(self.quantities), n=1)
+            raise KeyError(f"the campaign has no key or quantity {name}"
+                           + (f"; did you mean {near[0]}?" if near else ""))
+        return found[2]
+
+    def unit(self, name: str) -> str:
+        """Unit of a key or quantity; "1" or "" for none."""
+        return next((one.unit for one in self.keys if one.key == name),
+                    self.quantities.get(name, ("",))[0])
+
+    @property
+    def warnings(self) -> list[tuple[int, str, str]]:
+        """(point, code, text) of every warning, points counted from 1."""
+        return self._ask("SELECT p.point, n.code, n.text FROM notices n JOIN points p ON p.hash = n.hash "
+                         "WHERE n.severity != 'note' ORDER BY p.point, n.position")[1]
+
+    @property
+    def failed(self) -> list[tuple[int, str]]:
+        """(point, reason) of every run that physics stopped."""
+        return self._ask("SELECT p.point, r.message FROM points p JOIN runs r ON r.hash = p.hash "
+                         "WHERE r.status = 'failed' ORDER BY p.point")[1]
+
+    def __len__(self) -> int:
+        return len(self.table)
+
+    def __getitem__(self, index: int) -> Result:
+        """The result of a point, from 0. Raises InputError if its folder was not kept."""
+        count = len(self)
+        if not -count <= index < count:
+            raise IndexError(f"the campaign has {count} points")
+        folder = str(self.table["folder"][index])
+        if folder in ("", "nan"):
+            raise InputError([_core.Fault(
+                os.fspath(self.folder), f"the run of point {index % count + 1} has no result folder",
+                "it has not run, or only its numbers were kept (--results summary)", "no-result")])
+        return Result(self.folder / folder)
+
+    def __iter__(self) -> Iterator[Result]:
+        return (self[i] for i in range(len(self)))
+
+    @property
+    def plot(self) -> CampaignPlots:
+        """Plots with matplotlib: `campaign.plot.curve(x, y)`, `campaign.plot.map(x, y, quantity)`."""
+        from .plots import CampaignPlots
+
+        return CampaignPlots(self)
+
+    def __repr__(self) -> str:
+        return f"<Campaign {self.title!r}, {len(self)} points in {os.fspath(self.folder)}>"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        from .case import table_html
+
+        keys = [one.column for one in self.keys]
+        shown = keys + [c for c in ("status", "dissipated_power_W", "collision_rate_per_s",
+                                    "regime", "warnings") if c in self.table.dtype.names]
+        rows = [[row[c] if isinstance(row[c], str) else f"{row[c]:.4g}" for c in shown]
+                for row in self.table]
+        return f"<b>{html.escape(self.title)}</b>" + table_html(shown, rows)

@@ -1,0 +1,328 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Results of a run, from memory or from a result folder."""
+
+from __future__ import annotations
+
+import html
+import json
+import math
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+
+from . import _core
+from .errors import InputError
+from .tables import frame_of, read_csv
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+    from .case import Case
+    from .plots import ResultPlots
+
+__all__ = ["Notice", "Quantity", "Result"]
+
+
+#: Quantities that print() shows; all are in `Result.quantities`.
+PRINTED = ("collision_rate", "collision_rate_above_threshold", "energy_normal_mean",
+           "energy_contact_point_mean", "energy_lost_mean", "impact_angle_mean", "drawn_power",
+           "dissipated_power", "specific_energy_dose", "d50", "conversion", "energy_balance")
+
+
+class Notice(NamedTuple):
+    """A note or warning that accompanies a result."""
+
+    code: str  #: heading on the documentation's page of warnings
+    severity: str  #: "note", "warning" or "invalid"
+    text: str
+
+    @property
+    def warns(self) -> bool:
+        return self.severity != "note"
+
+
+class Quantity:
+    """A number of a result. `float(quantity)` is its value."""
+
+    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time")
+
+    def __init__(self, name: str, value: Optional[float], ci95: Optional[float], unit: str,
+                 about: str, ci95_time: Optional[float] = None):
+        self.name = name
+        self.value = nan_if_none(value)  #: mean over replicates; NaN if the run does not give one
+        self.ci95 = nan_if_none(ci95)  #: half-width of the 95 % confidence interval over replicates
+        self.unit = unit  #: "1" for a number without unit
+        self.about = about
+        self.ci95_time = nan_if_none(ci95_time)  #: the same from the scatter over time
+
+    @property
+    def half_width(self) -> float:
+        """Half-width to show: over replicates, else over time, else NaN."""
+        return self.ci95 if math.isfinite(self.ci95) else self.ci95_time
+
+    def __float__(self) -> float:
+        return self.value
+
+    def text(self) -> str:
+        """Value, half-width and unit: "136.2 ± 15 /s"."""
+        unit = "" if self.unit in ("", "1") else f" {self.unit.removeprefix('1')}"
+        if not math.isfinite(self.half_width):
+            return f"{self.value:.4g}{unit}"
+        return f"{self.value:.4g} ± {self.half_width:.2g}{unit}"
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def __repr__(self) -> str:
+        return f"<{self.name} {self.text()}>"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Quantity) and all(
+            same(getattr(self, part), getattr(other, part)) for part in self.__slots__)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+class Result:
+    """What a run gave: quantities, tables, collision records, plots.
+
+    `Result(folder)` opens a result folder; `Case.run` returns one.
+
+    >>> result = case.run()
+    >>> result["collision_rate"].value, result["collision_rate"].ci95
+    >>> result.frame("spectrum").plot("energy_low_J", "rate_lost_per_s", logx=True)
+    """
+
+    def __init__(self, folder: Union[str, os.PathLike[str]]):
+        self.folder: Optional[Path] = Path(folder)
+        self._ran: Any = None
+        self._state: dict[str, Any] = {}
+        if not (self.folder / "summary.json").is_file():
+            raise InputError([_core.Fault(os.fspath(folder), "there is no summary.json: the folder is not a result",
+                                          "give the folder that `mahlwerk run` wrote", "no-result")])
+
+    @classmethod
+    def of_run(cls, ran: Any, folder: Optional[Path]) -> Result:
+        made = cls.__new__(cls)
+        made.folder, made._ran, made._state = folder, ran, {}
+        return made
+
+    # Numbers
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        if self._ran is not None:
+            return json.loads(self._ran.summary_json())
+        if self.folder is None:
+            return self._state["summary"]
+        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+
+    @property
+    def about(self) -> dict[str, Any]:
+        """How the result was made: version, engine, seed, replicates, assumed and unverified values."""
+        return self.summary["_about"]
+
+    @cached_property
+    def quantities(self) -> dict[str, Quantity]:
+        """Every quantity by its name in summary.json."""
+        return {name: Quantity(name, q["value"], q.get("ci95"), q["unit"], q["about"],
+                               q.get("ci95_time"))
+                for name, q in self.summary.items() if not name.startswith("_")}
+
+    def __getitem__(self, name: str) -> Quantity:
+        try:
+            return self.quantities[name]
+        except KeyError:
+            import difflib
+
+            near = difflib.get_close_matches(name, self.quantities, n=1)
+            raise KeyError(f"the result has no quantity {name}"
+                           + (f"; did you mean {near[0]}?" if near else "")) from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.quantities
+
+    @property
+    def title(self) -> str:
+        return self.about["title"]
+
+    @property
+    def engine(self) -> str:
+        """The engine that ran: "event" or "soft"."""
+        return self.about["engine"]
+
+    @property
+    def regime(self) -> str:
+        """Regime of the charge ("cascading", "cataracting", ...), or ""."""
+        return self.about["regime"]
+
+    @property
+    def complete(self) -> bool:
+        """Whether every replicate ran to its end."""
+        return self.about["complete"]
+
+    @property
+    def notices(self) -> list[Notice]:
+        return [Notice(one["code"], one["severity"], one["text"]) for one in self.about["notices"]]
+
+    @property
+    def warnings(self) -> list[Notice]:
+        """Why the result must be used with care; see the documentation's page of warnings."""
+        return [one for one in self.notices if one.warns]
+
+    @property
+    def text(self) -> str:
+        """The resolved case as TOML."""
+        if self._ran is not None:
+            return self._ran.resolved_case()
+        if self.folder is None:
+            return self._state["text"]
+        return (self.folder / "case.resolved.toml").read_text(encoding="utf-8")
+
+    @property
+    def case(self) -> Case:
+        """The case that ran, with every value that was used."""
+        from .case import Case
+
+        return Case.from_text(self.text, self.folder)
+
+    # Tables
+
+    @cached_property
+    def tables(self) -> Mapping[str, np.ndarray]:
+        """Every table as a numpy structured array, by the name of its CSV file without ".csv"."""
+        if self._ran is not None:
+            return {name: table[0] for name, table in self._ran.tables().items()}
+        if self.folder is None:
+            return self._state["tables"]
+        return FolderTables(self.folder)
+
+    def table(self, name: str) -> np.ndarray:
+        """A table, for instance "spectrum", "timeseries", "replicates", "wall_map"."""
+        try:
+            return self.tables[name]
+        except KeyError:
+            raise KeyError(f"the result has no table {name}; it has {', '.join(self.tables)}") from None
+
+    def frame(self, name: Optional[str] = None) -> pd.DataFrame:
+        """A table as a pandas frame; without a name, the quantities."""
+        if name is not None:
+            return frame_of(self.table(name))
+        import pandas as pd
+
+        return pd.DataFrame([(q.name, q.value, q.half_width, q.unit, q.about)
+                             for q in self.quantities.values()],
+                            columns=["name", "value", "ci95", "unit", "about"]).set_index("name")
+
+    def collisions(self, replicate: int = 1) -> np.ndarray:
+        """The collision records of a replicate as a structured array; its fields are described by
+        `mahlwerk.record_columns()`. Records in memory are not copied. Needs collisions=True of
+        `Case.run`, or [observe] collisions of the case."""
+        if self._ran is not None and self._ran.replicates_with_records:
+            return self._ran.records(replicate)
+        if "records" in self._state and 1 <= replicate <= len(self._state["records"]):
+            return self._state["records"][replicate - 1]
+        file = None if self.folder is None else self.folder / "collisions.h5"
+        if file is None or not file.is_file():
+            raise InputError([_core.Fault(
+                "", "the result has no collision records",
+                "run the case with collisions=True, or with [observe] collisions = true into a folder",
+                "no-records")])
+        return _core.read_records(file, replicate)
+
+    # Pictures and pages
+
+    @property
+    def plot(self) -> ResultPlots:
+        """Plots with matplotlib: `result.plot.spectrum()`, ..."""
+        from .plots import ResultPlots
+
+        return ResultPlots(self)
+
+    @property
+    def report(self) -> str:
+        """The page report.html as text."""
+        if self._ran is not None:
+            return self._ran.report_page()
+        if self.folder is None:
+            return self._state["report"]
+        return (self.folder / "report.html").read_text(encoding="utf-8")
+
+    def save(self, folder: Union[str, os.PathLike[str]], *, force: bool = False) -> None:
+        """Writes a result folder, the same as the command line. Raises InputError."""
+        if self._ran is None:
+            raise InputError([_core.Fault(os.fspath(folder), "this result is not in memory: it cannot be saved",
+                                          "copy its folder", "no-result")])
+        self._ran.save(Path(folder), force)
+        self.folder = Path(folder)
+
+    def __repr__(self) -> str:
+        said = "" if self.complete else ", incomplete"
+        return f"<Result {self.title!r}, {self.engine} engine{said}>"
+
+    def __str__(self) -> str:
+        lines = [repr(self), ""]
+        lines += [f"{name:<34} {self[name].text()}" for name in PRINTED if name in self]
+        lines += [f"\n{one.severity}: {one.text}" for one in self.notices]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        from .case import table_html
+
+        rows = [(q.name, q.text(), q.about) for q in self.quantities.values()
+                if math.isfinite(q.value)]
+        told = "".join(f"<p><b>{one.severity}:</b> {html.escape(one.text)}</p>"
+                       for one in self.warnings)
+        page = html.escape(self.report, quote=True)
+        return (f"<b>{html.escape(self.title)}</b>{told}<details><summary>all quantities</summary>"
+                f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>"
+                f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:0"></iframe>')
+
+    def __reduce__(self) -> Any:
+        if self._ran is None and self.folder is not None:
+            return Result, (self.folder,)
+        count = self._ran.replicates_with_records if self._ran is not None else 0
+        state = self._state or {
+            "summary": self.summary, "text": self.text, "tables": dict(self.tables),
+            "report": self.report,
+            "records": [self.collisions(i + 1).copy() for i in range(count)]}
+        return restored, (state,)
+
+
+class FolderTables(Mapping):
+    """The tables of a result folder, each read when it is first used."""
+
+    def __init__(self, folder: Path):
+        self._files = {file.stem: file for file in sorted(folder.glob("*.csv"))}
+        self._read: dict[str, np.ndarray] = {}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self._read:
+            self._read[name] = read_csv(self._files[name])
+        return self._read[name]
+
+    def __iter__(self) -> Any:
+        return iter(self._files)
+
+    def __len__(self) -> int:
+        return len(self._files)
+
+
+def restored(state: dict[str, Any]) -> Result:
+    made = Result.__new__(Result)
+    made.folder, made._ran, made._state = None, None, state
+    return made
+
+
+def nan_if_none(value: Optional[float]) -> float:
+    return math.nan if value is None else float(value)
+
+
+def same(one: Any, other: Any) -> bool:
+    return one == other or (isinstance(one, float) and isinstance(other, float)
+                            and math.isnan(one) and math.isnan(other))

@@ -1,0 +1,169 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Results of fit, optimise, match and compare."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Union
+
+from . import _core
+from .errors import InputError
+from .result import Notice, Result
+from .tables import frame_of, read_csv
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+    from .case import Case
+
+__all__ = ["Comparison", "Fit", "Match", "Optimum"]
+
+
+class Found:
+    """A folder with numbers as JSON, a table and a page."""
+
+    numbers, rows, page = "", "", ""
+
+    def __init__(self, folder: Union[str, os.PathLike[str]]):
+        self.folder = Path(folder)
+        if not (self.folder / (self.numbers or self.rows)).is_file():
+            raise InputError([_core.Fault(
+                os.fspath(folder), f"there is no {self.numbers or self.rows} in the folder",
+                "give the folder that the command wrote", "no-result")])
+
+    @cached_property
+    def data(self) -> dict[str, Any]:
+        """All numbers, as the command prints them with --json."""
+        return json.loads((self.folder / self.numbers).read_text(encoding="utf-8"))
+
+    @cached_property
+    def table(self) -> np.ndarray:
+        """The table of the folder as a structured array."""
+        return read_csv(self.folder / self.rows)
+
+    def frame(self) -> pd.DataFrame:
+        """`table` as a pandas frame."""
+        return frame_of(self.table)
+
+    @property
+    def report(self) -> str:
+        """The page as text."""
+        return (self.folder / self.page).read_text(encoding="utf-8")
+
+    def _case(self, name: str) -> Case:
+        from .case import Case
+
+        return Case(self.folder / name)
+
+    def _repr_html_(self) -> str:
+        page = html.escape(self.report, quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:0"></iframe>'
+
+
+class Remarks(Found):
+    @property
+    def remarks(self) -> list[str]:
+        """How certain the answer is."""
+        return self.data["remarks"]
+
+    @property
+    def notices(self) -> list[Notice]:
+        return [Notice(one["code"], one["severity"], one["text"]) for one in self.data["notices"]]
+
+
+class Fit(Found):
+    """Parameters of a case fitted to measurements."""
+
+    numbers, rows, page = "fit.json", "fit.csv", "fit.html"
+
+    @property
+    def parameters(self) -> Any:
+        """The fitted parameters with their confidence intervals."""
+        return self.data["parameters"]
+
+    @property
+    def case(self) -> Case:
+        """The case with the fitted values."""
+        return self._case("fitted.toml")
+
+    def __repr__(self) -> str:
+        return f"<Fit in {os.fspath(self.folder)}>"
+
+
+class Optimum(Remarks):
+    """The best settings that a search found."""
+
+    numbers, rows, page = "optimise.json", "settings.csv", "optimise.html"
+
+    @property
+    def best(self) -> dict[str, str]:
+        """The best setting tried: value of each key. Empty if every setting failed or broke a limit."""
+        if not self.data["best"]:
+            return {}
+        return {key: one["best"] for key, one in self.data["keys"].items()}
+
+    @property
+    def value(self) -> float:
+        """The quantity at the best setting: mean over its replicates. NaN if there is none."""
+        return float(self.data["best"]["mean"]["value"]) if self.data["best"] else float("nan")
+
+    @property
+    def case(self) -> Case:
+        """The case at the best setting."""
+        return self._case("best.toml")
+
+    def __repr__(self) -> str:
+        return f"<Optimum {self.data['quantity']} = {self.value:.4g} {self.data['unit']} at {self.best}>"
+
+
+class Match(Remarks):
+    """Settings of mill B that do what mill A does."""
+
+    numbers, rows, page = "match.json", "settings.csv", "match.html"
+
+    @property
+    def best(self) -> dict[str, str]:
+        """The best setting of mill B: value of each key."""
+        search = self.data["search"]
+        return {key: one["best"] for key, one in search["keys"].items()} if search["best"] else {}
+
+    @property
+    def a(self) -> Result:
+        """The result of mill A, the target."""
+        return Result(self.folder / "a")
+
+    @property
+    def b(self) -> Result:
+        """The result of mill B at its best setting."""
+        return Result(self.folder / "b")
+
+    @property
+    def case(self) -> Case:
+        """Mill B at its best setting."""
+        return self._case("best.toml")
+
+    def __repr__(self) -> str:
+        return f"<Match {self.best}, overlap of the spectra {self.data['overlap']:.2f}>"
+
+
+class Comparison(Found):
+    """One case run by both engines."""
+
+    rows, page = "compare.csv", "compare.html"
+
+    @property
+    def event(self) -> Result:
+        return Result(self.folder / "event")
+
+    @property
+    def soft(self) -> Result:
+        return Result(self.folder / "soft")
+
+    def __repr__(self) -> str:
+        return f"<Comparison in {os.fspath(self.folder)}>"

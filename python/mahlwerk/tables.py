@@ -1,0 +1,57 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of results as numpy structured arrays and pandas frames."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import numpy as np
+    import pandas as pd
+
+__all__ = ["frame_of", "read_csv"]
+
+
+def frame_of(array: np.ndarray) -> pd.DataFrame:
+    """A pandas frame with a column for each field of a structured array."""
+    try:
+        import pandas as pd
+    except ImportError:
+        raise ImportError("a frame needs pandas: install python3-pandas, or use the arrays") from None
+    import numpy as np
+
+    return pd.DataFrame({name: np.ascontiguousarray(array[name]) for name in array.dtype.names},
+                        copy=False)
+
+
+def read_csv(file: Path) -> np.ndarray:
+    """A table written by Mahlwerk. Columns of words become text; an empty cell of a number is NaN."""
+    with open(file, newline="", encoding="utf-8") as lines:
+        rows = list(csv.reader(lines))
+    return array_of(rows[0], rows[1:])
+
+
+def array_of(names: Sequence[str], rows: Sequence[Sequence[Any]]) -> np.ndarray:
+    """A structured array; a column is a number if all its cells are numbers or empty."""
+    import numpy as np
+
+    columns = [column(cells) for cells in zip(*rows)] if rows else [np.empty(0) for _ in names]
+    made = np.empty(len(rows), [(name, values.dtype) for name, values in zip(names, columns)])
+    for name, values in zip(names, columns):
+        made[name] = values
+    return made
+
+
+def column(cells: Sequence[Any]) -> np.ndarray:
+    import numpy as np
+
+    if all(isinstance(cell, int) for cell in cells):
+        return np.array(cells)
+    try:
+        return np.array([float("nan") if cell in ("", None) else float(cell) for cell in cells])
+    except ValueError:
+        return np.array(["" if cell is None else str(cell) for cell in cells])
