@@ -33,20 +33,22 @@ void Job::tell(const py::object& show) {
   }
   try {
     show(share, line);
-  } catch (py::error_already_set&) {
-    fail(std::current_exception());
+  } catch (py::error_already_set& raised) {
+    end(raised);
   }
 }
 
 void Job::check_signals() {
   if (PyErr_CheckSignals() == 0) return;
   py::error_already_set raised;
-  if (raised.matches(PyExc_KeyboardInterrupt)) {
-    interrupted_ = true;
-    stop_->store(true);
-  } else {
-    fail(std::make_exception_ptr(std::move(raised)));
-  }
+  end(raised);
+}
+
+void Job::end(py::error_already_set& raised) {
+  if (!raised.matches(PyExc_KeyboardInterrupt))
+    return fail(std::make_exception_ptr(std::move(raised)));
+  interrupted_ = true;
+  stop_->store(true);
 }
 
 bool Job::run(const std::function<void()>& work, const py::object& show) {

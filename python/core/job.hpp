@@ -37,6 +37,7 @@ class Job {
  private:
   void tell(const pybind11::object& show);
   void check_signals();
+  void end(pybind11::error_already_set& raised);  // Ctrl-C, or an exception
 
   std::atomic<bool>* stop_;
   std::mutex mutex_;

@@ -19,7 +19,7 @@ from typing import Any, Union
 
 from . import _core
 from .campaign import Campaign, SweptKey
-from .case import Case, Check, Origin, Section
+from .case import Case, Check, Origin
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .result import Notice, Quantity, Result
@@ -30,7 +30,7 @@ __version__: str = _core.version
 
 __all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "InputError", "Interrupted",
            "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Quantity", "Result", "RunError",
-           "Section", "SweptKey", "catalogue", "describe", "open", "record_columns"]
+           "SweptKey", "catalogue", "describe", "open", "record_columns"]
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:

@@ -52,7 +52,7 @@ class Campaign:
                                           "give the folder that `mahlwerk sweep` wrote",
                                           "no-campaign")])
 
-    def _ask(self, sql: str) -> tuple[list[str], list[tuple[Any, ...]]]:
+    def _ask(self, sql: str) -> tuple[list[str], list[Any]]:
         import sqlite3
 
         store = sqlite3.connect(f"{self._store.resolve().as_uri()}?mode=ro", uri=True, timeout=30)

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from .result import Quantity, Result
     from .searches import Comparison, Fit, Match, Optimum
 
-__all__ = ["Case", "Check", "Origin", "Section"]
+__all__ = ["Case", "Check", "Origin"]
 
 Place = Union[str, "os.PathLike[str]"]
 Changes = Mapping[str, Any]
@@ -111,7 +111,8 @@ class Case:
         self.update({key: value})
 
     def __getitem__(self, key: str) -> str:
-        """The value of a key as text with its unit, also a default: `case["mill.speed"]`."""
+        """The value of a key as text with its unit, also a default: `case["mill.speed"]`. Notebooks
+        complete the keys."""
         return self.origin(key).value
 
     def origin(self, key: str) -> Origin:
@@ -144,13 +145,8 @@ class Case:
         """The resolved case as TOML: every value, followed by its source as a comment."""
         return self._resolved.write()
 
-    def __getattr__(self, name: str) -> Section:
-        if not name.startswith("_") and name in sections():
-            return Section(self, name)
-        raise AttributeError(f"a case has no section {name}")
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *sections()]
+    def _ipython_key_completions_(self) -> list[str]:
+        return [key for key, *_ in _core.keys()]
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Case) and self._resolved == other._resolved
@@ -241,6 +237,17 @@ class Case:
                 error.result = Campaign(place)
             raise
         return Campaign(place)
+
+    @classmethod
+    def fit_file(cls, file: Place, data: Place, out: Place, changes: Optional[Changes] = None, *,
+                 force: bool = False, threads: int = 0, progress: Progress = None) -> Fit:
+        """Fits a case file whose fitted keys have no values yet, which is no complete Case."""
+        from .searches import Fit
+
+        texts = {k: toml.change_text(v) for k, v in (changes or {}).items()}
+        command(["fit"], target=os.fspath(file), data=os.fspath(data), changes=texts, out=Path(out),
+                force=force, threads=threads, progress=progress)
+        return Fit(out)
 
     def fit(self, data: Place, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
             progress: Progress = None) -> Fit:
@@ -338,52 +345,6 @@ class Case:
             yield path
         finally:
             os.unlink(path)
-
-
-class Section:
-    """The values of a section: `case.mill.speed`, and `case.mill.speed = "500 rpm"`."""
-
-    def __init__(self, case: Case, name: str):
-        object.__setattr__(self, "_case", case)
-        object.__setattr__(self, "_name", name)
-
-    def __getattr__(self, key: str) -> str:
-        if key.startswith("_"):
-            raise AttributeError(key)
-        try:
-            return self._case[f"{self._name}.{key}"]
-        except KeyError as error:
-            raise AttributeError(error.args[0]) from None
-
-    def __setattr__(self, key: str, value: Any) -> None:
-        self._case[f"{self._name}.{key}"] = value
-
-    def __dir__(self) -> list[str]:
-        return sections()[self._name]
-
-    def _values(self) -> list[Origin]:
-        return [one for one in self._case.origins if one.key.startswith(self._name + ".")]
-
-    def __repr__(self) -> str:
-        values = ", ".join(f"{one.key} = {one.value}" for one in self._values())
-        return f"<Section {values}>"
-
-    def _repr_html_(self) -> str:
-        rows = [(one.key, one.value, one.source) for one in self._values()]
-        return table_html(("key", "value", "source"), rows)
-
-
-def sections() -> dict[str, list[str]]:
-    """The keys of each section."""
-    if not _sections:
-        for key, *_ in _core.keys():
-            section, _, rest = key.partition(".")
-            if rest:
-                _sections.setdefault(section, []).append(rest)
-    return _sections
-
-
-_sections: dict[str, list[str]] = {}
 
 
 def restored(text: str, file: Path, in_file: bool, changes: dict[str, str]) -> Case:

@@ -96,6 +96,7 @@ class ResultPlots:
         with np.errstate(invalid="ignore", divide="ignore"):
             grid[j, i] = np.where(table["area_m2"] > 0, table[value] / table["area_m2"], np.nan)
         x, y = (np.degrees(a), 1e3 * b) if flat else (a, 1e3 * b)
+        ax.grid(False)
         mesh = ax.pcolormesh(x, y, grid, cmap="viridis", rasterized=True)
         unit = "1/(s m²)" if value == "rate_per_s" else value.rpartition("_")[2] + "/m²"
         name = re.sub(r"_(W|per_s|N_m_per_s|m_per_s)$", "", value)
@@ -228,7 +229,8 @@ def steps(low: Any, high: Any, height: Any) -> tuple[Any, Any]:
     """The outline of a histogram; gaps between bins are at 0."""
     import numpy as np
 
-    x, y = [], []
+    x: list[float] = []
+    y: list[float] = []
     for a, b, h in zip(low, high, height):
         if not x or not np.isclose(a, x[-1], rtol=1e-6):
             if x:

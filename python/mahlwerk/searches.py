@@ -83,9 +83,9 @@ class Fit(Found):
     numbers, rows, page = "fit.json", "fit.csv", "fit.html"
 
     @property
-    def parameters(self) -> Any:
-        """The fitted parameters with their confidence intervals."""
-        return self.data["parameters"]
+    def parameters(self) -> dict[str, dict[str, Any]]:
+        """The fitted parameters: "value", "low" and "high" of the 95 % interval, "unit", "determined", ..."""
+        return self.data["numbers"]
 
     @property
     def case(self) -> Case:

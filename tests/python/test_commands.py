@@ -1,0 +1,122 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""sweep, fit, optimise, match, compare, and opening what the command line wrote."""
+import json
+import shutil
+
+import numpy as np
+import pytest
+
+import mahlwerk
+
+from conftest import HOME
+
+FAST = {"run.time": "0.2 s", "run.settle": "0 s", "run.replicates": 2}
+SETS = [word for key, value in FAST.items() for word in ("--set", f"{key}={value}")]
+
+
+def equal_tables(one, other):
+    assert one.dtype.names == other.dtype.names
+    for name in one.dtype.names:
+        if not name.endswith("_seconds"):
+            np.testing.assert_array_equal(one[name], other[name], name)
+
+
+def test_a_sweep_is_the_campaign_of_the_command_line(example, program):
+    assert program("sweep", example("09-campaign"), *SETS, "--out", "there", "--quiet")[0] == 0
+    here = mahlwerk.Case(example("09-campaign"), FAST).sweep(out="here")
+    there = mahlwerk.open("there")
+    equal_tables(here.table, there.table)
+    assert len(here) == 16 and {k.key for k in here.keys} == {"mill.speed", "mill.ratio"}
+    assert here[0].quantities["dissipated_power"].value == here.column("dissipated_power")[0]
+    assert here[-1].case["mill.speed"] == "800 rpm"
+    assert mahlwerk.open("there/campaign.sqlite").title == here.title
+    assert here.warnings and here.failed == [] and here.unit("dissipated_power") == "W"
+    # What exists is not computed again.
+    before = here.table["wall_seconds"].tolist()
+    again = mahlwerk.Case(example("09-campaign"), FAST).sweep(out="here")
+    assert again.table["wall_seconds"].tolist() == before
+    with pytest.raises(KeyError, match="did you mean dissipated_power"):
+        here.column("dissipated_powr")
+    with pytest.raises(IndexError):
+        here[16]
+
+
+def test_a_case_from_python_sweeps_and_its_case_stays_beside_the_folder(ball):
+    over = {"mill.frequency": {"from": "10 Hz", "to": "12 Hz", "steps": 3}}
+    campaign = ball.sweep(over, "out/here")
+    assert campaign.column("mill.frequency").tolist() == [10, 11, 12]
+    assert "[sweep]" in open("out/here.case.toml", encoding="utf-8").read()
+    with pytest.raises(mahlwerk.InputError) as caught:
+        ball.sweep(over)
+    assert caught.value.faults[0].code == "no-folder"
+    with pytest.raises(mahlwerk.InputError) as caught:
+        ball.sweep(out="none")
+    assert caught.value.faults[0].code == "no-sweep"
+    with pytest.raises(mahlwerk.InputError, match="frequenzy"):
+        ball.sweep({"mill.frequenzy": ["1 Hz"]}, "none")
+
+
+def test_searches_and_fits_are_those_of_the_command_line(example, program):
+    best = example("09-campaign") + "/optimise.toml"
+    few = {**FAST, "optimise.settings": 6}
+    sets = [word for key, value in few.items() for word in ("--set", f"{key}={value}")]
+    assert program("optimise", best, *sets, "--out", "there", "--quiet")[0] == 0
+    here, there = mahlwerk.Case(best, few).optimise(out="here"), mahlwerk.open("there")
+    assert here.data == there.data and here.best == there.best and here.value > 0
+    equal_tables(here.table, there.table)
+    assert here.case["balls.diameter"] == here.best["balls.diameter"] and here.remarks
+
+    data = HOME / "tests/docs/cases/fit.csv"
+    case = HOME / "tests/docs/cases/fit.toml"
+    assert program("fit", case, data, "--out", "fit-there", "--quiet")[0] == 0
+    fitted = mahlwerk.Case.fit_file(case, data, "fit-here")
+    assert fitted.data == mahlwerk.open("fit-there").data
+    assert fitted.parameters and fitted.case.text
+
+
+def test_match_and_compare_are_those_of_the_command_line(example, program, tmp_path):
+    a = mahlwerk.Case(example("03-planetary-mill"), {**FAST, "mill.speed": "300 rpm"})
+    over = {"over": {"mill.speed": {"from": "200 rpm", "to": "400 rpm"}}, "settings": 4,
+            "replicates": 2}
+    b = mahlwerk.Case(example("03-planetary-mill"), FAST)
+    match = b.match(a, over, "match")
+    assert set(match.best) == {"mill.speed"} and 0 <= match.data["overlap"] <= 1
+    assert match.a.case["mill.speed"] == "300 rpm" and match.b["dissipated_power"].value > 0
+    assert mahlwerk.open("match").data == match.data
+    assert not list(tmp_path.glob(".case-*")), "temporary cases are removed"
+
+    few = {"run.time": "0.5 s"}
+    assert program("compare", example("01-one-ball"), "--set", "run.time=0.5 s", "--out", "there",
+                   "--quiet")[0] == 0
+    found = mahlwerk.Case(example("01-one-ball"), few).compare("here")
+    there = mahlwerk.open("there").table
+    one, other = (t[t["quantity"] != "computing_time"] for t in (found.table, there))
+    equal_tables(one, other)
+    assert (found.event.engine, found.soft.engine) == ("event", "soft")
+
+
+def test_opening_something_else_is_refused(tmp_path):
+    for place in (tmp_path, tmp_path / "none"):
+        with pytest.raises(mahlwerk.InputError) as caught:
+            mahlwerk.open(place)
+        assert caught.value.faults[0].code == "no-result"
+    for kind in (mahlwerk.Result, mahlwerk.Campaign, mahlwerk.Fit, mahlwerk.Comparison):
+        with pytest.raises(mahlwerk.InputError):
+            kind(tmp_path)
+
+
+def test_the_catalogue_is_that_of_the_command_line(program):
+    assert mahlwerk.catalogue("mills") == json.loads(program("list", "mills", "--json")[1])
+    assert mahlwerk.describe("retsch-mm400") == json.loads(
+        program("describe", "retsch-mm400", "--json")[1])
+    with pytest.raises(mahlwerk.InputError, match="did you mean"):
+        mahlwerk.describe("retsch-mm40")
+
+
+def test_a_damaged_result_is_not_read_silently(ball):
+    ball.run("out")
+    shutil.copytree("out", "bad")
+    open("bad/summary.json", "w").write("{")
+    with pytest.raises(ValueError):
+        mahlwerk.open("bad").quantities
