@@ -270,11 +270,21 @@ def replay(result: Result) -> dict[str, Any]:
         return np.frombuffer(base64.b64decode(text), kind)
 
     frames, balls = len(data["times"]), data["count"]
-    return {"times": np.array(data["times"]),
-            "positions": numbers(data["positions"], "<i2").reshape(frames, balls, 3)
-            * data["position_scale"],
+    # The replay has axes parallel to those of the laboratory; its quaternions turn the jar into them.
+    turn = numbers(data["jar_turn"], "<f4").reshape(frames, 1, 4).astype(float)
+    positions = numbers(data["positions"], "<i2").reshape(frames, balls, 3) * data["position_scale"]
+    return {"times": np.array(data["times"]), "positions": turned_back(positions, turn),
             "speeds": numbers(data["speeds"], "<u2").reshape(frames, balls) * data["speed_scale"],
             "outlines": [numbers(mesh["vertices"], "<f4").reshape(-1, 3) for mesh in data["meshes"]]}
+
+
+def turned_back(positions: Any, turn: Any) -> Any:
+    """Positions turned by the inverse of quaternions (x, y, z, w)."""
+    import numpy as np
+
+    axis, w = -turn[..., :3], turn[..., 3:]
+    across = 2 * np.cross(axis, positions)
+    return positions + w * across + np.cross(axis, across)
 
 
 def outline(vertices: Any, i: int, j: int) -> Any:
