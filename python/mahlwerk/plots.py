@@ -110,14 +110,19 @@ class ResultPlots:
             ax.tick_params("y", labelcolor="white")
         return ax
 
-    def trajectory(self, *balls: int, ax: Optional[Axes] = None, plane: Optional[str] = None) -> Axes:
-        """Paths of balls in the jar's own axes, from the frames of the report's replay (first
-        replicate). `balls` count from 0; default: the first three. `plane` is "xy", "xz" or "yz";
-        default: the one in which the balls move most. Brighter is faster."""
+    def trajectory(self, *balls: int, ax: Optional[Axes] = None, plane: Optional[str] = None,
+                   frame: str = "carrier") -> Axes:
+        """Paths of balls relative to the jar's centre, from the frames of the report's replay (first
+        replicate). `balls` count from 0; default: the first three. `frame` is "carrier" (axes that
+        rotate with the disc of a planetary mill; in other mills those of the laboratory) or "jar" (the
+        jar's own axes). `plane` is "xy", "xz" or "yz"; default: the one in which the balls move most.
+        Brighter is faster."""
         import numpy as np
         from matplotlib.collections import LineCollection
 
-        film = replay(self._result)
+        if frame not in ("carrier", "jar"):
+            raise ValueError(f'frame is "carrier" or "jar", not {frame!r}')
+        film = replay(self._result, frame)
         ax = axes(ax)
         count = film["positions"].shape[1]
         chosen = balls or tuple(range(min(3, count)))
@@ -138,7 +143,7 @@ class ResultPlots:
             lines.set_array(film["speeds"][1:, ball])
             lines.set_clim(0, fastest)
             ax.add_collection(lines)
-        ax.figure.colorbar(lines, ax=ax, label="speed in the jar's axes (m/s)")
+        ax.figure.colorbar(lines, ax=ax, label="speed relative to the jar's centre (m/s)")
         ax.autoscale_view()
         ax.set_aspect("equal")
         ax.set_xlabel(f"{plane[0]} (mm)")
@@ -256,8 +261,8 @@ def shown_bins(table: Any, per: str, energies: Any, unit: str) -> tuple[int, int
     return min(first, last), max(first, last)
 
 
-def replay(result: Result) -> dict[str, Any]:
-    """The frames of the replay: positions in m by frame, ball and axis; speeds; outlines of the jar."""
+def replay(result: Result, frame: str) -> dict[str, Any]:
+    """The frames of the replay: positions in m by time, ball and axis; speeds; outlines of the jar."""
     import numpy as np
 
     found = re.search(r'id="replay-data">(.*?)</script>', result.report, re.DOTALL)
@@ -270,21 +275,27 @@ def replay(result: Result) -> dict[str, Any]:
         return np.frombuffer(base64.b64decode(text), kind)
 
     frames, balls = len(data["times"]), data["count"]
-    # The replay has axes parallel to those of the laboratory; its quaternions turn the jar into them.
-    turn = numbers(data["jar_turn"], "<f4").reshape(frames, 1, 4).astype(float)
+    # The replay has axes parallel to those of the laboratory; its quaternions turn others into them.
+    jar, axes = (numbers(data[name], "<f4").reshape(frames, 1, 4).astype(float)
+                 for name in ("jar_turn", f"{frame}_turn"))
     positions = numbers(data["positions"], "<i2").reshape(frames, balls, 3) * data["position_scale"]
-    return {"times": np.array(data["times"]), "positions": turned_back(positions, turn),
+    meshes = [numbers(mesh["vertices"], "<f4").reshape(-1, 3) for mesh in data["meshes"]]
+    return {"times": np.array(data["times"]), "positions": turned(positions, inverse(axes)),
             "speeds": numbers(data["speeds"], "<u2").reshape(frames, balls) * data["speed_scale"],
-            "outlines": [numbers(mesh["vertices"], "<f4").reshape(-1, 3) for mesh in data["meshes"]]}
+            "outlines": [turned(turned(mesh, jar[0]), inverse(axes[0])) for mesh in meshes]}
 
 
-def turned_back(positions: Any, turn: Any) -> Any:
-    """Positions turned by the inverse of quaternions (x, y, z, w)."""
+def turned(positions: Any, turn: Any) -> Any:
+    """Positions turned by quaternions (x, y, z, w)."""
     import numpy as np
 
-    axis, w = -turn[..., :3], turn[..., 3:]
+    axis, w = turn[..., :3], turn[..., 3:]
     across = 2 * np.cross(axis, positions)
     return positions + w * across + np.cross(axis, across)
+
+
+def inverse(turn: Any) -> Any:
+    return turn * [-1.0, -1.0, -1.0, 1.0]
 
 
 def outline(vertices: Any, i: int, j: int) -> Any:
