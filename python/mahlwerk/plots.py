@@ -55,6 +55,7 @@ class ResultPlots:
         if per not in ("rate", "power"):
             raise ValueError(f'per is "rate" or "power", not {per!r}')
         table = self._result.table("spectrum")
+        table = table[table["energy_low_J"] > 0]  # without the bin of what is too small to count
         ax = axes(ax)
         low, high = table["energy_low_J"], table["energy_high_J"]
         unit = "per_s" if per == "rate" else "W"

@@ -29,9 +29,9 @@ def frame_of(array: np.ndarray) -> pd.DataFrame:
 
 
 def read_csv(file: Path) -> np.ndarray:
-    """A table written by Mahlwerk. Columns of words become text; an empty cell of a number is NaN."""
+    """A table written by Mahlwerk, or another CSV table with one heading line. Columns of words become text; an empty cell of a number is NaN."""
     with open(file, newline="", encoding="utf-8") as lines:
-        rows = list(csv.reader(lines))
+        rows = list(csv.reader(lines, skipinitialspace=True))
     return array_of(rows[0], rows[1:])
 
 
