@@ -50,7 +50,8 @@ class PythonObserver final : public scene::Observer {
 class ObserverList final : public scene::Observer {
  public:
   void add(std::unique_ptr<scene::Observer> one);
-  bool empty() const { return all_.empty(); }
+  /// The only observer, or this list; null if there is none. The list is used up.
+  std::unique_ptr<scene::Observer> combined() &&;
   void collisions(std::span<const scene::Collision> finished) override;
 
  private:

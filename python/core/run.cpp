@@ -77,13 +77,13 @@ results::Outcome compute(const cases::Case& mill_case, const RunRequest& request
   if (streams != nullptr) streams->attach(options);
   const auto to_files = options.records;
   options.records = [&, to_files](std::size_t point, int replicate) {
-    auto all = std::make_unique<ObserverList>();
-    if (to_files) all->add(to_files(point, replicate));
+    ObserverList all;
+    if (to_files) all.add(to_files(point, replicate));
     if (request.keep_records)
-      all->add(std::make_unique<RecordList>(kept[static_cast<std::size_t>(replicate)]));
+      all.add(std::make_unique<RecordList>(kept[static_cast<std::size_t>(replicate)]));
     for (const py::handle one : request.observers)
-      all->add(std::make_unique<PythonObserver>(one, replicate + 1, job));
-    return all->empty() ? nullptr : std::unique_ptr<scene::Observer>(std::move(all));
+      all.add(std::make_unique<PythonObserver>(one, replicate + 1, job));
+    return std::move(all).combined();
   };
   return campaign::run(mill_case, options);
 }

@@ -195,7 +195,7 @@ class Case:
         collisions  keeps every collision record in memory (136 bytes each); None: if the case has
                     [observe] collisions and there is no folder
         observers   functions `f(records, replicate)` that get every counted collision in chunks, a
-                    numpy structured array of at least 65536 records but for the last; `replicate`
+                    numpy structured array of at least 8192 records but for the last; `replicate`
                     counts from 1. Replicates may run side by side, so that calls for different
                     replicates alternate. An exception ends the run
         progress    None: in notebooks and on terminals; True, False; or a function

@@ -22,10 +22,20 @@ def frame_of(array: np.ndarray) -> pd.DataFrame:
         import pandas as pd
     except ImportError:
         raise ImportError("a frame needs pandas: install python3-pandas, or use the arrays") from None
+    return pd.DataFrame(columns_of(array), copy=False)
+
+
+def columns_of(array: np.ndarray) -> dict[str, np.ndarray]:
+    """The fields of a structured array, each copied to an array of its own."""
     import numpy as np
 
-    return pd.DataFrame({name: np.ascontiguousarray(array[name]) for name in array.dtype.names},
-                        copy=False)
+    made = {name: np.empty(len(array), array.dtype[name]) for name in array.dtype.names or ()}
+    block = 4096  # records of a block stay in the cache while their fields are copied
+    for begin in range(0, len(array), block):
+        part = array[begin:begin + block]
+        for name, values in made.items():
+            values[begin:begin + block] = part[name]
+    return made
 
 
 def read_csv(file: Path) -> np.ndarray:

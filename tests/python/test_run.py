@@ -57,12 +57,12 @@ def test_a_run_gives_the_same_files_as_the_command_line(example, program, name):
 
 def test_observers_get_every_collision_once_and_in_order(ball):
     seen = {1: [], 2: []}
-    case = ball.replace({"run.time": "500 s", "observe.collisions": True})
+    case = ball.replace({"run.time": "100 s", "observe.collisions": True})
     result = case.run("out", observers=[lambda records, k: seen[k].append(records)],
                       collisions=True)
     for k in (1, 2):
         got = np.concatenate(seen[k])
-        assert len(seen[k]) > 1 and all(len(one) >= 65536 for one in seen[k][:-1])
+        assert len(seen[k]) > 1 and all(len(one) >= 8192 for one in seen[k][:-1])
         kept = result.collisions(k)
         assert not kept.flags.writeable and np.shares_memory(kept, result.collisions(k))
         np.testing.assert_array_equal(got, kept)
@@ -71,7 +71,7 @@ def test_observers_get_every_collision_once_and_in_order(ball):
             read = file[f"replicate_{k}/collisions"][:]
             assert set(read.dtype.names) == set(mahlwerk.record_columns())
             np.testing.assert_array_equal(read["time"], got["time"])
-    rate = sum(len(r) for r in map(result.collisions, (1, 2))) / 2 / 500
+    rate = sum(len(r) for r in map(result.collisions, (1, 2))) / 2 / 100
     assert rate == pytest.approx(result["collision_rate"].value, rel=1e-9)
     frame = mahlwerk.tables.frame_of(result.collisions(1))
     assert len(frame) == len(result.collisions(1)) and frame["ball"].dtype == np.int32
