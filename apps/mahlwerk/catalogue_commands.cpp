@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// list and describe: contents of the catalogue.
+// list and describe: contents of the catalogue, and the keys of a case file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "command.hpp"
+#include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
@@ -23,21 +24,32 @@ std::vector<std::string> requested_categories(const std::string& target) {
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media", "unknown-name"});
+                         "use one of mills, jars, materials, media, or keys", "unknown-name"});
 }
 
-cases::CatalogueEntry entry_named(const std::string& name) {
+/// The entries of this name: "steel-304", or "materials/steel-304".
+std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
   const cases::Catalogue all = catalogue();
-  std::vector<std::string> known;
+  std::vector<cases::CatalogueEntry> found;
   for (const std::string_view category : cases::Catalogue::categories)
-    for (const std::string& one : all.names(category)) {
-      if (one == name) return all.find(category, name);
-      known.push_back(one);
-    }
+    for (const std::string& one : all.names(category))
+      if (one == name || fmt::format("{}/{}", category, one) == name)
+        found.push_back(all.find(category, one));
+  return found;
+}
+
+[[noreturn]] void report_unknown(const std::string& name) {
+  const cases::Catalogue all = catalogue();
+  std::vector<std::string> known = section_words();
+  for (const std::string_view category : cases::Catalogue::categories)
+    for (const std::string& one : all.names(category)) known.push_back(one);
+  for (const cases::KeyInfo& key : cases::all_keys()) known.push_back(key.key);
   const std::string near = cases::nearest_name(name, known);
-  throw InputError(Fault{"describe", "the catalogue has no '" + name + "'",
-                         near.empty() ? "see 'mahlwerk list'" : "did you mean '" + near + "'?",
-                         "unknown-name"});
+  throw InputError(Fault{
+      "describe", "neither the catalogue nor the keys of a case file have '" + name + "'",
+      near.empty() ? "see 'mahlwerk list' for the catalogue and 'mahlwerk list keys' for the keys"
+                   : "did you mean '" + near + "'?",
+      "unknown-name"});
 }
 
 Json as_json(const cases::CatalogueEntry& entry) {
@@ -55,6 +67,13 @@ Json as_json(const cases::CatalogueEntry& entry) {
 }
 
 int list(const Request& request) {
+  if (request.target == "keys") {
+    if (request.json)
+      json_to_stdout(keys_as_json(all_sections()));
+    else
+      to_stdout(key_index() + "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
+    return success;
+  }
   const cases::Catalogue all = catalogue();
   Json json = Json::array();
   for (const std::string& category : requested_categories(request.target)) {
@@ -78,12 +97,7 @@ int list(const Request& request) {
   return success;
 }
 
-int describe(const Request& request) {
-  const cases::CatalogueEntry entry = entry_named(request.target);
-  if (request.json) {
-    json_to_stdout(as_json(entry));
-    return success;
-  }
+void print(const cases::CatalogueEntry& entry) {
   to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.category, entry.name));
   if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
   to_stdout(fmt::format("{}\n\n", entry.about));
@@ -95,6 +109,40 @@ int describe(const Request& request) {
     to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n",
                           check.quantity, cases::derived(entry, check.quantity), check.expected,
                           100 * check.tolerance, check.source));
+}
+
+/// The keys of the sections and kinds; with `word` = "mill.speed" of this key alone.
+void print(const KeySections& sections, const std::string& word) {
+  const bool whole = std::ranges::none_of(
+      cases::all_keys(), [&](const cases::KeyInfo& key) { return key.key == word; });
+  std::string page;
+  for (const cases::KeySection* s : sections)
+    page += (page.empty() ? "" : "\n") + key_tables(*s, whole ? "" : word);
+  to_stdout(page);
+  if (!whole) return;
+  for (const cases::KeySection* s : sections) {
+    if (!s->kind.empty())
+      to_stdout(fmt::format("\nKeys of every kind of [{0}]: mahlwerk describe {0}\n", s->section));
+    if (s->kind.empty() && !s->choice.empty())
+      to_stdout("\nKeys of one kind: mahlwerk describe KIND\n");
+  }
+}
+
+int describe(const Request& request) {
+  const KeySections sections = sections_named(request.target);
+  const std::vector<cases::CatalogueEntry> entries = entries_named(request.target);
+  if (sections.empty() && entries.empty()) report_unknown(request.target);
+  if (request.json) {
+    json_to_stdout(sections.empty() ? as_json(entries.front()) : keys_as_json(sections));
+    return success;
+  }
+  if (!sections.empty()) print(sections, request.target);
+  for (const cases::CatalogueEntry& entry : entries) {
+    if (!sections.empty() || entries.size() > 1)
+      to_stdout(fmt::format("\nThe catalogue has this name, too ({}/{}):\n\n", entry.category,
+                            entry.name));
+    print(entry);
+  }
   return success;
 }
 
@@ -102,23 +150,28 @@ int describe(const Request& request) {
 
 Command list_command() {
   return {"list",
-          "list the contents of the catalogue: mills, jars, materials or media",
+          "list the contents of the catalogue: mills, jars, materials or media; or the keys of a "
+          "case file",
           {{.name = "CATEGORY",
             .target = &Request::target,
-            .about = "mills, jars, materials or media (default: all)",
-            .completions = "mills jars materials media"},
+            .about = "mills, jars, materials or media (default: all four), or keys",
+            .completions = "mills jars materials media keys"},
            json()},
           list};
 }
 
 Command describe_command() {
   return {"describe",
-          "show one catalogue entry: all values with units and sources",
+          "show one catalogue entry with all values and sources, or the keys of a section, a kind "
+          "or a model of case files",
           {{.name = "NAME",
             .target = &Request::target,
-            .about = "a name from 'mahlwerk list'",
+            .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
+                     "list keys'",
             .required = true,
-            .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')"},
+            .completions = fmt::format(
+                "$(\"${{COMP_WORDS[0]}}\" list 2>/dev/null | awk '/^  / {{print $1}}') {}",
+                fmt::join(section_words(), " "))},
            json()},
           describe};
 }

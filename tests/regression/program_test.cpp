@@ -54,6 +54,25 @@ TEST_F(Program, check_shows_the_rule_of_each_pair) {
     EXPECT_NE(e.output.find(line), std::string::npos) << e.output;
 }
 
+TEST_F(Program, describe_shows_the_keys_of_sections_kinds_and_single_keys) {
+  const auto shows = [&](const std::string& what, std::initializer_list<const char*> parts) {
+    const ProgramResult e = mahlwerk("describe " + what);
+    EXPECT_EQ(e.code, 0) << e.output;
+    for (const char* part : parts)
+      EXPECT_NE(e.output.find(part), std::string::npos) << part << '\n' << e.output;
+  };
+  shows("mill", {"[mill]", "jars_carried", "planetary", "mahlwerk describe KIND"});
+  shows("planetary", {"orbit_radius", "required", "mahlwerk describe mill"});
+  shows("mill.speed", {"planetary", "tumbling", "critical speed"});
+  shows("mill.planetary", {"orbit_radius"});
+  shows("fritsch-p7-classic", {"mills/fritsch-p7-classic"});
+  shows("materials/steel-304", {"density"});
+  shows("planetary --json", {"\"key\": \"orbit_radius\"", "\"least_excluded\": true"});
+  const ProgramResult all = mahlwerk("list keys --json");
+  EXPECT_EQ(all.code, 0);
+  EXPECT_NE(all.output.find("\"section\": \"optimise\""), std::string::npos);
+}
+
 TEST_F(Program, an_existing_result_is_refused_unless_forced) {
   EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
   const std::string before = text("out/summary.json");
@@ -82,6 +101,8 @@ TEST_F(Program, nonsense_is_refused_with_place_and_remedy) {
                      "--set 'contact.restitution_speed=1 m/s'",
                  "soft engine");
   expect_refused("describe fritsch-p7-clasic", "fritsch-p7-classic");
+  expect_refused("describe plantary", "planetary");
+  expect_refused("describe mill.spede", "mill.speed");
   expect_refused("fly", "");
 }
 

@@ -3,87 +3,151 @@
 #include "mahlwerk/cases/keys.hpp"
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <deque>
 #include <set>
 #include <utility>
 
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
+/// A section of a case, with the key that chooses its kind.
+struct SectionSpec {
+  std::string_view name, choice, about;
+  bool many_runs = false;  ///< whether it is about many runs
+};
+constexpr std::array sections{
+    SectionSpec{"", "", "keys at the top of the file, before the first section"},
+    SectionSpec{"mill", "kind", "the mill and its motion"},
+    SectionSpec{"jar", "kind", "the jar: inner shape, sizes and material of the wall"},
+    SectionSpec{"balls", "", "a ball set: size, number and material; one section for each set"},
+    SectionSpec{"powder", "", "the powder: amount, sizes and material"},
+    SectionSpec{"contact", "law", "rules and parameters of all contacts"},
+    SectionSpec{"contact.pairs", "",
+                "an exception from [contact] for certain pairs; one section for each"},
+    SectionSpec{"run", "", "engine, times, replicates and the start of a run"},
+    SectionSpec{"observe", "", "statistics and records of a run"},
+    SectionSpec{"wear", "model", "wear of balls and jar; may be empty"},
+    SectionSpec{"heat", "", "temperatures of balls and jar; may be empty"},
+    SectionSpec{"capture", "model", "how much powder a collision captures"},
+    SectionSpec{"breakage", "model",
+                "which hits break a grain; the powder's material may give the constants"},
+    SectionSpec{"fragments", "model", "the fragments of a broken grain"},
+    SectionSpec{"grinding", "", "how the size of the powder changes with time"},
+    SectionSpec{"kinetics", "law", "conversion of the powder by a dose of energy"},
+    SectionSpec{"sweep", "", "a campaign: keys of the case that vary", true},
+    SectionSpec{"optimise", "", "search for the settings of a largest or smallest quantity", true},
+    SectionSpec{"match", "", "search for settings that treat powder as another mill does", true},
+    SectionSpec{"fit", "", "parameters that are determined from measurements", true}};
+
 using ChosenWords = std::map<std::string, std::size_t>;  ///< key -> index of its word
 
-/// Search over all combinations of words that lead to new keys.
-struct KeySearch {
-  std::vector<KeyInfo> keys;                            ///< found so far
-  std::set<std::pair<std::string, std::size_t>> tried;  ///< keys with the index of a word
-  std::vector<ChosenWords> todo;                        ///< choices that reach untried words
-};
+/// Whether the choices of the section `from` may decide which keys the section `of` has.
+bool decides(std::string_view from, std::string_view of) {
+  return from == of || (of.starts_with(from) && of.substr(from.size()).starts_with('.'));
+}
 
-/// Lists the keys under the chosen words, and adds the alternative words to `todo`.
+/// Lists the keys of one section, under the chosen words.
 class KeyList : public CaseVisitor {
  public:
-  KeyList(KeySearch& found, ChosenWords chosen) : found_(found), chosen_(std::move(chosen)) {}
+  KeyList(std::string_view of, ChosenWords chosen) : of_(of), chosen_(std::move(chosen)) {}
 
-  void section(std::string_view name, std::size_t) override { prefix_ = std::string(name) + "."; }
-  void number(const NumberSpec& spec, double&) override { alternative(spec); }
+  void section(std::string_view name, std::size_t) override { now_ = name; }
+  void number(const NumberSpec& spec, double&) override {
+    add_number(spec, !spec.standard && spec.default_text.empty());
+  }
   void optional_number(const NumberSpec& spec, std::optional<double>&) override {
-    alternative(spec);
+    add_number(spec, false);
   }
-  void alternative(const NumberSpec& spec) override {
-    add({prefix_ + std::string(spec.key),
-         std::string(spec.unit),
-         spec.range,
-         {},
-         std::string(spec.about)});
-  }
+  void alternative(const NumberSpec& spec) override { add_number(spec, false); }
   void integer(const IntegerSpec& spec, std::int64_t&) override {
-    const Range range{.least = static_cast<double>(spec.least),
-                      .most = static_cast<double>(spec.most)};
-    add({prefix_ + std::string(spec.key), "", range, {}, std::string(spec.about)});
+    KeyInfo info = of_type("integer", spec.key, spec.about);
+    info.range = {.least = static_cast<double>(spec.least), .most = static_cast<double>(spec.most)};
+    if (spec.standard) info.default_value = std::to_string(*spec.standard);
+    info.default_source = spec.default_text.empty() ? spec.source : spec.default_text;
+    info.required = !spec.standard && spec.default_text.empty();
+    add(std::move(info));
   }
   void flag(const Flag& flag, bool&) override {
-    add({prefix_ + std::string(flag.key), "", {}, {"true", "false"}, ""});
+    KeyInfo info = of_type("flag", flag.key, flag.about);
+    info.words = {"true", "false"};
+    info.default_value = flag.standard ? "true" : "false";
+    info.default_source = flag.source;
+    add(std::move(info));
   }
-  void text(std::string_view key, std::string&) override {
-    add({prefix_ + std::string(key), "", {}, {}, ""});
+  void text(const TextSpec& spec, std::string&) override {
+    KeyInfo info = of_type("text", spec.key, spec.about);
+    info.required = spec.required;
+    add(std::move(info), spec.instead);
   }
-  void custom(const CustomKey& key, const std::function<std::string()>&) override {
-    add({prefix_ + std::string(key.key), "", {}, {}, std::string(key.about)});
+  void custom(const CustomKey& spec, const std::function<std::string()>&) override {
+    KeyInfo info = of_type(spec.type, spec.key, spec.about);
+    info.required = spec.required;
+    info.default_source = spec.default_text;
+    add(std::move(info), spec.instead);
   }
   bool choose(const Choice& choice, std::size_t& word_index) override {
-    const std::string key = prefix_ + std::string(choice.key);
-    add({key, "", {}, choice.words, ""});
-    word_index = chosen(key, choice.words.size(), word_index);
+    if (!decides(now_, of_)) return true;
+    KeyInfo info = of_type("word", choice.key, choice.about);
+    const std::string key = info.key;
+    const auto own = chosen_.find(key);
+    if (own != chosen_.end()) word_index = own->second;
+    choices_[key] = {word_index, choice.words};
+    info.words = choice.words;
+    info.meanings = {choice.meanings.begin(), choice.meanings.end()};
+    if (choice.source != of_contact) info.default_value = choice.standard;
+    info.default_source = choice.source;
+    info.required = choice.standard.empty();
+    add(std::move(info));
     return true;
   }
   bool visits_all() override { return true; }
+  bool tries_all_words() override { return true; }
+
+  struct Chosen {
+    std::size_t word_index = 0;
+    std::vector<std::string> words;
+  };
+  const std::vector<KeyInfo>& keys() const { return keys_; }
+  const std::map<std::string, Chosen>& choices() const { return choices_; }
 
  private:
-  void add(KeyInfo info) {
-    auto& keys = found_.keys;
-    if (std::ranges::find(keys, info.key, &KeyInfo::key) != keys.end()) return;
-    const auto of_section = [&](const KeyInfo& k) {
-      return k.key.substr(0, k.key.rfind('.') + 1) == prefix_;
-    };
-    const auto last = std::ranges::find_if(keys.rbegin(), keys.rend(), of_section);
-    keys.insert(last == keys.rend() ? keys.end() : last.base(), std::move(info));
+  KeyInfo of_type(std::string_view type, std::string_view key, std::string_view about) const {
+    KeyInfo info;
+    info.key = dotted(key);
+    info.type = type;
+    info.about = about;
+    return info;
   }
-  std::size_t chosen(const std::string& key, std::size_t count, std::size_t now) {
-    if (const auto own = chosen_.find(key); own != chosen_.end()) return own->second;
-    for (std::size_t word_index = 0; word_index < count; ++word_index) {
-      if (!found_.tried.emplace(key, word_index).second || word_index == now) continue;
-      ChosenWords other = chosen_;
-      other[key] = word_index;
-      found_.todo.push_back(std::move(other));
-    }
-    return now;
+  std::string dotted(std::string_view key) const {
+    return now_.empty() ? std::string(key) : now_ + "." + std::string(key);
+  }
+  void add_number(const NumberSpec& spec, bool required) {
+    KeyInfo info = of_type("number", spec.key, spec.about);
+    info.unit = spec.unit;
+    info.range = spec.range;
+    info.required = required;
+    if (!required)
+      info.default_source = spec.default_text.empty() ? spec.source : spec.default_text;
+    if (spec.standard && spec.default_text.empty() && spec.source != of_contact)
+      info.default_value = show(*spec.standard, spec.unit);
+    add(std::move(info), spec.instead);
+  }
+  void add(KeyInfo info, std::string_view instead = {}) {
+    if (now_ != of_ || std::ranges::find(keys_, info.key, &KeyInfo::key) != keys_.end()) return;
+    if (!instead.empty()) info.instead_of = dotted(instead);
+    keys_.push_back(std::move(info));
   }
 
-  KeySearch& found_;
+  std::string_view of_;
   ChosenWords chosen_;
-  std::string prefix_;
+  std::string now_;
+  std::vector<KeyInfo> keys_;
+  std::map<std::string, Chosen> choices_;
 };
 
 /// A case with every section.
@@ -92,6 +156,7 @@ Case full_case() {
   c.balls.resize(2);
   c.balls.back().grains = true;
   c.powder.emplace().grain_size = 1e-3;
+  c.contact.rule.friction = 0.3;  // so that the default of `bounce` holds
   c.contact.pairs.emplace_back();
   c.wear.emplace();
   c.heat.emplace();
@@ -101,24 +166,196 @@ Case full_case() {
   return c;
 }
 
+/// Whether two descriptions of a key differ in their default only.
+bool same_value(const KeyInfo& a, KeyInfo b) {
+  b.default_value = a.default_value;
+  b.default_source = a.default_source;
+  return a == b;
+}
+
+/// The keys of a section under all combinations of words that lead to new keys. Words may be fixed.
+/// A key whose meaning or range depends on a word is found once for each.
+class KeySearch {
+ public:
+  KeySearch(const SectionSpec& section, ChosenWords fixed)
+      : section_(section), todo_{std::move(fixed)} {}
+
+  std::vector<KeyInfo> keys() {
+    while (!todo_.empty()) {
+      const ChosenWords chosen = std::exchange(todo_.front(), {});
+      todo_.pop_front();
+      Case c = full_case();
+      visit(chosen, c);
+    }
+    for (std::size_t i = 0; i < keys_.size(); ++i) found_under_.push_back(conditions(keys_[i]));
+    for (std::size_t i = 0; i < keys_.size(); ++i) keys_[i].under = std::move(found_under_[i]);
+    if (section_.name == "run") add_until();
+    return std::move(keys_);
+  }
+
+ private:
+  /// The keys of time = "until 2 %".
+  void add_until() {
+    Case c = full_case();
+    c.run.until.emplace();
+    KeyList list(section_.name, {});
+    describe(list, c);
+    auto after = std::ranges::find(keys_, "run.time", &KeyInfo::key);
+    for (const KeyInfo& info : list.keys())
+      if (std::ranges::find(keys_, info.key, &KeyInfo::key) == keys_.end())
+        after = keys_.insert(after + 1, info);
+  }
+  void visit(const ChosenWords& chosen, Case& c) {
+    KeyList list(section_.name, chosen);
+    if (section_.many_runs)
+      describe_many_runs(list);
+    else
+      describe(list, c);
+    auto after = keys_.begin();  // new keys follow the one that is visited before them
+    for (const KeyInfo& info : list.keys()) {
+      auto known =
+          std::ranges::find_if(keys_, [&](const KeyInfo& key) { return same_value(key, info); });
+      if (known == keys_.end()) {
+        const auto same = std::ranges::find(keys_.rbegin(), keys_.rend(), info.key, &KeyInfo::key);
+        known = keys_.insert(same == keys_.rend() ? after : same.base(), info);
+      }
+      after = known + 1;
+    }
+    for (const auto& [key, choice] : list.choices())
+      for (std::size_t i = 0; i < choice.words.size(); ++i) {
+        if (!tried_.emplace(key, i).second || i == choice.word_index || chosen.contains(key))
+          continue;
+        ChosenWords other = chosen;
+        other[key] = i;
+        todo_.push_back(std::move(other));
+      }
+    visits_.push_back(std::move(list));
+  }
+
+  static bool has(const KeyList& visit, const KeyInfo& key) {
+    return std::ranges::any_of(visit.keys(),
+                               [&](const KeyInfo& info) { return same_value(key, info); });
+  }
+  /// The only choice in which two visits differ; empty if they differ in none or several.
+  static std::string difference(const KeyList& a, const KeyList& b) {
+    std::string found;
+    for (const auto& [key, choice] : a.choices()) {
+      const auto other = b.choices().find(key);
+      if (other == b.choices().end() || other->second.word_index == choice.word_index) continue;
+      if (!found.empty()) return {};
+      found = key;
+    }
+    return found;
+  }
+  /// The choices that decide whether the section has the key, with the words under which it has it.
+  std::map<std::string, std::vector<std::string>> conditions(const KeyInfo& key) const {
+    std::set<std::string> deciding;
+    for (const KeyList& with : visits_)
+      for (const KeyList& without : visits_)
+        if (has(with, key) && !has(without, key)) deciding.insert(difference(with, without));
+    deciding.erase("");
+    std::map<std::string, std::vector<std::string>> found;
+    for (const std::string& choice : deciding) {
+      std::set<std::size_t> words;
+      const KeyList::Chosen* chosen = nullptr;
+      for (const KeyList& visit : visits_) {
+        const auto at = visit.choices().find(choice);
+        if (at == visit.choices().end() || !has(visit, key)) continue;
+        chosen = &at->second;
+        words.insert(chosen->word_index);
+      }
+      for (const std::size_t word : words) found[choice].push_back(chosen->words[word]);
+    }
+    return found;
+  }
+
+  const SectionSpec& section_;
+  std::deque<ChosenWords> todo_;                         ///< words that are not tried yet
+  std::set<std::pair<std::string, std::size_t>> tried_;  ///< keys with the index of a word
+  std::vector<KeyList> visits_;
+  std::vector<KeyInfo> keys_;  ///< found so far
+  std::vector<std::map<std::string, std::vector<std::string>>> found_under_;
+};
+
+/// The keys that all kinds have. A default that differs is replaced by a remark.
+std::vector<KeyInfo> common_keys(const std::vector<KeySection>& kinds) {
+  std::vector<KeyInfo> common;
+  for (const KeyInfo& key : kinds.front().keys) {
+    bool everywhere = true, equal = true;
+    for (const KeySection& kind : kinds) {
+      const auto other =
+          std::ranges::find_if(kind.keys, [&](const KeyInfo& k) { return same_value(k, key); });
+      everywhere = everywhere && other != kind.keys.end();
+      equal = equal && everywhere && *other == key;
+    }
+    if (!everywhere) continue;
+    common.push_back(key);
+    if (equal) continue;
+    common.back().default_value.clear();
+    common.back().default_source = "depends on the kind";
+  }
+  return common;
+}
+
+void add_section(std::vector<KeySection>& all, const SectionSpec& spec) {
+  const std::string name(spec.name), choice = name + "." + std::string(spec.choice);
+  std::vector<KeyInfo> keys = KeySearch(spec, {}).keys();
+  if (spec.choice.empty()) {
+    all.push_back({name, "", "", std::string(spec.about), std::move(keys)});
+    return;
+  }
+  const KeyInfo chosen = *std::ranges::find(keys, choice, &KeyInfo::key);
+  std::vector<KeySection> kinds;
+  for (std::size_t i = 0; i < chosen.words.size(); ++i)
+    kinds.push_back(
+        {name, chosen.words[i], choice, chosen.meanings[i], KeySearch(spec, {{choice, i}}).keys()});
+  const std::vector<KeyInfo> common = common_keys(kinds);
+  all.push_back({name, "", choice, std::string(spec.about), common});
+  for (KeySection& kind : kinds) {
+    std::erase_if(kind.keys, [&](const KeyInfo& key) {
+      return std::ranges::find(common, key) != common.end();
+    });
+    all.push_back(std::move(kind));
+  }
+}
+
 }  // namespace
+
+std::string_view KeyInfo::name() const {
+  return std::string_view(key).substr(key.rfind('.') + 1);
+}
+
+bool KeyInfo::operator==(const KeyInfo& o) const {
+  const auto ends = [](const Range& r) {
+    return std::tuple(r.least, r.most, r.without_least, r.without_most);
+  };
+  return std::tie(key, type, unit, words, meanings, about, default_value, default_source, required,
+                  instead_of, under) == std::tie(o.key, o.type, o.unit, o.words, o.meanings,
+                                                 o.about, o.default_value, o.default_source,
+                                                 o.required, o.instead_of, o.under) &&
+         ends(range) == ends(o.range);
+}
 
 const std::vector<KeyInfo>& all_keys() {
   static const std::vector<KeyInfo> keys = [] {
-    KeySearch found{.keys = {}, .tried = {}, .todo = {{}}};
-    while (!found.todo.empty()) {
-      KeyList list(found, std::exchange(found.todo.back(), {}));
-      found.todo.pop_back();
-      Case c = full_case();
-      describe(list, c);
-    }
-    KeyList list(found, {});
-    Case c = full_case();
-    c.run.until.emplace();
-    describe(list, c);
-    return std::move(found.keys);
+    std::vector<KeyInfo> found;
+    for (const SectionSpec& spec : sections)
+      if (!spec.many_runs)
+        for (KeyInfo& key : KeySearch(spec, {}).keys())
+          if (std::ranges::find(found, key.key, &KeyInfo::key) == found.end())
+            found.push_back(std::move(key));
+    return found;
   }();
   return keys;
+}
+
+const std::vector<KeySection>& key_sections() {
+  static const std::vector<KeySection> all = [] {
+    std::vector<KeySection> found;
+    for (const SectionSpec& spec : sections) add_section(found, spec);
+    return found;
+  }();
+  return all;
 }
 
 }  // namespace mahlwerk::cases

@@ -36,6 +36,8 @@ struct LawSwitch {
   std::array<std::string_view, 2> words;  ///< the first is the default
   bool L::*second;                        ///< true if the second word is chosen
   std::string_view source;                ///< why the first is the default
+  std::string_view about;
+  std::array<std::string_view, 2> meanings;  ///< of the words
 };
 
 }  // namespace mahlwerk::contact

@@ -10,6 +10,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "unit/cases/sample.hpp"
 
@@ -65,6 +66,72 @@ TEST(Keys, every_key_that_is_written_is_listed) {
     ++count;
   }
   EXPECT_GE(count, 9);
+}
+
+const KeySection& section_of(std::string_view name, std::string_view kind = "") {
+  for (const KeySection& s : key_sections())
+    if (s.section == name && s.kind == kind) return s;
+  throw std::runtime_error("no such section");
+}
+
+const KeyInfo& key_of(const KeySection& section, std::string_view name) {
+  for (const KeyInfo& key : section.keys)
+    if (key.name() == name) return key;
+  throw std::runtime_error("no such key");
+}
+
+TEST(Keys, each_has_a_sentence_and_each_word_or_its_key_too) {
+  for (const KeySection& section : key_sections()) {
+    EXPECT_FALSE(section.about.empty()) << section.section << section.kind;
+    for (const KeyInfo& key : section.keys) {
+      EXPECT_FALSE(key.about.empty()) << key.key;
+      EXPECT_FALSE(key.type.empty()) << key.key;
+      EXPECT_EQ(key.type == "word" || key.type == "flag", !key.words.empty()) << key.key;
+      EXPECT_TRUE(key.meanings.empty() || key.meanings.size() == key.words.size()) << key.key;
+    }
+  }
+}
+
+TEST(Keys, a_default_has_a_source_and_a_required_key_has_none) {
+  for (const KeySection& section : key_sections())
+    for (const KeyInfo& key : section.keys) {
+      EXPECT_TRUE(key.default_value.empty() || !key.default_source.empty()) << key.key;
+      EXPECT_FALSE(key.required && !key.default_value.empty()) << key.key;
+    }
+}
+
+TEST(Keys, sections_and_kinds_hold_the_same_keys_as_the_whole_list) {
+  std::set<std::string> listed;
+  for (const KeySection& section : key_sections())
+    if (section.section != "sweep" && section.section != "optimise" && section.section != "match" &&
+        section.section != "fit")
+      for (const KeyInfo& key : section.keys) listed.insert(key.key);
+  EXPECT_EQ(listed, known_keys());
+}
+
+TEST(Keys, a_kind_lists_what_only_it_has) {
+  const KeyInfo& orbit = key_of(section_of("mill", "planetary"), "orbit_radius");
+  EXPECT_TRUE(orbit.required && orbit.unit == "m" && orbit.range.without_least);
+  EXPECT_EQ(key_of(section_of("mill", "figure-eight"), "rock").default_value, "0 deg");
+  EXPECT_EQ(key_of(section_of("jar", "cylinder"), "volume").instead_of, "jar.height");
+  EXPECT_EQ(section_of("contact", "hertz-mindlin").keys.size(), 0u);
+  EXPECT_EQ(key_of(section_of("contact", "jkr"), "surface_energy").unit, "J/m2");
+  EXPECT_EQ(key_of(section_of("mill"), "jar_axis").default_source, "depends on the kind");
+  EXPECT_EQ(key_of(section_of("mill", "arc-shaker"), "jar_axis").default_value, "horizontal");
+}
+
+TEST(Keys, a_key_that_needs_another_choice_says_which) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(key_of(section_of("contact"), "friction").under.at("contact.bounce"), Words{"walton"});
+  EXPECT_EQ(key_of(section_of("grinding"), "sample").under.at("grinding.method"),
+            (Words{"statistical", "both"}));
+  EXPECT_EQ(key_of(section_of("balls"), "largest").under.at("balls.distribution"),
+            Words{"uniform"});
+  EXPECT_TRUE(key_of(section_of("run"), "longest").under.empty());
+  std::vector<double> spreads;  // a range of its own under each distribution
+  for (const KeyInfo& key : section_of("balls").keys)
+    if (key.name() == "spread") spreads.push_back(key.range.most);
+  EXPECT_EQ(spreads, (std::vector{0.3, 2.0}));
 }
 
 TEST(Keys, each_is_in_the_docs) {

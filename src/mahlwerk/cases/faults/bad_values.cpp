@@ -37,7 +37,7 @@ class ValueCheck : public CaseVisitor {
   }
   bool visits_all() override { return true; }
   void flag(const Flag&, bool&) override {}
-  void text(std::string_view, std::string&) override {}
+  void text(const TextSpec&, std::string&) override {}
   bool choose(const Choice& choice, std::size_t& word_index) override {
     const bool sound = word_index < choice.words.size();
     if (!sound) fault(choice.key, "{} must be {}", quoted_list(choice.words));

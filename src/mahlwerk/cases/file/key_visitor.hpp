@@ -25,7 +25,8 @@ struct NumberSpec {
   std::string_view about;
   std::optional<double> standard = std::nullopt;
   std::string_view source = "";
-  std::string_view instead = "";  ///< alternative key, for the remedy of a fault
+  std::string_view instead = "";       ///< the other key of two that exclude each other
+  std::string_view default_text = "";  ///< default in words, where it follows from other values
 
   constexpr NumberSpec(std::string_view k, std::string_view u, Range r, std::string_view a,
                        std::optional<double> s = std::nullopt, std::string_view from = "")
@@ -45,6 +46,16 @@ struct NumberSpec {
     made.source = from;
     return made;
   }
+  constexpr NumberSpec with_default_text(std::string_view words) const {
+    NumberSpec made = *this;
+    made.default_text = words;
+    return made;
+  }
+  constexpr NumberSpec in_place_of(std::string_view other) const {
+    NumberSpec made = *this;
+    made.instead = other;
+    return made;
+  }
 };
 
 /// A key that takes one of several words.
@@ -53,6 +64,8 @@ struct Choice {
   std::vector<std::string> words;
   std::string standard;  ///< default; empty: the user must give the key
   std::string_view source = "";
+  std::string_view about = "";
+  std::vector<std::string_view> meanings = {};  ///< of the words, in their order
 };
 
 /// An integer that a section may or must give.
@@ -62,6 +75,7 @@ struct IntegerSpec {
   std::string_view about;
   std::optional<std::int64_t> standard = std::nullopt;  ///< default; none: the key is required
   std::string_view source = "";
+  std::string_view default_text = "";  ///< default in words, where it follows from other values
 };
 
 /// A key that takes true or false.
@@ -69,12 +83,24 @@ struct Flag {
   std::string_view key;
   bool standard;
   std::string_view source;
+  std::string_view about = "";
+};
+
+/// A key that takes a text: a name or a file.
+struct TextSpec {
+  std::string_view key, about;
+  bool required = false;
+  std::string_view instead = "";  ///< the other key of two that exclude each other
 };
 
 /// A value with a format of its own, for instance a list.
 struct CustomKey {
   std::string_view key, about;
   bool sound = true;  ///< whether the value is valid
+  std::string_view type = "list";
+  bool required = false;
+  std::string_view default_text = "";
+  std::string_view instead = "";  ///< the other key of two that exclude each other
 };
 
 class SectionReader;
@@ -90,7 +116,7 @@ class KeyVisitor {
   virtual void optional_number(const NumberSpec& spec, std::optional<double>& value) = 0;
   virtual void integer(const IntegerSpec& spec, std::int64_t& value) = 0;
   virtual void flag(const Flag& flag, bool& value) = 0;
-  virtual void text(std::string_view key, std::string& value) = 0;  ///< an empty text is omitted
+  virtual void text(const TextSpec& spec, std::string& value) = 0;  ///< an empty text is omitted
   /// `word_index` is the index of the word; false and index 0 after a fault.
   virtual bool choose(const Choice& choice, std::size_t& word_index) = 0;
   /// `text` returns the value as written in a case. The section's own function reads the value.
@@ -105,6 +131,9 @@ class KeyVisitor {
   virtual bool gives(std::string_view) { return false; }
   /// Whether the visitor wants all keys, including keys without meaning under the present values.
   virtual bool visits_all() { return false; }
+  /// Whether the visitor chooses every word of every choice, one after the other. It then wants
+  /// those keys only that have a meaning under the present words.
+  virtual bool tries_all_words() { return false; }
   /// Suppresses faults for unknown keys, after a fault of a value that determines the known keys.
   virtual void ignore_unknown_keys() {}
   /// Keys that have no meaning, for the reason `why`: a fault for each that the section gives.
@@ -130,15 +159,16 @@ class KeyVisitor {
     choose(choice, word_index);
     if (word_index < choice.words.size()) value = choice.words[word_index];
   }
-  /// A model of a register (a variant), by name. A reader sets it to its default numbers. False
-  /// after a fault; `any` is then unchanged.
+  /// A model of a register (a variant), by name; the register gives the words of the choice. A
+  /// reader sets it to its default numbers. False after a fault; `any` is then unchanged.
   template <class... Models>
-  bool model(std::string_view key, std::variant<Models...>& any, std::string standard = "",
-             std::string_view source = "") {
-    const auto names = model_names(std::type_identity<std::variant<Models...>>{});
+  bool model(Choice choice, std::variant<Models...>& any) {
+    choice.words = model_names(std::type_identity<std::variant<Models...>>{});
+    choice.meanings = {Models::about...};
     std::size_t word_index = any.index();
-    if (!choose({key, names, std::move(standard), source}, word_index)) return false;
-    if (reader() != nullptr || word_index != any.index()) choose_model(any, names[word_index]);
+    if (!choose(choice, word_index)) return false;
+    if (reader() != nullptr || word_index != any.index())
+      choose_model(any, choice.words[word_index]);
     return true;
   }
 };

@@ -48,7 +48,9 @@ class SectionReader : public KeyVisitor {
   }
   void integer(const IntegerSpec& spec, std::int64_t& value) override;
   void flag(const Flag& flag, bool& value) override;
-  void text(std::string_view key, std::string& value) override { value = text(key).value_or(""); }
+  void text(const TextSpec& spec, std::string& value) override {
+    value = text(spec.key).value_or("");
+  }
   bool choose(const Choice& choice, std::size_t& word_index) override;
   void custom(const CustomKey&, const std::function<std::string()>&) override {}
   SectionReader* reader() override { return this; }

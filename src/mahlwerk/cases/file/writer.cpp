@@ -50,8 +50,8 @@ void Writer::number(const NumberSpec& spec, double& value) {
   line(spec.key, spec.unit.empty() ? shortest(value) : in_quotes(show(value, spec.unit)));
 }
 
-void Writer::text(std::string_view key, std::string& value) {
-  if (!value.empty()) line(key, in_quotes(value));
+void Writer::text(const TextSpec& spec, std::string& value) {
+  if (!value.empty()) line(spec.key, in_quotes(value));
 }
 
 bool Writer::choose(const Choice& choice, std::size_t& word_index) {

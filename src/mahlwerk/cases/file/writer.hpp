@@ -24,7 +24,7 @@ class Writer : public CaseVisitor {
     line(spec.key, std::to_string(value));
   }
   void flag(const Flag& flag, bool& value) override { line(flag.key, value ? "true" : "false"); }
-  void text(std::string_view key, std::string& value) override;
+  void text(const TextSpec& spec, std::string& value) override;
   bool choose(const Choice& choice, std::size_t& word_index) override;
   void custom(const CustomKey& key, const std::function<std::string()>& text) override {
     line(key.key, text());

@@ -147,22 +147,27 @@ double mean_diameter(Distribution of) {
 }
 
 void describe_count(KeyVisitor& v, BallSet& set) {
-  v.alternative({"model", "", any_number, "name of a ball set in the catalogue"});
-  v.alternative(mass_of_set);
-  v.alternative(filling_of_set);
+  if (std::string name; v.visits_all())
+    v.text({"model", "name of a ball set in the catalogue, which gives size, material and number"},
+           name);
+  v.alternative(mass_of_set.in_place_of("count"));
+  v.alternative(filling_of_set.in_place_of("count"));
   const auto vectors = [&](const VectorList& list, const std::vector<Vec3>& given) {
     if (given.empty() && !v.visits_all()) return;
     const bool sound =
         (given.empty() || std::cmp_equal(given.size(), set.count)) &&
         std::ranges::all_of(given, [](const Vec3& p) { return std::isfinite(norm(p)); });
-    v.custom({list.component.key, list.component.about, sound},
+    v.custom({.key = list.component.key,
+              .about = list.component.about,
+              .sound = sound,
+              .instead = &list == &position_list ? "count" : ""},
              [&] { return vectors_text(list, given); });
   };
   vectors(position_list, set.positions);
   vectors(velocity_list, set.velocities);
   vectors(spin_list, set.spins);
   if (set.positions.empty() || v.visits_all())
-    v.integer({"count", 1, max_balls, "number of balls"}, set.count);
+    v.integer({"count", 1, max_balls, "number of balls", 1, "one ball"}, set.count);
 }
 
 /// False after a fault.
@@ -191,8 +196,8 @@ void describe_material(KeyVisitor& v, BallSet& set) {
                             set.material));
     set.density = given.value_or(invalid_value);
   } else {
-    v.number(density, set.density);
-    v.text("material", set.material);
+    v.number(density.with_default_text("that of the material"), set.density);
+    v.text({"material", "material of the balls, by its name in the catalogue"}, set.material);
   }
   describe(v, set.elastic, set.material);
   describe(v, set.substance, set.material);

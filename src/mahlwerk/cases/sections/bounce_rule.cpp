@@ -19,7 +19,9 @@ using contact::BounceRule;
 using contact::Restitution;
 using RestitutionLaw = Restitution::Law;
 
-constexpr std::string_view inherited = "as in [contact]";
+constexpr double usual_restitution = 0.8;
+constexpr std::string_view clean_metal =
+    "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)";
 
 const NumberSpec& restitution_value() {
   static const NumberSpec spec("restitution", "", restitution_range,
@@ -89,7 +91,7 @@ RestitutionLaw read_law(SectionReader& in, std::string_view given, const Restitu
   } else if (all != nullptr &&
              !(given == "restitution" && all->law() == RestitutionLaw::tabulated)) {
     choice.standard = restitution_laws()[static_cast<std::size_t>(all->law())];
-    choice.source = inherited;
+    choice.source = of_contact;
   }
   return to_enum<RestitutionLaw>(in.choice(choice), restitution_laws());
 }
@@ -104,7 +106,7 @@ Restitution read_tabulated(SectionReader& in, const Restitution* all) {
   refuse_unused(in, "restitution_speed", "tabulated", "remove it");
   if (const Node* table = in.find("restitution_table")) return read_table(in, *table);
   if (all != nullptr && all->law() == RestitutionLaw::tabulated) {
-    in.record_default("restitution_table", table_text(*all), inherited);
+    in.record_default("restitution_table", table_text(*all), of_contact);
     return *all;
   }
   in.missing("restitution_table", "approach speeds with their restitution",
@@ -116,7 +118,7 @@ Restitution read_viscoelastic(SectionReader& in, double value, const Restitution
   refuse_unused(in, "restitution_table", "viscoelastic", "remove it, or restitution_law");
   NumberSpec speed = restitution_speed();
   if (all != nullptr && all->law() == RestitutionLaw::viscoelastic)
-    speed = speed.with_default(all->speed(), inherited);
+    speed = speed.with_default(all->speed(), of_contact);
   const double at = in.value(speed);
   if (const Node* zero = in.find("restitution"); value == 0 && zero != nullptr)
     in.fault(*zero, "a viscoelastic restitution must be above 0", "give a restitution above 0",
@@ -135,10 +137,9 @@ Restitution read_restitution(SectionReader& in, const Restitution* all) {
       refuse_unused(in, given, "tabulated", "remove it, or restitution_law");
     return read_tabulated(in, all);
   }
-  NumberSpec spec = restitution_value().with_default(
-      0.8, "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)");
+  NumberSpec spec = restitution_value().with_default(usual_restitution, clean_metal);
   if (all != nullptr && all->law() != RestitutionLaw::tabulated)
-    spec = spec.with_default(all->value(), inherited);
+    spec = spec.with_default(all->value(), of_contact);
   const double value = in.value(spec);
   if (law == RestitutionLaw::viscoelastic) return read_viscoelastic(in, value, all);
   if (given == "restitution_table")
@@ -154,12 +155,22 @@ void describe_restitution(KeyVisitor& v, Restitution& e, const Restitution* all)
   }
   RestitutionLaw law = e.law();
   double value = e.value(), speed = e.speed();
-  v.word({"restitution_law", restitution_laws(), "constant"}, law);
+  v.word({"restitution_law",
+          restitution_laws(),
+          "constant",
+          all != nullptr ? of_contact : "the same at every speed",
+          "dependence of the restitution on the approach speed",
+          {"none", "decreases as that of viscoelastic spheres", "by restitution_table"}},
+         law);
   if (law == RestitutionLaw::tabulated)
-    v.custom({"restitution_table", "approach speeds with their restitution"},
+    v.custom({.key = "restitution_table",
+              .about = "approach speeds with their restitution",
+              .required = true},
              [&] { return table_text(e); });
   else
-    v.number(restitution_value(), value);
+    v.number(all != nullptr ? restitution_value().with_default_text(of_contact)
+                            : restitution_value().with_default(usual_restitution, clean_metal),
+             value);
   if (law == RestitutionLaw::viscoelastic) v.number(restitution_speed(), speed);
 }
 
@@ -169,10 +180,13 @@ Choice bounce_of(KeyVisitor& v, const BounceRule* all) {
   Choice choice{"bounce",
                 {"constant", "walton"},
                 "walton",
-                "sticking below the Coulomb limit, sliding above it"};
+                "sticking below the Coulomb limit, sliding above it",
+                "rule of the tangential velocity in a bounce",
+                {"tangential_restitution alone, without friction",
+                 "tangential_restitution below the Coulomb limit, sliding above it"}};
   if (!friction && all != nullptr) {
     choice.standard = std::isfinite(all->friction) ? "walton" : "constant";
-    choice.source = inherited;
+    choice.source = of_contact;
   } else if (!friction && v.gives("tangential_restitution")) {
     choice.standard = "constant";
     choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
@@ -192,7 +206,7 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
       "rough");
   tangential = tangential.with_default(
       0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
-  if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, inherited);
+  if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, of_contact);
   v.number(tangential, rule.tangential_restitution);
   if (!walton) {
     v.refuse({"friction"}, "under bounce = \"constant\"",
@@ -203,7 +217,7 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
       NumberSpec("friction", "", not_negative, "Coulomb's friction coefficient mu")
           .with_default(0.3, "uncalibrated, 0.1-0.6");
   if (all != nullptr && std::isfinite(all->friction))
-    friction = friction.with_default(all->friction, inherited);
+    friction = friction.with_default(all->friction, of_contact);
   v.number(friction, rule.friction);
 }
 

@@ -13,11 +13,13 @@ namespace mahlwerk::cases {
 namespace {
 
 void describe_top(KeyVisitor& v, Case& c) {
-  v.custom({"title", "title of the case"}, [&] { return in_quotes(c.title); });
-  v.custom({"seed", "seed of the random initial positions and velocities"}, [&] {
-    const std::string seed = std::to_string(c.seed);
-    return std::in_range<std::int64_t>(c.seed) ? seed : in_quotes(seed);
-  });
+  v.custom({"title", "title of the case", true, "text"}, [&] { return in_quotes(c.title); });
+  v.custom({"seed", "seed of the random initial positions and velocities, a whole number from 0",
+            true, "integer", false, "1"},
+           [&] {
+             const std::string seed = std::to_string(c.seed);
+             return std::in_range<std::int64_t>(c.seed) ? seed : in_quotes(seed);
+           });
   v.fields(c, case_fields());
 }
 
@@ -54,6 +56,17 @@ void describe(CaseVisitor& v, Case& c) {
     section("grinding", *c.grinding, c);
   }
   if (c.kinetics) section("kinetics", *c.kinetics, c);
+}
+
+void describe_many_runs(CaseVisitor& v) {
+  v.section("sweep");
+  list_sweep_keys(v);
+  v.section("optimise");
+  list_optimise_keys(v);
+  v.section("match");
+  list_match_keys(v);
+  v.section("fit");
+  list_fit_keys(v);
 }
 
 }  // namespace mahlwerk::cases

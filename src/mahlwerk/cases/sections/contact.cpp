@@ -47,7 +47,9 @@ void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
   NumberSpec friction(
       "lasting_friction", "", not_negative, "Coulomb's friction coefficient of sustained contacts",
       0.3, "uncalibrated, 0.1-0.6; sustained contacts need a limit where bounces have none");
-  if (std::isfinite(contact.rule.friction))
+  if (v.visits_all())
+    friction = friction.with_default_text("the friction of bounces; 0.3 if they have none");
+  else if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
   v.number(friction, contact.lasting_friction);
   v.number({"lasting_speed", "m/s", not_negative,
@@ -79,7 +81,7 @@ void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, cons
     NumberSpec spec(field);
     spec.unit = unit_of(field.key, field.unit, *model);
     if (spec.unit != field.unit) spec.standard.reset();  // no default in that unit
-    if (all != nullptr) spec = spec.with_default(all->*of_all, "as in [contact]");
+    if (all != nullptr) spec = spec.with_default(all->*of_all, of_contact);
     v.number(spec, owner.*field.value);
   }
 }
@@ -89,7 +91,10 @@ std::string between_text(const PairRule& pair) {
 }
 
 void describe_between(KeyVisitor& v, PairRule& pair) {
-  constexpr CustomKey between{"between", "the two partners of the rule"};
+  constexpr CustomKey between{
+      .key = "between",
+      .about = "the two partners of the rule: ball sets, faces of the jar or materials",
+      .required = true};
   v.custom(between, [&] { return between_text(pair); });
   SectionReader* in = v.reader();
   if (in == nullptr) return;
@@ -144,7 +149,10 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
           {"roll", "tc", "none"},
           several ? "tc" : "roll",
           several ? "with several balls, sustained contacts follow the TC rule"
-                  : "a ball may stay in contact, and roll or slide"},
+                  : "a ball may stay in contact, and roll or slide",
+          "how the event engine treats a ball that bounces ever faster; \"roll\" for one ball",
+          {"it stays in contact and rolls or slides; for one ball",
+           "a bounce within contact_time of the last one is elastic", "no treatment"}},
          contact.lasting);
   return model;
 }

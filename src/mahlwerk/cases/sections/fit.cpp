@@ -119,6 +119,15 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
   }
 }
 
+void list_fit_keys(KeyVisitor& v) {
+  v.custom({.key = any_key,
+            .about = "the dotted name of a number of [capture], [breakage], [fragments], "
+                     "[grinding] or [kinetics], with "
+                     "the least and the largest value of the search",
+            .required = true},
+           [] { return std::string(); });
+}
+
 void write(Writer& out, const std::map<std::string, FitRange>& fit) {
   out.section("fit");
   for (const auto& [key, ends] : fit) out.plain(in_quotes(key), list_text({ends[0], ends[1]}));

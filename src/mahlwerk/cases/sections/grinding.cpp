@@ -41,8 +41,9 @@ NumberSpec spec_of(const Field<M>& field, bool remembering) {
 /// The model and its numbers; false after an unknown word. `remembering`: the breakage model tracks
 /// the strength of grains.
 template <class... Models>
-bool describe_model(KeyVisitor& v, std::variant<Models...>& any, const Case& c, bool remembering) {
-  if (!v.model("model", any)) {
+bool describe_model(KeyVisitor& v, std::string_view about, std::variant<Models...>& any,
+                    const Case& c, bool remembering) {
+  if (!v.model({.key = "model", .words = {}, .standard = "", .about = about}, any)) {
     v.ignore_unknown_keys();
     return false;
   }
@@ -67,16 +68,28 @@ std::optional<CatalogueEntry> material_of(const Case& c, const Catalogue& catalo
 
 void describe_method(KeyVisitor& v, Grinding& g) {
   using Method = Grinding::Method;
-  v.word({"method", {"balance", "statistical", "both"}, "balance", "expected values, not random"},
+  v.word({"method",
+          {"balance", "statistical", "both"},
+          "balance",
+          "expected values, not random",
+          "how sizes are computed",
+          {"population balance, for expected values", "a random sample of grains, hit by hit",
+           "both methods"}},
          g.method);
   if (g.method == Method::balance)
     v.refuse({"sample"}, "under method = \"balance\"",
              "remove it, or write method = \"statistical\" or \"both\"");
-  if (g.method != Method::balance || v.visits_all())
+  if (g.method != Method::balance || (v.visits_all() && !v.tries_all_words()))
     v.integer({"sample", min_sample, max_sample, "grains of the statistical method",
                Grinding().sample, "sampling error of shares 0.5 % at most"},
               g.sample);
-  v.word({"bed", {"by-size", "mixed"}, "by-size", "each hit captures grains of one size"}, g.bed);
+  v.word({"bed",
+          {"by-size", "mixed"},
+          "by-size",
+          "each hit captures grains of one size",
+          "what a collision captures",
+          {"grains of one size", "the powder with its present size distribution"}},
+         g.bed);
 }
 
 /// The finest size, by default a fixed ratio below the largest of the feed.
@@ -89,13 +102,16 @@ void describe_smallest(KeyVisitor& v, Grinding& g, const Case& c) {
   } else if (in != nullptr && !sized) {
     g.smallest = invalid_value;
   } else {
-    v.number({"smallest", "m", positive, "finest grain size that is resolved"}, g.smallest);
+    v.number(NumberSpec("smallest", "m", positive, "finest grain size that is resolved")
+                 .with_default_text("largest size of the feed / 4096"),
+             g.smallest);
   }
 }
 
 /// The number of size classes per octave.
 void describe_per_octave(KeyVisitor& v, Grinding& g, bool remembering) {
-  v.integer({"classes_per_octave", size_step, max_per_octave, "size classes, a multiple of three",
+  v.integer({"classes_per_octave", size_step, max_per_octave,
+             "size classes for a factor of two, a multiple of three; 3 by default under tavares",
              remembering ? size_step : 2 * size_step,
              remembering ? "few, as each class has many strengths" : "a size every 12 %"},
             g.classes_per_octave);
@@ -112,7 +128,8 @@ void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
   const bool read = v.reader() != nullptr;
   v.fields(g, grinding_shares());
   if (!read || v.gives("sticking"))
-    v.optional_number({"sticking_size", "m", positive, "largest grain size that sticks"},
+    v.optional_number(NumberSpec("sticking_size", "m", positive, "largest grain size that sticks")
+                          .with_default_text("grains of all sizes"),
                       g.sticking_size);
   else
     v.refuse({"sticking_size"}, "without `sticking`", "remove it, or write sticking = \"10 %\"");
@@ -146,7 +163,11 @@ void unused_sections(const GrindingTables& t, Findings& findings) {
 
 void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const Case& c,
                            bool of_grinding) {
-  if (!of_grinding && c.grinding)
+  if (v.visits_all())
+    spec = spec.with_default_text(of_grinding ? "milling x cycles of [heat], if given"
+                                              : "time of [grinding], else milling x cycles of "
+                                                "[heat], if given");
+  else if (!of_grinding && c.grinding)
     spec = spec.with_default(c.grinding->time, "that of [grinding]");
   else if (c.heat)
     spec = spec.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
@@ -159,23 +180,29 @@ void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) 
     v.word({"energy",
             {"normal", "contact-point", "lost"},
             "normal",
-            "the part along the line of centres; sliding does not press"},
+            "the part along the line of centres; sliding does not press",
+            "energy of a collision that acts on the powder",
+            {"kinetic energy of the approach along the line of centres",
+             "kinetic energy of the relative motion at the contact point",
+             "energy that the collision dissipates"}},
            capture.energy);
     v.number(NumberSpec(energy_share), capture.energy_share);
   };
   if (v.reader() != nullptr) energy();
-  if (describe_model(v, *capture.model, c, remembering) && v.reader() == nullptr) energy();
+  if (describe_model(v, "which powder a collision captures", *capture.model, c, remembering) &&
+      v.reader() == nullptr)
+    energy();
 }
 
 void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c) {
   SectionReader* in = v.reader();
   if (in != nullptr)
     if (const auto material = material_of(c, in->catalogue())) in->add_defaults(*material);
-  describe_model(v, breakage, c, false);
+  describe_model(v, "which hits break a grain", breakage, c, false);
 }
 
 void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c) {
-  describe_model(v, fragments, c, false);
+  describe_model(v, "sizes of the fragments of a broken grain", fragments, c, false);
 }
 
 void describe(KeyVisitor& v, Grinding& g, const Case& c) {

@@ -109,7 +109,8 @@ void describe_shape(KeyVisitor& v, geometry::AnyShape& any) {
   const auto numbers = [&]<class S>(S& shape) {
     if (in == nullptr) {
       v.fields(shape, S::fields());
-      if (is_plain<S>) v.alternative(inner_volume);
+      if (is_plain<S>)
+        v.alternative(inner_volume.in_place_of(has_height<S> ? "height" : "diameter"));
     }
     if constexpr (!std::is_same_v<S, geometry::Mesh>)  // read by describe_mesh()
       if (in != nullptr) read_shape(*in, shape);
@@ -127,15 +128,18 @@ Jar invalid_jar() {
 
 void describe(KeyVisitor& v, Jar& jar) {
   Model model;
-  const bool known = describe_kind(v, "jars", *jar.shape, jar.model, model);
-  if (v.reader() != nullptr) v.text("material", jar.material);
+  const bool known =
+      describe_kind(v, "jars", "inner shape of the jar", *jar.shape, jar.model, model);
+  constexpr TextSpec material{
+      "material", "material of the jar, by its name in the catalogue; gives the properties below"};
+  if (v.reader() != nullptr) v.text(material, jar.material);
   if (!known) {
     jar.shape = invalid_jar().shape;
     return v.ignore_unknown_keys();
   }
   if (std::holds_alternative<geometry::Mesh>(*jar.shape)) describe_mesh(v, jar);
   describe_shape(v, *jar.shape);
-  if (v.reader() == nullptr) v.text("material", jar.material);
+  if (v.reader() == nullptr) v.text(material, jar.material);
   describe_wall(v, jar);
 }
 

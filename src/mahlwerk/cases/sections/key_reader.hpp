@@ -40,6 +40,9 @@ class KeyReader {
   std::map<std::string, std::string> derived_;
 };
 
+/// Stands for any key of the case, as a key of a section about many runs.
+constexpr std::string_view any_key = "KEY";
+
 /// The values of a key, and a list of words in quotes, as written in a case file.
 std::string values_text(const SweptKey& key);
 std::string list_text(const std::vector<std::string>& words);

@@ -22,7 +22,15 @@ void refuse_meaningless(SectionReader& in, std::string_view key, std::string_vie
 template <class L>
 void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
   const std::string first(one.words[0]), second(one.words[1]);
-  v.word({one.key, {first, second}, first, one.source}, law.*one.second);
+  v.word(
+      {one.key, {first, second}, first, one.source, one.about, {one.meanings[0], one.meanings[1]}},
+      law.*one.second);
+}
+
+std::vector<std::string_view> rolling_meanings() {
+  std::vector<std::string_view> meanings;
+  for (const contact::RollingRule& rule : contact::rolling_rules) meanings.push_back(rule.about);
+  return meanings;
 }
 
 /// A number of the law, or the alternative key given instead.
@@ -57,11 +65,14 @@ void describe_law(KeyVisitor& v, ContactModel* model) {
   SectionReader* in = v.reader();
   const auto numbers = [&]<class L>(L& law) {
     std::optional<double> left_out;
-    for (const auto& f : L::fields())
+    for (const auto& f : L::fields()) {
+      const NumberSpec spec =
+          NumberSpec(f).with_default_text(f.default_text).in_place_of(f.instead_of);
       if (contact::is_given(law, f))
-        v.number(NumberSpec(f), law.*f.value);
+        v.number(spec, law.*f.value);
       else
-        v.optional_number(NumberSpec(f), left_out);
+        v.optional_number(spec, left_out);
+    }
   };
   if (in == nullptr) {
     if (model != nullptr) std::visit(numbers, *model->law);
@@ -86,7 +97,9 @@ void describe_switches(KeyVisitor& v, ContactModel& model) {
 
 bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
   SectionReader* in = v.reader();
-  if (in == nullptr) return model != nullptr && (v.visits_all() || has_meaning(key, *model));
+  if (in == nullptr)
+    return model != nullptr &&
+           ((v.visits_all() && !v.tries_all_words()) || has_meaning(key, *model));
   in->find(key);                       // marks the key as known under any law
   if (model == nullptr) return false;  // the fault of the law is already reported
   if (has_meaning(key, *model)) return true;
@@ -98,18 +111,26 @@ bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model) {
 }
 
 bool describe(KeyVisitor& v, ContactModel& model) {
-  const bool law = v.model("law", *model.law, contact_laws().front(),
-                           "elastic spheres that stick and slip, the usual law of mills");
+  const bool law = v.model({.key = "law",
+                            .words = {},
+                            .standard = contact_laws().front(),
+                            .source = "elastic spheres that stick and slip, the usual law of mills",
+                            .about = "contact law of the soft engine"},
+                           *model.law);
   const bool rolling = v.word(
-      {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B"},
+      {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B",
+       "rolling resistance of the soft engine", rolling_meanings()},
       model.rolling);
   ContactModel* known = law && rolling ? &model : nullptr;
   describe_switches(v, model);
   if (has_use(v, rolling_damping.key, known))
     v.number(NumberSpec(rolling_damping), model.rolling_damping);
   describe_law(v, known);
-  v.flag({"curved_walls", false, "walls count as flat under a ball"}, model.curved_walls);
-  v.flag({"rescaled_unloading", false, "the tangential spring is not rescaled while unloading"},
+  v.flag({"curved_walls", false, "walls count as flat under a ball",
+          "whether the effective radius of a contact with a wall includes the wall's curvature"},
+         model.curved_walls);
+  v.flag({"rescaled_unloading", false, "the tangential spring is not rescaled while unloading",
+          "whether the tangential spring is rescaled while the normal force decreases (dem.21)"},
          model.rescaled_unloading);
   return known != nullptr;
 }

@@ -68,7 +68,12 @@ Fault mesh_fault(const Flaw& flaw, const std::string& file) {
 }
 
 Choice mesh_origin() {
-  return {"origin", {"file", "centre"}, "file", "as the file has it"};
+  return {"origin",
+          {"file", "centre"},
+          "file",
+          "as the file has it",
+          "point of the mesh that is the centre of the jar",
+          {"origin of the file", "middle of the extent of the mesh"}};
 }
 
 class MeshReader {
@@ -190,8 +195,11 @@ class MeshReader {
 
 void describe_mesh(KeyVisitor& v, Jar& jar) {
   if (SectionReader* in = v.reader()) return MeshReader(*in, jar).read();
-  v.custom({"file", "the jar's inner surface"}, [&] { return in_quotes(jar.mesh.file); });
-  v.custom({"unit", "the unit of the file's numbers"}, [&] { return in_quotes(jar.mesh.unit); });
+  v.custom(
+      {"file", "inner surface of the jar (STL), relative to the case file", true, "text", true},
+      [&] { return in_quotes(jar.mesh.file); });
+  v.custom({"unit", "unit of length of the numbers in the file", true, "text", true},
+           [&] { return in_quotes(jar.mesh.unit); });
   v.word(mesh_origin(), jar.mesh.centred);
 }
 

@@ -39,7 +39,9 @@ Choice ratio_convention() {
   return {"ratio_convention",
           {"relative", "absolute"},
           "relative",
-          "the makers' convention, jar relative to disc"};
+          "the makers' convention, jar relative to disc",
+          "frame in which `ratio` counts the turns of the jar",
+          {"relative to the disc", "in the laboratory"}};
 }
 
 double read_ratio(SectionReader& in, const NumberSpec& spec) {
@@ -136,7 +138,9 @@ void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model
 
 void describe_measured(KeyVisitor& v, Mill& mill) {
   SectionReader* in = v.reader();
-  if (in == nullptr) return v.text("file", mill.motion_file);
+  if (in == nullptr)
+    return v.text({"file", "table of the measured motion (CSV), relative to the case file", true},
+                  mill.motion_file);
   const auto file = in->text("file");
   if (!file) {
     if (!in->gives("file"))
@@ -156,7 +160,9 @@ void describe_axis(KeyVisitor& v, Mill& mill) {
   const bool sound = v.choose({"jar_axis",
                                {"vertical", "horizontal"},
                                standard == kinematics::upright ? "vertical" : "horizontal",
-                               "as such mills are built"},
+                               "as such mills are built",
+                               "direction of the axis of the mounted jar",
+                               {"upright jar", "lying jar; along x"}},
                               word_index);
   if (word_index < axes.size()) mill.jar_axis = sound ? axes[word_index] : standard;
 }
@@ -167,7 +173,10 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
                         "number of identical jars that the mill carries");
   SectionReader* in = v.reader();
   if (in == nullptr) {
-    if (carried != 1 || v.visits_all()) v.integer({spec.key, 1, max_jars, spec.about}, carried);
+    if (carried != 1 || v.visits_all())
+      v.integer(
+          {spec.key, 1, max_jars, spec.about, 1, "one jar; for a mill of the catalogue its number"},
+          carried);
     return;
   }
   const double jars = in->optional_number(spec).value_or(1);
@@ -181,9 +190,10 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
 
 void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
-  if (!describe_kind(v, "mills", *mill.motion, mill.model, model)) return v.ignore_unknown_keys();
+  if (!describe_kind(v, "mills", "motion of the mill", *mill.motion, mill.model, model))
+    return v.ignore_unknown_keys();
   if (v.reader() != nullptr) describe_axis(v, mill);
-  if (v.visits_all() || std::holds_alternative<Tabulated>(*mill.motion)) describe_measured(v, mill);
+  if (std::holds_alternative<Tabulated>(*mill.motion)) describe_measured(v, mill);
   if (!std::holds_alternative<Tabulated>(*mill.motion))
     std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, *mill.motion);
   if (v.reader() == nullptr) describe_axis(v, mill);

@@ -93,7 +93,13 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   const std::vector<std::string> words{"equal", "sieves", "lognormal", "rosin-rammler"};
   powder::Feed& feed = powder.feed;
   if (in == nullptr ? feed.law != Law::equal || v.visits_all() : v.gives("distribution"))
-    v.word({"distribution", words, ""}, feed.law);
+    v.word({"distribution",
+            words,
+            "equal",
+            "grains of one size",
+            "size distribution of the powder as fed, by mass",
+            {"one size", "sieve analysis", "lognormal distribution", "Rosin-Rammler distribution"}},
+           feed.law);
   const auto refuse = [&](std::initializer_list<std::string_view> keys) {
     v.refuse(keys, fmt::format("under distribution = \"{}\"", to_word(feed.law, words)),
              "remove it, or choose another distribution");
@@ -111,7 +117,9 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   }
   if (feed.law == Law::equal) {
     refuse({"spread"});
-    v.optional_number({"size", "m", positive, "grain size of the powder as fed"}, powder.size);
+    v.optional_number(NumberSpec("size", "m", positive, "grain size of the powder as fed")
+                          .with_default_text("none; [capture] and [grinding] need it"),
+                      powder.size);
     if (in != nullptr) feed.size = powder.size.value_or(0);
   }
   if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
@@ -197,16 +205,23 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
     describe_feed(v, powder);
     return read_part(*in, powder, balls);
   }
-  v.text("material", powder.material);
+  v.text({"material", "material of the powder, by its name in the catalogue"}, powder.material);
   v.number(mass_of_powder, powder.mass);
-  v.alternative(ball_to_powder);
-  v.alternative(filling_of_powder);
+  v.alternative(ball_to_powder.in_place_of("mass"));
+  v.alternative(filling_of_powder.in_place_of("mass"));
   describe_feed(v, powder);
-  v.optional_number(density_of_solid, powder.density);
+  v.optional_number(density_of_solid.with_default_text("that of the material"), powder.density);
   if (!powder.grain_size || balls.empty()) return;
   std::size_t grains = 1;
-  v.choose({"as", {"mass", "grains"}, ""}, grains);
-  v.optional_number(size_of_grains, powder.grain_size);
+  v.choose({"as",
+            {"mass", "grains"},
+            "mass",
+            "powder is not simulated as particles",
+            "how the powder takes part in the simulation",
+            {"only its mass counts", "spheres of grain_size represent it; soft engine"}},
+           grains);
+  if (grains == 0) return;
+  v.optional_number(size_of_grains.with_default_text("the size of the powder"), powder.grain_size);
   describe(v, balls.back().elastic, powder.material);
   describe(v, balls.back().substance, powder.material);
 }

@@ -39,13 +39,15 @@ void describe_until(KeyVisitor& v, Run& run) {
     share.text.erase(0, share.text.find_first_not_of(' '));
     until.within = in->quantity(share, {"time", "", until_range, about});
   }
-  v.custom({"time", about, until_range.holds(until.within)},
+  v.custom({"time", about, until_range.holds(until.within), "text", true},
            [&] { return in_quotes(fmt::format("{} {}", until_word, show(until.within, ""))); });
   v.word_text(
-      {"until", until_quantities(), until_quantities().front(), "the power that a user pays for"},
+      {"until", until_quantities(), until_quantities().front(), "the power that a user pays for",
+       "quantity whose precision ends a run with time = \"until 2 %\""},
       until.quantity);
   if (at != nullptr) in->record_origin("time", in_quotes(at->text), at);
-  v.number({"longest", "s", run_times, "the counted time at which a run ends in any case", 100.0,
+  v.number({"longest", "s", run_times,
+            "counted time at which a run with time = \"until 2 %\" ends in any case", 100.0,
             "a limit that few runs need"},
            run.time);
 }
@@ -65,7 +67,9 @@ void describe_times(KeyVisitor& v, Run& run) {
   SectionReader* in = v.reader();
   if (in != nullptr && waits(in->find("time"))) run.until.emplace();
   if (!run.until)
-    v.number({"time", "s", run_times, "simulated time that counts"}, run.time);
+    v.number({"time", "s", run_times,
+              "simulated time that counts; or \"until 2 %\": until `until` is known this well"},
+             run.time);
   else if (in == nullptr)
     describe_until(v, run);  // a reader reads it after the other keys
   v.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
@@ -90,19 +94,29 @@ void read_start_from(SectionReader& in, StartStates& start) {
 void describe_start(KeyVisitor& v, Run& run) {
   const bool all = v.reader() != nullptr || v.visits_all(), own = run.start_from.file.empty();
   if ((all && own) || v.visits_all() || run.start != StartLayout::random)
-    v.word({"start", {"random", "layers"}, "random", "balls lie anywhere"}, run.start);
+    v.word({"start",
+            {"random", "layers"},
+            "random",
+            "balls lie anywhere",
+            "arrangement of the balls at the start",
+            {"random positions", "the first ball set lowest, each set above the one before"}},
+           run.start);
   if (all || run.settle_at_rest != 0)
     v.number({"settle_at_rest", "s", settle_times,
               "time before the start of the mill, which stands still; not counted", 0.0,
               "the mill runs from the start"},
              run.settle_at_rest);
-  if (v.reader() == nullptr) v.text("start_from", run.start_from.file);
+  if (v.reader() == nullptr)
+    v.text({"start_from",
+            "result folder, or a file in it, whose last state of the balls is the start"},
+           run.start_from.file);
 }
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
-  const NumberSpec step("time_step", "s", positive, "time step of the soft engine"),
-      share(step_share);
+  const NumberSpec step = NumberSpec("time_step", "s", positive, "time step of the soft engine")
+                              .in_place_of("time_step_fraction"),
+                   share(step_share);
   SectionReader* in = v.reader();
   const bool timed =
       in != nullptr ? in->one_of({step.key, share.key}) == step.key : run.time_step.has_value();
@@ -113,13 +127,28 @@ void describe_step(KeyVisitor& v, Run& run) {
 }  // namespace
 
 void describe(KeyVisitor& v, Run& run) {
-  v.word({"engine", engines(), "auto", "chosen by what the case needs"}, run.engine);
+  v.word({"engine",
+          engines(),
+          "auto",
+          "chosen by what the case needs",
+          "engine that computes the run",
+          {"instantaneous collisions, from event to event", "contact forces and time steps",
+           "the program chooses by the case, and says why"}},
+         run.engine);
   if (SectionReader* in = v.reader()) read_start_from(*in, run.start_from);
   describe_times(v, run);
   if (run.start_from.file.empty() || v.visits_all())
-    v.word({"start_frame", {"laboratory", "jar"}, "laboratory", "paper A"}, run.start_frame);
+    v.word({"start_frame",
+            {"laboratory", "jar"},
+            "laboratory",
+            "paper A",
+            "frame of reference of the starting speeds",
+            {"at rest", "moves with the centre of the jar, without rotation"}},
+           run.start_frame);
   describe_step(v, run);
-  v.flag({"hop", true, "the soft engine skips time steps in free flight"}, run.free_flight_skip);
+  v.flag({"hop", true, "the soft engine skips time steps in free flight",
+          "whether the soft engine skips time steps while nothing touches; at most 32 balls"},
+         run.free_flight_skip);
   v.integer(
       {"replicates", 1, max_replicates, "runs that differ only by chance", 5, "as in paper A"},
       run.replicates);

@@ -25,11 +25,27 @@ void record_ranges(SectionReader& in, const Node& over, const std::vector<SweptK
   }
 }
 
+constexpr IntegerSpec most_settings{.key = "settings",
+                                    .least = 4,
+                                    .most = 100'000,
+                                    .about = "largest number of settings that are tried",
+                                    .standard = Optimise().settings,
+                                    .source = "project convention"};
+constexpr IntegerSpec most_replicates{.key = "replicates",
+                                      .least = 2,
+                                      .most = 100'000,
+                                      .about = "largest number of replicates of one setting",
+                                      .standard = Optimise().replicates,
+                                      .source = "project convention"};
+
 /// A section with `over`, `settings` and `replicates`.
 template <class Search>
 void read_search(SectionReader& in, const Node& table, Search& search) {
-  if (const auto n = in.integer("settings", 100'000, 4)) search.settings = *n;
-  if (const auto n = in.integer("replicates", 100'000, 2)) search.replicates = *n;
+  const auto read = [&](const IntegerSpec& spec, std::int64_t& value) {
+    if (const auto n = in.integer(spec.key, spec.most, spec.least)) value = *n;
+  };
+  read(most_settings, search.settings);
+  read(most_replicates, search.replicates);
   KeyReader::Locations locations;
   KeyReader keys(in.name(), locations, in.findings());
   const Node* over = in.find("over");
@@ -106,6 +122,38 @@ Optimise read_optimise(const Node* table, Findings& findings) {
   read_search(in, *table, search);
   in.report_unknown_keys();
   return search;
+}
+
+void list_match_keys(KeyVisitor& v) {
+  Match search;
+  v.custom({.key = "over",
+            .about = "keys of the case with the range in which they are searched, from and to",
+            .type = "table",
+            .required = true},
+           [] { return std::string(); });
+  v.integer(most_settings, search.settings);
+  v.integer(most_replicates, search.replicates);
+}
+
+void list_optimise_keys(KeyVisitor& v) {
+  const auto none = [] { return std::string(); };
+  v.custom({.key = "maximise",
+            .about = "quantity of the summary to make largest",
+            .type = "text",
+            .required = true},
+           none);
+  v.custom({.key = "minimise",
+            .about = "quantity of the summary to make smallest",
+            .type = "text",
+            .instead = "maximise"},
+           none);
+  v.custom({.key = "limits",
+            .about = "quantities of the summary with a bound that a setting must keep: "
+                     "\"below 1 mg/h\" or \"above ...\"",
+            .type = "table",
+            .default_text = "no limits"},
+           none);
+  list_match_keys(v);
 }
 
 Match read_match(const Node* table, Findings& findings) {

@@ -24,6 +24,10 @@ class Writer;
 /// case does not use this function, because some sections must be read before others.
 void describe(CaseVisitor& v, Case& c);
 
+/// The keys of the sections about many runs: [sweep], [optimise], [match] and [fit]. Only for
+/// visitors that list keys; such sections are read and written by functions of their own.
+void describe_many_runs(CaseVisitor& v);
+
 void describe(KeyVisitor& v, Jar& jar);
 void describe(KeyVisitor& v, BallSet& set, const Jar& jar);
 /// Requires `c` with gravity, jar and balls.
@@ -45,6 +49,9 @@ void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c);
 void describe(KeyVisitor& v, Grinding& g, const Case& c);
 /// Requires `c` with grinding and heat.
 void describe(KeyVisitor& v, Kinetics& k, const Case& c);
+
+/// Source of the defaults of [[contact.pairs]].
+constexpr std::string_view of_contact = "as in [contact]";
 
 // Parts of sections.
 
@@ -99,15 +106,18 @@ Model read_model(SectionReader& in, std::string_view category,
 /// Visits the kind of `any` and its `name` in the catalogue. A reader sets `model`. False after a
 /// fault.
 template <class... Models>
-bool describe_kind(KeyVisitor& v, std::string_view category, std::variant<Models...>& any,
-                   std::string& name, Model& model) {
+bool describe_kind(KeyVisitor& v, std::string_view category, std::string_view about,
+                   std::variant<Models...>& any, std::string& name, Model& model) {
   if (SectionReader* in = v.reader()) {
     model = read_model(*in, category, model_names(std::type_identity<std::variant<Models...>>{}));
     name = model.name;
     return choose_model(any, model.kind);
   }
-  const bool known = v.model("kind", any);
-  v.text("model", name);
+  const bool known = v.model({.key = "kind", .words = {}, .standard = "", .about = about}, any);
+  v.text({.key = "model",
+          .about = "name of an entry of the catalogue, which gives the kind and its numbers",
+          .instead = "kind"},
+         name);
   return known;
 }
 
@@ -141,6 +151,10 @@ Sweep read_sweep(const Node* table, std::map<std::string, std::string>& location
                  Findings& findings);
 Optimise read_optimise(const Node* table, Findings& findings);
 Match read_match(const Node* table, Findings& findings);
+void list_sweep_keys(KeyVisitor& v);
+void list_optimise_keys(KeyVisitor& v);
+void list_match_keys(KeyVisitor& v);
+void list_fit_keys(KeyVisitor& v);
 void write(Writer& out, const std::map<std::string, FitRange>& fit);
 void write(Writer& out, const Sweep& sweep);
 void write(Writer& out, const Optimise& search);

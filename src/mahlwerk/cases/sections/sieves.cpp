@@ -114,14 +114,19 @@ bool cumulative(SectionReader& in, const Node& at, const Sieves& rows) {
 }  // namespace
 
 void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most) {
-  constexpr CustomKey passing{"passing",
-                              "openings of sieves with the share of the mass that passes them"};
+  constexpr CustomKey passing{
+      .key = "passing",
+      .about = "openings of sieves with the share of the mass that passes them",
+      .required = true};
+  constexpr CustomKey retained{.key = "retained",
+                               .about = "openings of sieves with the share that each retains",
+                               .instead = "passing"};
   SectionReader* in = v.reader();
   if (in == nullptr) {
-    v.alternative(
-        {"retained", "", any_number, "openings of sieves with the share that each retains"});
-    return v.custom({passing.key, passing.about, rise_to_all(rows)},
-                    [&] { return passing_text(rows); });
+    if (v.visits_all()) v.custom(retained, [] { return std::string(); });
+    CustomKey key = passing;
+    key.sound = rise_to_all(rows);
+    return v.custom(key, [&] { return passing_text(rows); });
   }
   const std::string_view key = in->one_of({"passing", "retained"});
   if (key.empty()) {

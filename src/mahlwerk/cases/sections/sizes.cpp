@@ -45,7 +45,11 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
 /// balls.
 void describe_classes(KeyVisitor& v, Distribution& d) {
   if (v.reader() == nullptr || v.gives("classes"))
-    v.integer({"classes", 1, max_classes, "number of sizes that represent the distribution"},
+    v.integer({.key = "classes",
+               .least = 1,
+               .most = max_classes,
+               .about = "number of sizes that represent the distribution",
+               .default_text = "12 at most, and a ball in each"},
               d.classes);
 }
 
@@ -72,7 +76,14 @@ void refuse_others(KeyVisitor& v, SizeLaw law) {
 bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
   const SectionReader* in = v.reader();
   if (in == nullptr ? d.law != SizeLaw::equal || v.visits_all() : v.gives("distribution"))
-    v.word({"distribution", distribution_words(), ""}, d.law);
+    v.word({"distribution",
+            distribution_words(),
+            "equal",
+            "balls of one size",
+            "distribution of the diameters",
+            {"one diameter", "normal distribution by number", "lognormal distribution by number",
+             "all diameters between two limits equally often", "sieve analysis, by mass"}},
+           d.law);
   refuse_others(v, d.law);
   if (d.law == SizeLaw::equal) {
     v.number({"diameter", "m", positive, "diameter of a ball"}, diameter);

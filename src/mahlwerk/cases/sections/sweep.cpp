@@ -134,6 +134,39 @@ Sweep read_sweep(const Node* table, KeyReader::Locations& locations, Findings& f
   return sweep;
 }
 
+void list_sweep_keys(KeyVisitor& v) {
+  Sweep sweep;
+  const auto none = [] { return std::string(); };
+  v.word({"design",
+          design_words(),
+          design_words().front(),
+          "every combination of the values",
+          "how the points of the campaign are chosen",
+          {"every combination; for curves and maps",
+           "the range of each key is sampled evenly; for many keys and few runs",
+           "evenly distributed over all keys; more samples begin with the same points",
+           "the case itself, then each key alone at both ends of its range",
+           "elementary effects: which keys matter, and which only in combination",
+           "share of each key in the variance"}},
+         sweep.design);
+  if (needs_samples(sweep.design))
+    v.integer({"samples", 1, max_samples,
+               "number of points; trajectories of morris, base points of sobol-indices"},
+              sweep.samples);
+  if (!needs_ranges(sweep.design))
+    v.custom({.key = "together",
+              .about = "groups of keys whose lists advance together",
+              .default_text = "each key varies by itself"},
+             none);
+  v.custom(
+      {.key = any_key,
+       .about =
+           "a key of the case by its dotted name: a list of values, a range with from, to, steps "
+           "and spacing, or a formula that begins with =",
+       .required = true},
+      none);
+}
+
 void write(Writer& out, const Sweep& sweep) {
   out.section("sweep");
   out.plain("design", in_quotes(design_words()[static_cast<std::size_t>(sweep.design)]));

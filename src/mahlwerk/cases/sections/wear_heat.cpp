@@ -7,7 +7,13 @@
 namespace mahlwerk::cases {
 
 void describe(KeyVisitor& v, Wear& wear) {
-  v.word({"model", {"archard", "finnie"}, "archard", "by normal force and sliding distance"},
+  v.word({"model",
+          {"archard", "finnie"},
+          "archard",
+          "by normal force and sliding distance",
+          "wear model",
+          {"wear by normal force and sliding distance (wea.1)",
+           "wear by energy and angle of each impact (wea.4)"}},
          wear.model);
   v.number({"coefficient", "", positive, "worn volume times hardness over force times distance",
             Wear().coefficient,

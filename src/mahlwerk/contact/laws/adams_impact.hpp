@@ -31,10 +31,13 @@ struct AdamsImpact : HertzSpring {
   bool published_damping = false;  ///< the paper's estimate (dem.15) instead of the solution for e
   double damping_depth = 0;        ///< [m] d; 0: usual_depth of the largest overlap
   static constexpr auto switches() {
-    return std::array{LawSwitch<AdamsImpact>{"damping",
-                                             {"exact", "published"},
-                                             &AdamsImpact::published_damping,
-                                             "gives the requested restitution"}};
+    return std::array{LawSwitch<AdamsImpact>{
+        "damping",
+        {"exact", "published"},
+        &AdamsImpact::published_damping,
+        "gives the requested restitution",
+        "how the damper follows from the restitution",
+        {"solved for the restitution (dem.14)", "estimate of the paper, misses the restitution"}}};
   }
   static constexpr auto fields() {
     return std::array{LawField<AdamsImpact>{{"damping_depth",

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/cases/keys.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
+
+// The keys of a case file, as tables and as JSON.
+namespace mahlwerk::app {
+
+using KeySections = std::vector<const cases::KeySection*>;
+
+/// The sections and kinds that a word names: "mill", "planetary", "mill.planetary" if a kind's name
+/// occurs twice, or the section of a key, "mill.speed". With a section come no kinds.
+KeySections sections_named(std::string_view word);
+/// All words that sections_named() knows, each once.
+std::vector<std::string> section_words();
+
+/// The section as tables of keys; with `only`, of this key alone.
+std::string key_tables(const cases::KeySection& section, std::string_view only = {});
+results::Json keys_as_json(const KeySections& sections);
+/// Every section and kind with the names of its keys.
+std::string key_index();
+KeySections all_sections();
+
+}  // namespace mahlwerk::app
