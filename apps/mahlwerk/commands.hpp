@@ -20,6 +20,7 @@ struct Request {
   std::string target;  ///< case, catalogue category or name, or folder of a campaign
   std::string data;    ///< of `fit`: the table of measurements; of `match`: the other mill
   std::vector<cases::Override> set;
+  std::string mill, kind, jar, jar_kind, balls;  ///< of `new`
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
   int threads = 0;    ///< 0: all cores

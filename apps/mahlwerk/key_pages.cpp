@@ -28,52 +28,13 @@ std::string heading(const KeySection& section) {
                      section.kind);
 }
 
-/// The range of a number in few characters: "> 0", "0 to 1", "> 0 to 1".
-std::string short_range(const KeyInfo& key) {
-  const KeyInfo& k = key;
-  const bool low = std::isfinite(k.range.least), high = std::isfinite(k.range.most);
-  const auto value = [&](double end) {
-    constexpr double long_number = 1e6;
-    std::string text = end == 0                       ? "0"
-                       : k.type == "integer"          ? fmt::format("{:.0f}", end)
-                       : std::abs(end) >= long_number ? fmt::format("{:g} {}", end, k.unit)
-                                                      : show_rounded(end, k.unit);
-    if (const auto exponent = text.find("e+0"); exponent != std::string::npos)
-      text.erase(exponent + 1, 2);  // "1e8 s"
-    return text;
-  };
-  if (k.type != "number" && k.type != "integer") return k.type;
-  if (!low && !high) return "any";
-  if (!high) return fmt::format("{} {}", k.range.without_least ? ">" : ">=", value(k.range.least));
-  if (!low) return fmt::format("{} {}", k.range.without_most ? "<" : "<=", value(k.range.most));
-  return fmt::format("{}{} to {}{}", k.range.without_least ? "> " : "", value(k.range.least),
-                     k.range.without_most ? "< " : "", value(k.range.most));
+std::string wrapped(const std::string& text, std::size_t indent) {
+  return wrapped_text(text, std::string(indent, ' '));
 }
 
 std::string default_column(const KeyInfo& key) {
   if (key.required) return "required";
   return key.default_value.empty() ? "-" : key.default_value;
-}
-
-/// Breaks a text into lines, each after `indent` spaces except the first.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::string out;
-  std::size_t column = indent, start = 0;
-  while (start < text.size()) {
-    const std::size_t end = std::min(text.find(' ', start), text.size());
-    const std::string word = text.substr(start, end - start);
-    if (column > indent && column + 1 + word.size() > line_width) {
-      out += '\n' + std::string(indent, ' ');
-      column = indent;
-    } else if (column > indent) {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += word.size();
-    start = end + 1;
-  }
-  return out;
 }
 
 /// "only with distribution = normal or lognormal".
@@ -85,19 +46,6 @@ std::string condition(const KeyInfo& key) {
                        choice.starts_with(own) ? choice.substr(own.size()) : choice,
                        fmt::join(words, " or "));
   return all;
-}
-
-/// Description, condition, alternative and origin of the default of a key, in sentences.
-std::string meaning(const KeyInfo& key) {
-  std::string text = key.about;
-  const auto add = [&](const std::string& more) {
-    if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
-  };
-  if (!key.instead_of.empty())
-    add("in place of " + key.instead_of.substr(key.instead_of.rfind('.') + 1));
-  add(condition(key));
-  if (!key.default_source.empty()) add("default: " + key.default_source);
-  return text;
 }
 
 std::string words_of(const KeyInfo& key, std::size_t indent) {
@@ -150,6 +98,68 @@ Json as_json(const KeyInfo& key, const KeySection& section) {
 
 }  // namespace
 
+std::string wrapped_text(const std::string& text, const std::string& margin) {
+  std::string out;
+  const std::size_t indent = margin.size();
+  std::size_t column = indent, start = 0;
+  while (start < text.size()) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::string word = text.substr(start, end - start);
+    if (column > indent && column + 1 + word.size() > line_width) {
+      out += '\n' + margin;
+      column = indent;
+    } else if (column > indent) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+    start = end + 1;
+  }
+  return out;
+}
+
+std::string key_range(const KeyInfo& key) {
+  const KeyInfo& k = key;
+  const bool low = std::isfinite(k.range.least), high = std::isfinite(k.range.most);
+  const auto value = [&](double end) {
+    constexpr double long_number = 1e6;
+    std::string text = end == 0                       ? "0"
+                       : k.type == "integer"          ? fmt::format("{:.0f}", end)
+                       : std::abs(end) >= long_number ? fmt::format("{:g} {}", end, k.unit)
+                                                      : show_rounded(end, k.unit);
+    if (const auto exponent = text.find("e+0"); exponent != std::string::npos)
+      text.erase(exponent + 1, 2);  // "1e8 s"
+    return text;
+  };
+  if (k.type != "number" && k.type != "integer") return k.type;
+  if (!low && !high) return "any";
+  if (!high) return fmt::format("{} {}", k.range.without_least ? ">" : ">=", value(k.range.least));
+  if (!low) return fmt::format("{} {}", k.range.without_most ? "<" : "<=", value(k.range.most));
+  return fmt::format("{}{} to {}{}", k.range.without_least ? "> " : "", value(k.range.least),
+                     k.range.without_most ? "< " : "", value(k.range.most));
+}
+
+std::string key_meaning(const KeyInfo& key, bool brief) {
+  std::string text = key.about;
+  const auto add = [&](const std::string& more) {
+    if (!more.empty()) text += (text.empty() ? "" : "; ") + more;
+  };
+  if (!key.instead_of.empty())
+    add("in place of " + key.instead_of.substr(key.instead_of.rfind('.') + 1));
+  if (brief) return text;
+  add(condition(key));
+  if (!key.default_source.empty()) add("default: " + key.default_source);
+  return text;
+}
+
+std::vector<std::string> kinds_of(std::string_view section) {
+  std::vector<std::string> kinds;
+  for (const KeySection& s : cases::key_sections())
+    if (s.section == section && !s.kind.empty()) kinds.push_back(s.kind);
+  return kinds;
+}
+
 KeySections all_sections() {
   KeySections all;
   for (const KeySection& section : cases::key_sections()) all.push_back(&section);
@@ -185,7 +195,7 @@ std::string key_tables(const KeySection& section, std::string_view only) {
   std::array<std::size_t, 4> widths{3, 4, 5, 7};
   const auto cells = [](const KeyInfo& key) {
     return std::array{std::string(key.name()), key.unit.empty() ? std::string("-") : key.unit,
-                      short_range(key), default_column(key)};
+                      key_range(key), default_column(key)};
   };
   for (const KeyInfo* key : keys) {
     const auto row = cells(*key);
@@ -200,7 +210,7 @@ std::string key_tables(const KeySection& section, std::string_view only) {
   page += '\n' + line({"key", "unit", "range", "default"}) + "meaning\n";
   for (const KeyInfo* key : keys) {
     const std::string row = line(cells(*key));
-    page += row + wrapped(meaning(*key), row.size()) + '\n' + words_of(*key, row.size());
+    page += row + wrapped(key_meaning(*key), row.size()) + '\n' + words_of(*key, row.size());
   }
   return page;
 }

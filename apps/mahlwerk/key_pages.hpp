@@ -20,6 +20,17 @@ KeySections sections_named(std::string_view word);
 /// All words that sections_named() knows, each once.
 std::vector<std::string> section_words();
 
+/// The kinds of a section: "still", "vibration", ... of "mill".
+std::vector<std::string> kinds_of(std::string_view section);
+/// Description of a key; unless `brief`, also the conditions under which it counts and the origin
+/// of its default.
+std::string key_meaning(const cases::KeyInfo& key, bool brief = false);
+/// The range of a number in few characters: "> 0", "0 to 1", "> 0 to 1"; else the type.
+std::string key_range(const cases::KeyInfo& key);
+/// Breaks a text into lines of at most 110 characters. The first begins in column `indent`, the
+/// others after `margin`.
+std::string wrapped_text(const std::string& text, const std::string& margin);
+
 /// The section as tables of keys; with `only`, of this key alone.
 std::string key_tables(const cases::KeySection& section, std::string_view only = {});
 results::Json keys_as_json(const KeySections& sections);

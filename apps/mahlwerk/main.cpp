@@ -120,14 +120,17 @@ class CommandLine {
 };
 
 /// Command names of other programs, and our command for each.
-constexpr std::array<std::array<std::string_view, 2>, 8> synonyms{{{"simulate", "run"},
-                                                                   {"start", "run"},
-                                                                   {"solve", "run"},
-                                                                   {"validate", "check"},
-                                                                   {"info", "describe"},
-                                                                   {"show", "describe"},
-                                                                   {"calibrate", "fit"},
-                                                                   {"campaign", "sweep"}}};
+constexpr std::array<std::array<std::string_view, 2>, 11> synonyms{{{"simulate", "run"},
+                                                                    {"start", "run"},
+                                                                    {"solve", "run"},
+                                                                    {"validate", "check"},
+                                                                    {"info", "describe"},
+                                                                    {"show", "describe"},
+                                                                    {"calibrate", "fit"},
+                                                                    {"campaign", "sweep"},
+                                                                    {"init", "new"},
+                                                                    {"create", "new"},
+                                                                    {"template", "new"}}};
 
 /// Throws InputError if the first word is not a command. The remedy suggests the nearest command.
 void check_command(std::string_view word, const std::vector<Command>& all) {

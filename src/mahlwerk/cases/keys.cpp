@@ -101,7 +101,7 @@ class KeyList : public CaseVisitor {
     info.meanings = {choice.meanings.begin(), choice.meanings.end()};
     if (choice.source != of_contact) info.default_value = choice.standard;
     info.default_source = choice.source;
-    info.required = choice.standard.empty();
+    info.required = choice.standard.empty() && choice.source.empty();
     add(std::move(info));
     return true;
   }

@@ -38,6 +38,9 @@ void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
   NumberSpec time("contact_time", "s", times,
                   "bounces that follow within this time are elastic under lasting = \"tc\"", usual,
                   "a few times a steel ball's contact time, at 1 g or less");
+  if (v.tries_all_words())
+    time = time.with_default_text(
+        "0.1 ms at 1 g or less; in stronger fields shorter by their square root (man.4)");
   if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
   v.number(time, contact.contact_time);
 }
@@ -47,7 +50,7 @@ void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
   NumberSpec friction(
       "lasting_friction", "", not_negative, "Coulomb's friction coefficient of sustained contacts",
       0.3, "uncalibrated, 0.1-0.6; sustained contacts need a limit where bounces have none");
-  if (v.visits_all())
+  if (v.tries_all_words())
     friction = friction.with_default_text("the friction of bounces; 0.3 if they have none");
   else if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
@@ -145,12 +148,16 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
   describe_numbers(v, contact, c);
   if (v.reader() != nullptr) describe_touch(v, contact, model, nullptr);
   const bool several = balls_count(c.balls) > 1;
+  const bool lists = v.tries_all_words();
   v.word({"lasting",
           {"roll", "tc", "none"},
-          several ? "tc" : "roll",
-          several ? "with several balls, sustained contacts follow the TC rule"
-                  : "a ball may stay in contact, and roll or slide",
-          "how the event engine treats a ball that bounces ever faster; \"roll\" for one ball",
+          lists     ? ""
+          : several ? "tc"
+                    : "roll",
+          lists     ? "\"tc\" for several balls, \"roll\" for one"
+          : several ? "with several balls, sustained contacts follow the TC rule"
+                    : "a ball may stay in contact, and roll or slide",
+          "how the event engine treats a ball that bounces ever faster",
           {"it stays in contact and rolls or slides; for one ball",
            "a bounce within contact_time of the last one is elastic", "no treatment"}},
          contact.lasting);

@@ -163,7 +163,7 @@ void unused_sections(const GrindingTables& t, Findings& findings) {
 
 void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const Case& c,
                            bool of_grinding) {
-  if (v.visits_all())
+  if (v.tries_all_words())
     spec = spec.with_default_text(of_grinding ? "milling x cycles of [heat], if given"
                                               : "time of [grinding], else milling x cycles of "
                                                 "[heat], if given");

@@ -4,6 +4,8 @@
 // Properties that a section takes from the material it names.
 #include <fmt/format.h>
 
+#include <set>
+
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
@@ -87,11 +89,22 @@ double of_material(SectionReader& in, const NumberSpec& spec, const std::string&
   return *spec.standard;
 }
 
+/// For lists of keys: the default of a property is the material's own.
+NumberSpec listed(NumberSpec spec) {
+  static std::set<std::string> sources;  // a spec does not own its texts
+  spec.source = *sources.insert(fmt::format("that of the material, else {}", spec.source)).first;
+  return spec;
+}
+
 template <class Owner, class Fields>
 void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
                      const std::string& material) {
   SectionReader* in = v.reader();
-  if (in == nullptr) return v.fields(owner, fields);
+  if (in == nullptr) {
+    for (const auto& f : fields)
+      v.number(v.tries_all_words() ? listed(NumberSpec(f)) : NumberSpec(f), owner.*f.value);
+    return;
+  }
   const auto entry = known_material(*in, material);
   for (const auto& field : fields)
     owner.*field.value = of_material(*in, NumberSpec(field), material, entry);
