@@ -266,7 +266,7 @@ void complete(CaseParts& parts, const cases::Catalogue& catalogue) {
     if (jars.empty())
       parts.jar_kind = start_jar(parts.mill_kind);
     else
-      parts.jar = jars.front();
+      parts.jar = jars[jars.size() / 2];  // neither the smallest nor the largest
   }
   if (!parts.jar.empty()) parts.jar_kind = catalogue.find("jars", parts.jar, "--jar").kind;
   check_kind(parts.jar_kind, "jar", "--jar-kind");

@@ -124,7 +124,7 @@ Command new_command() {
         .type = "KIND",
         .excludes = "--mill"},
        {"--jar", &Request::jar,
-        "jar of the catalogue (default: the first of the mill, else one to be replaced)", "NAME"},
+        "jar of the catalogue (default: a middle one of the mill, else one to be replaced)", "NAME"},
        {.name = "--jar-kind",
         .target = &Request::jar_kind,
         .about = "kind of jar, with values to be replaced",

@@ -173,7 +173,7 @@ TEST(Catalogue, the_p7_of_paper_b_reads_as_the_file_says) {
   const CatalogueEntry p7 = shipped().find("mills", "fritsch-p7-classic");
   EXPECT_EQ(p7.kind, "planetary");
   EXPECT_EQ(p7.values.at("ratio").text, "1:-2");
-  EXPECT_EQ(p7.jars, std::vector<std::string>{"fritsch-45ml-steel"});
+  EXPECT_EQ(p7.jars, (std::vector<std::string>{"fritsch-12ml", "fritsch-45ml-steel"}));
   // Omega^2 R_p / 9.81 at 800 rpm and 70 mm, physics sheet 1.8: 50.1
   EXPECT_NEAR(derived(p7, "relative_centrifugal_acceleration"), 50.08, 0.01);
   EXPECT_TRUE(shipped().find("mills", "retsch-pm100").values.at("orbit_radius").unverified);
