@@ -44,8 +44,7 @@ enum Exit : int {
   interrupted = 130
 };
 
-/// The version of this build, and its catalogue: the folder MAHLWERK_CATALOGUE names, else the
-/// folder of the build.
+/// The version of this build, and its catalogue (base/data_folder.hpp).
 std::string_view version();
 cases::Catalogue catalogue();
 

@@ -55,9 +55,16 @@ constexpr std::string_view tail = R"(  esac
 }
 complete -o filenames -F _mahlwerk mahlwerk ./mahlwerk
 )";
-constexpr std::string_view zsh =
-    "# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
-    "autoload -U +X compinit && compinit -u\nautoload -U +X bashcompinit && bashcompinit\n";
+// The commands test and bench belong to the launcher script of the sources.
+constexpr std::string_view launcher = " && [[ ${COMP_WORDS[0]} == ./* ]] && words+=' test bench'";
+// For `source`, and for a file _mahlwerk in a folder of $fpath, which zsh runs when it first
+// completes.
+constexpr std::string_view zsh_head =
+    "#compdef mahlwerk\n# mahlwerk completion for zsh: source <(mahlwerk completion zsh)\n"
+    "(( $+functions[compdef] )) || { autoload -U +X compinit && compinit -u; }\n"
+    "autoload -U +X bashcompinit && bashcompinit\n";
+constexpr std::string_view zsh_tail =
+    "if [[ ${funcstack[1]} == _mahlwerk ]]; then _bash_complete -o filenames -F _mahlwerk; fi\n";
 
 int completion(const Request& request) {
   const std::vector<Command> all = commands();
@@ -70,13 +77,13 @@ int completion(const Request& request) {
     below += branches(command.name, command);
   }
   for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
-  // The commands test and bench belong to the launcher script.
   std::string script(head);
-  script += fmt::format("    '') words=\"test bench {}--help --version\" ;;\n", names) + below;
+  script += fmt::format("    '') words=\"{}--help --version\"{} ;;\n", names, launcher) + below;
   script += tail;
   script.replace(script.find("@PARTS@"), 7, parts);
   script.replace(script.find("@KEYS@"), 6, keys);
-  to_stdout((request.target == "zsh" ? std::string(zsh) : "") + script);
+  if (request.target == "zsh") script = fmt::format("{}{}{}", zsh_head, script, zsh_tail);
+  to_stdout(script);
   return success;
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <system_error>
 
+#include "about.hpp"
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
@@ -35,6 +36,13 @@ std::string no_seconds(const std::string& text) {
   return "'" + text + "' is not a number of seconds above 0; write, for instance, --checkpoint 60";
 }
 
+std::string exit_code_line() {
+  std::string line;
+  for (const Explained& code : exit_codes())
+    line += fmt::format("{}{} {}", line.empty() ? "Exit codes: " : ", ", code.word, code.meaning);
+  return line + ".";
+}
+
 /// Parser of the command line, built from the commands' descriptions of their options.
 class CommandLine {
  public:
@@ -43,9 +51,8 @@ class CommandLine {
     app_.set_version_flag(
         "--version", [] { return fmt::format("mahlwerk {} ({})", version(), name_of(isa())); });
     app_.require_subcommand(1);
-    app_.footer(
-        "Exit codes: 0 success, 1 internal error, 2 bad input, 3 a run stopped by physics, 4 "
-        "output lost, 130 interrupted.");
+    app_.description(fmt::format("{}\nStart with:  mahlwerk run {}", purpose(), first_example()));
+    app_.footer(exit_code_line());
     for (const Command& command : all) add(app_, command);
   }
 
@@ -111,9 +118,7 @@ class CommandLine {
     return sub.add_option(option.name, request_.*value, option.about);
   }
 
-  CLI::App app_{
-      "Mahlwerk simulates ball mills: it takes a mill, a jar and balls, and computes what their\n"
-      "collisions do. Start with:  mahlwerk run examples/01-one-ball"};
+  CLI::App app_;
   Request request_;
   std::vector<std::string> set_;
   const Command* chosen_ = nullptr;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 
 namespace mahlwerk::app {
@@ -13,10 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char *own_papers = "papers", *measured_sets = "validation";
-
-fs::path home(const char* collection) {
-  return fs::path(MAHLWERK_HOME) / collection;
-}
 
 bool holds_paper(const fs::path& folder) {
   return fs::exists(folder / "paper.toml");
@@ -35,10 +32,10 @@ PaperFolder paper_folder(const fs::path& place) {
 std::vector<PaperFolder> all_of(const char* collection) {
   std::vector<PaperFolder> found;
   std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(home(collection), failed))
+  for (const auto& entry : fs::directory_iterator(data_folder(collection), failed))
     if (holds_paper(entry.path())) found.push_back(paper_folder(entry.path()));
   if (found.empty())
-    throw InputError(Fault{home(collection).string(), "there is no paper",
+    throw InputError(Fault{data_folder(collection).string(), "there is no paper",
                            "name a folder with a paper.toml", "no-such-paper"});
   std::ranges::sort(found, {}, &PaperFolder::place);
   return found;
@@ -53,9 +50,10 @@ bool is_validation(const std::string& target) {
 std::vector<PaperFolder> paper_folders(const std::string& target) {
   if (target.empty()) return all_of(own_papers);
   if (is_validation(target)) return all_of(measured_sets);
-  for (const fs::path& place :
-       {fs::path(target), home(own_papers) / target, home(measured_sets) / target})
-    if (holds_paper(place)) return {paper_folder(place)};
+  if (holds_paper(target)) return {paper_folder(target)};
+  for (const char* collection : {own_papers, measured_sets})
+    if (const fs::path place = data_folder(collection) / target; holds_paper(place))
+      return {paper_folder(place)};
   throw InputError(Fault{target,
                          "there is no paper with this name, and no folder with a paper.toml",
                          "the names are those of the folders in papers/ and validation/; "

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "commands.hpp"
+#include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 
 namespace mahlwerk::app {
@@ -19,8 +19,7 @@ std::string_view version() {
 }
 
 cases::Catalogue catalogue() {
-  const char* said = std::getenv("MAHLWERK_CATALOGUE");
-  return cases::Catalogue(said != nullptr ? fs::path(said) : fs::path(MAHLWERK_HOME) / "catalogue");
+  return cases::Catalogue(data_folder("catalogue"));
 }
 
 std::vector<fs::path> case_files(const std::string& target) {

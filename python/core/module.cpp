@@ -10,6 +10,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
 #include "outcome.hpp"
@@ -60,6 +61,7 @@ PYBIND11_MODULE(_core, m) {
           }));
   m.def("describe_faults", [](const std::vector<Fault>& faults) { return describe(faults); });
   py::register_exception_translator(&translate);
+  m.def("set_data_folder", [](const std::string& folder) { set_data_folder(folder); });
   m.attr("version") = std::string(app::version());
   m.def("isa", [] { return std::string(name_of(isa())); });
   bind_case(m);

@@ -25,6 +25,7 @@ from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .result import Notice, Quantity, Result
 from .searches import Comparison, Fit, Match, Optimum
 
+_core.set_data_folder(os.fspath(Path(__file__).with_name("data")))  # catalogue, papers, examples
 Fault = _core.Fault
 __version__: str = _core.version
 

@@ -158,9 +158,9 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
                     "'\\-\\-[a-z-]+' | sort -u")
         .output;
   };
-  for (const char* command :
-       {"run", "sweep", "sweep status", "sweep export", "sweep retry", "sweep merge", "compare",
-        "fit", "optimise", "match", "papers", "check", "new", "list", "describe", "completion"}) {
+  for (const char* command : {"run", "sweep", "sweep status", "sweep export", "sweep retry",
+                              "sweep merge", "compare", "fit", "optimise", "match", "papers",
+                              "check", "new", "list", "describe", "completion", "manual"}) {
     EXPECT_EQ(offered(command + std::string(" --")), helped(command)) << command;
     EXPECT_NE(helped(command), "") << command;
   }
