@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Sphinx extension: equations with their labels, and links from citations to them.
+
+An equation is indented code with its label, **(geo.1)**, at its end. The label is set to the right and
+is the target of every citation, (geo.1), (geo.1, geo.2) or (geo.1 to geo.3), in running text.
+"""
+import html
+import pathlib
+import re
+
+from docutils import nodes
+from docutils.transforms import Transform
+
+LABEL = re.compile(r"\s*\*\*\(([a-z]{3}\.\d+)\)\*\*")
+CITATION = re.compile(r"(?<![\w./-])([a-z]{3}\.\d+)(?!\.?\w)")
+
+
+def written(folder: pathlib.Path) -> dict[str, str]:
+    """Label: page of each equation."""
+    found = {}
+    for file in folder.rglob("*.md"):
+        page = file.relative_to(folder).with_suffix("").as_posix()
+        for label in LABEL.findall(file.read_text()):
+            found[label] = page
+    return found
+
+
+def set_equation(node: nodes.literal_block) -> None:
+    lines = []
+    for line in node.astext().rstrip().split("\n"):
+        labels = LABEL.findall(line)
+        marks = "".join(f'<span class="label" id="eq-{one}">({one})</span>' for one in labels)
+        lines.append(f'<span class="line">{marks}{html.escape(LABEL.sub("", line)) or " "}</span>')
+    text = "\n".join(lines)
+    node.replace_self(nodes.raw("", f'<pre class="equation">{text}</pre>\n', format="html"))
+
+
+class Equations(Transform):
+    default_priority = 500
+
+    def apply(self) -> None:
+        env = self.document.settings.env
+        places = env.app.equation_places
+        for node in list(self.document.findall(nodes.literal_block)):
+            if LABEL.search(node.astext()):
+                set_equation(node)
+        for node in list(self.document.findall(nodes.Text)):
+            if any(isinstance(up, (nodes.literal, nodes.literal_block, nodes.reference, nodes.title,
+                                   nodes.raw, nodes.comment)) for up in ancestors(node)):
+                continue
+            self.cite(node, places, env)
+
+    def cite(self, node: nodes.Text, places: dict[str, str], env) -> None:
+        text, made, done = node.astext(), [], 0
+        for found in CITATION.finditer(text):
+            if found[1] not in places:
+                continue
+            made.append(nodes.Text(text[done:found.start()]))
+            uri = env.app.builder.get_relative_uri(env.docname, places[found[1]])
+            made.append(nodes.reference("", found[1], internal=True, classes=["eq"],
+                                        refuri=f"{uri}#eq-{found[1]}"))
+            done = found.end()
+        if made:
+            node.parent.replace(node, [*made, nodes.Text(text[done:])])
+
+
+def ancestors(node: nodes.Node):
+    while node.parent is not None:
+        node = node.parent
+        yield node
+
+
+def scan(app) -> None:
+    app.equation_places = written(pathlib.Path(app.srcdir))
+
+
+class Doors(Transform):
+    """The first table of the first page is set as cards."""
+    default_priority = 510
+
+    def apply(self) -> None:
+        if self.document.settings.env.docname == "index":
+            for table in list(self.document.findall(nodes.table))[:1]:
+                table["classes"].append("doors")
+
+
+def setup(app) -> dict:
+    app.connect("builder-inited", scan)
+    app.add_transform(Equations)
+    app.add_transform(Doors)
+    return {"parallel_read_safe": True, "parallel_write_safe": True, "version": "1"}

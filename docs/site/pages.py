@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Which Markdown files are pages of the site, under which names, and in which order."""
+import pathlib
+
+HOME = pathlib.Path(__file__).resolve().parents[2]
+
+# Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
+NAVIGATION = {
+    "Start": ["install", "tutorial/index"],
+    "How-to": ["howto/*"],
+    "Use": ["cases", "cli", "formats", "campaigns", "papers", "examples/index"],
+    "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
+                  "warnings", "conventions", "glossary"],
+    "Trust": ["limits", "validation", "verification", "performance", "publications/index"],
+    "Theory": ["theory/index"],
+    "Development": ["architecture", "contributing", "viewer", "changelog"],
+}
+# Index pages that list others: page, title, sentence, pages below.
+LISTS = {
+    "examples/index": ("Examples", "Each example is a case file with a page that explains its result.",
+                       "examples/*"),
+    "publications/index": ("Recomputed papers", "Two published simulations, recomputed figure by figure.",
+                           "publications/*"),
+    "theory/index": ("Theory", "Equations of the models, with the labels that the code cites.", None),
+}
+THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "charge", "statistics", "observe",
+          "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
+TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
+HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar"]
+# Pages below another page that is no list.
+BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",
+         "reference/keys/index": "reference/keys/*",
+         "tutorial/index": [f"tutorial/{name}" for name in TUTORIAL]}
+
+
+def site_name(source: str) -> str:
+    """Name of the page, without suffix, of a Markdown file of the repository; "" for no page."""
+    path = pathlib.PurePosixPath(source)
+    first, rest = path.parts[0], path.parts[1:]
+    if first == "docs":
+        return path.relative_to("docs").with_suffix("").as_posix()
+    if source in ("CONTRIBUTING.md", "CHANGELOG.md"):
+        return path.stem.lower()
+    if path.name == "README.md" and rest:
+        folder = path.parent.as_posix()
+        if folder == "catalogue":
+            return "catalogue/index"
+        if first == "papers":
+            return "publications/" + path.parent.name
+        return folder
+    return ""
+
+
+def sources() -> dict[str, str]:
+    """Markdown file of the repository: name of its page."""
+    found = [HOME / "CONTRIBUTING.md", HOME / "CHANGELOG.md", HOME / "viewer" / "README.md",
+             HOME / "catalogue" / "README.md", *(HOME / "docs").rglob("*.md"),
+             *(HOME / "examples").glob("*/README.md"), *(HOME / "papers").glob("*/README.md"),
+             *(HOME / "validation").glob("*/README.md")]
+    names = sorted(f.relative_to(HOME).as_posix() for f in found)
+    return {name: site_name(name) for name in names}

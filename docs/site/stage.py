@@ -1,0 +1,166 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Copies the Markdown files of the repository into one folder for Sphinx.
+
+Links between pages follow the pages to their places. A link to another file of the repository leads to
+a copy of it in `source/`, a link to a folder to a page that lists it. Annotations of tests are left out.
+"""
+import fnmatch
+import html
+import os
+import pathlib
+import re
+import shutil
+
+from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, THEORY, sources
+
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
+CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.S)
+FENCE = re.compile(r"^\s*(`{3,}|~{3,})")
+COMMENT = re.compile(r"^[ \t]*<!--.*?-->[ \t]*\n?", re.M | re.S)
+PICTURES = (".svg", ".png")
+
+
+class Stage:
+    """The folder of sources of Sphinx, and the files that go into the site as they are."""
+
+    def __init__(self, place: pathlib.Path) -> None:
+        self.place, self.extra = place / "pages", place / "extra"
+        shutil.rmtree(place, ignore_errors=True)
+        self.extra.mkdir(parents=True)
+        self.sources = sources()
+        self.folders: set[str] = set()
+
+    def write(self, name: str, text: str) -> None:
+        file = self.place / (name + ".md")
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+
+    def pages(self) -> None:
+        for source, name in self.sources.items():
+            self.write(name, self.page(source, name))
+        self.lists()
+
+    def page(self, source: str, name: str) -> str:
+        text = "".join(part if code else self.prose(part, source, name)
+                       for code, part in parts((HOME / source).read_text()))
+        case = (HOME / source).parent / "case.toml"
+        if source.startswith("examples/") and case.exists():
+            text += f"\n## The case file\n\n```toml\n{case.read_text()}```\n"
+        return text
+
+    def prose(self, text: str, source: str, name: str) -> str:
+        """A part of a page without fenced code."""
+        text = COMMENT.sub("", text)
+        kept: list[str] = []
+
+        def keep(found: re.Match) -> str:
+            kept.append(found[0])
+            return f"\x00{len(kept) - 1}\x00"
+
+        # Code in running text is left alone. A link may have code as its text.
+        text = CODE.sub(keep, text)
+        text = LINK.sub(lambda m: self.link(m, source, name), text)
+        return re.sub("\x00(\\d+)\x00", lambda m: kept[int(m[1])], text)
+
+    def link(self, found: re.Match, source: str, name: str) -> str:
+        picture, words, target = found.groups()
+        path, _, anchor = target.partition("#")
+        if "://" in target or target.startswith("mailto:") or not path:
+            return found[0]
+        wanted = os.path.normpath(os.path.join(os.path.dirname(source), path))
+        if not (HOME / wanted).exists():
+            raise SystemExit(f"{source}: the link to '{target}' leads nowhere")
+        page = self.sources.get(wanted) or self.sources.get(f"{wanted}/README.md")
+        if page:
+            return f"[{words}]({relative(page, name)}.md{'#' * bool(anchor)}{anchor})"
+        if picture and wanted.endswith(PICTURES):
+            copied = self.place / "pictures" / wanted
+            copied.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(HOME / wanted, copied)
+            return f"![{words}]({relative('pictures/' + wanted, name)})"
+        if (HOME / wanted).is_dir():
+            if wanted == "examples":
+                return f"[{words}]({relative('examples/index', name)}.md)"
+            self.folders.add(wanted)
+            return f"[{words}]({relative('source/' + wanted + '/index', name)}.md)"
+        return raw_link(relative(self.raw(wanted), name), words)
+
+    def raw(self, wanted: str) -> str:
+        """Copies a file of the repository into the site as text; returns its place there."""
+        place = f"source/{wanted}.txt"
+        copied = self.extra / place
+        copied.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(HOME / wanted, copied)
+        return place
+
+    def lists(self) -> None:
+        for folder in sorted(self.folders):
+            name = f"source/{folder}/index"
+            files = sorted(f.relative_to(HOME).as_posix() for f in (HOME / folder).rglob("*")
+                           if f.is_file() and "__pycache__" not in f.parts)
+            lines = [f"- {raw_link(relative(self.raw(f), name), os.path.relpath(f, folder))}"
+                     for f in files]
+            self.write(name, f"---\norphan: true\n---\n# {folder}\n\nFiles of this folder of the "
+                       "repository:\n\n" + "\n".join(lines) + "\n")
+        for name, (title, sentence, below) in LISTS.items():
+            pages = self.matching(below) if below else [f"theory/{one}" for one in THEORY]
+            self.write(name, f"# {title}\n\n{sentence}\n\n"
+                       + toctree(pages, name, maxdepth=1))
+
+    def matching(self, pattern: str) -> list[str]:
+        names = sorted(f.relative_to(self.place).with_suffix("").as_posix()
+                       for f in self.place.rglob("*.md"))
+        order = [f"howto/{one}" for one in HOWTO]
+        found = [n for n in names if fnmatch.fnmatch(n, pattern) and not n.endswith("/index")]
+        return sorted(found, key=lambda n: order.index(n) if n in order else len(order))
+
+    def navigation(self) -> None:
+        """Tables of contents; after all pages are written."""
+        for name, below in BELOW.items():
+            pages = self.matching(below) if isinstance(below, str) else below
+            self.append(name, toctree(pages, name, hidden=True))
+        for caption, entries in NAVIGATION.items():
+            pages = []
+            for entry in entries:
+                pages += self.matching(entry) if "*" in entry else [entry]
+            self.append("index", toctree(pages, "index", hidden=True, caption=caption))
+
+    def append(self, name: str, text: str) -> None:
+        with (self.place / (name + ".md")).open("a") as out:
+            out.write("\n" + text)
+
+
+def parts(text: str) -> list[tuple[bool, str]]:
+    """The text in parts: fenced code (True) and the rest. Indented code is fenced, so that it stays
+    as it is; equations (in indented code) are typeset by the extension `equations`."""
+    made: list[tuple[bool, list[str]]] = [(False, [])]
+    fence = ""
+    for line in text.splitlines(keepends=True):
+        found = FENCE.match(line)
+        if fence:
+            made[-1][1].append(line)
+            if found and found[1].startswith(fence) and not line.strip(" `~\n"):
+                fence = ""
+                made.append((False, []))
+        elif found:
+            fence = found[1]
+            made.append((True, [line]))
+        else:
+            made[-1][1].append(line)
+    return [(code, "".join(lines)) for code, lines in made]
+
+
+def relative(target: str, page: str) -> str:
+    return os.path.relpath(target, os.path.dirname(page) or ".")
+
+
+def raw_link(target: str, words: str) -> str:
+    return f'<a class="source" href="{html.escape(target)}">{words}</a>'
+
+
+def toctree(pages: list[str], name: str, hidden: bool = False, caption: str = "",
+            maxdepth: int = 2) -> str:
+    options = "".join([":hidden:\n" * hidden, f":caption: {caption}\n" if caption else "",
+                       f":maxdepth: {maxdepth}\n"])
+    return "```{toctree}\n" + options + "\n" + "".join(f"/{page}\n" for page in pages) + "```\n"
