@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
 """Configuration of Sphinx for the documentation site; tools/build_docs builds it."""
-import importlib.util
 import os
 import pathlib
 import re
@@ -38,7 +37,7 @@ pygments_dark_style = "monokai"
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 python_use_unqualified_type_names = True
-if importlib.util.find_spec("mahlwerk._core") is None:
+if not list(pathlib.Path(PYTHON).glob("mahlwerk/_core*.so")):
     autodoc_mock_imports = ["mahlwerk._core"]
 
 html_theme = "furo"

@@ -5,6 +5,9 @@ import pathlib
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
+THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "charge", "statistics", "observe",
+          "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
+TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {
     "Start": ["install", "tutorial/index"],
@@ -13,7 +16,7 @@ NAVIGATION = {
     "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
                   "warnings", "conventions", "glossary"],
     "Trust": ["limits", "validation", "verification", "performance", "publications/index"],
-    "Theory": ["theory/index"],
+    "Theory": [f"theory/{name}" for name in THEORY],
     "Development": ["architecture", "contributing", "viewer", "changelog"],
 }
 # Index pages that list others: page, title, sentence, pages below.
@@ -22,11 +25,7 @@ LISTS = {
                        "examples/*"),
     "publications/index": ("Recomputed papers", "Two published simulations, recomputed figure by figure.",
                            "publications/*"),
-    "theory/index": ("Theory", "Equations of the models, with the labels that the code cites.", None),
 }
-THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "charge", "statistics", "observe",
-          "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
-TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar"]
 # Pages below another page that is no list.
 BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",

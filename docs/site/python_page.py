@@ -1,28 +1,47 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""The page of the Python interface: the modules of the package that exist, by autodoc."""
+"""The page of the Python interface: every public name of the package, by autodoc."""
+import ast
+
 from pages import HOME
 
-# module: title
-MODULES = {
-    "case": "Cases",
-    "result": "Results",
-    "campaign": "Campaigns",
-    "searches": "Fit, optimum, match, comparison",
-    "plots": "Plots",
-    "plotting": "Plots",
-    "commands": "Catalogue and descriptions",
-    "errors": "Errors",
+SECTIONS = {
+    "Cases": ["Case", "Section", "Check", "Origin"],
+    "Results": ["Result", "Quantity", "Notice", "open", "record_columns"],
+    "Campaigns": ["Campaign", "SweptKey"],
+    "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison"],
+    "Plots": ["plots.ResultPlots", "plots.CampaignPlots"],
+    "Catalogue and keys": ["catalogue", "describe"],
+    "Errors": ["MahlwerkError", "InputError", "RunError", "Interrupted"],
 }
+ELSEWHERE = {"Fault"}  # of the compiled part
+FUNCTIONS = {"open", "record_columns", "catalogue", "describe"}
+
+
+def public_names() -> set[str]:
+    tree = ast.parse((HOME / "python" / "mahlwerk" / "__init__.py").read_text())
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and node.targets[0].id == "__all__":
+            return set(ast.literal_eval(node.value))
+    raise SystemExit("python/mahlwerk/__init__.py has no __all__")
 
 
 def page() -> str:
-    folder = HOME / "python" / "mahlwerk"
+    listed = {name for names in SECTIONS.values() for name in names if "." not in name}
+    if wrong := (public_names() - ELSEWHERE) ^ listed:
+        raise SystemExit(f"docs/site/python_page.py: SECTIONS and mahlwerk.__all__ differ in {sorted(wrong)}")
     made = ["# Python interface\n",
-            "`import mahlwerk` gives everything on this page except `mahlwerk.commands.command`. "
-            "[Installation](../install.md#python), [tutorial](../tutorial/index.md).\n"]
-    for module, title in MODULES.items():
-        if (folder / (module + ".py")).exists():
-            made.append(f"## {title}\n\n```{{eval-rst}}\n.. automodule:: mahlwerk.{module}\n   :members:\n"
-                        "   :special-members: __getitem__\n```\n")
+            "The package `mahlwerk`: [installation](../install.md#python), [tutorial](../tutorial/index.md). "
+            "A call does the same as the command of this name, with the same numbers.\n"]
+    for title, names in SECTIONS.items():
+        made.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: mahlwerk\n")
+        for name in names:
+            kind = "function" if name in FUNCTIONS else "class"
+            members = "" if kind == "function" else "   :members:\n   :special-members: __getitem__\n"
+            if title == "Errors":
+                members += "   :show-inheritance:\n"
+            made.append(f".. auto{kind}:: {'mahlwerk.' * ('.' in name)}{name}\n{members}")
+        made.append("```\n")
+    made.append("An entry of `InputError.faults` is a `Fault`: `where`, `what`, `remedy` and `code`, a heading "
+                "of [errors](../errors.md).\n")
     return "\n".join(made)

@@ -12,7 +12,7 @@ import pathlib
 import re
 import shutil
 
-from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, THEORY, sources
+from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, sources
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.S)
@@ -104,9 +104,7 @@ class Stage:
             self.write(name, f"---\norphan: true\n---\n# {folder}\n\nFiles of this folder of the "
                        "repository:\n\n" + "\n".join(lines) + "\n")
         for name, (title, sentence, below) in LISTS.items():
-            pages = self.matching(below) if below else [f"theory/{one}" for one in THEORY]
-            self.write(name, f"# {title}\n\n{sentence}\n\n"
-                       + toctree(pages, name, maxdepth=1))
+            self.write(name, f"# {title}\n\n{sentence}\n\n" + toctree(self.matching(below), maxdepth=1))
 
     def matching(self, pattern: str) -> list[str]:
         names = sorted(f.relative_to(self.place).with_suffix("").as_posix()
@@ -119,12 +117,12 @@ class Stage:
         """Tables of contents; after all pages are written."""
         for name, below in BELOW.items():
             pages = self.matching(below) if isinstance(below, str) else below
-            self.append(name, toctree(pages, name, hidden=True))
+            self.append(name, toctree(pages, hidden=True))
         for caption, entries in NAVIGATION.items():
             pages = []
             for entry in entries:
                 pages += self.matching(entry) if "*" in entry else [entry]
-            self.append("index", toctree(pages, "index", hidden=True, caption=caption))
+            self.append("index", toctree(pages, hidden=True, caption=caption))
 
     def append(self, name: str, text: str) -> None:
         with (self.place / (name + ".md")).open("a") as out:
@@ -159,7 +157,7 @@ def raw_link(target: str, words: str) -> str:
     return f'<a class="source" href="{html.escape(target)}">{words}</a>'
 
 
-def toctree(pages: list[str], name: str, hidden: bool = False, caption: str = "",
+def toctree(pages: list[str], hidden: bool = False, caption: str = "",
             maxdepth: int = 2) -> str:
     options = "".join([":hidden:\n" * hidden, f":caption: {caption}\n" if caption else "",
                        f":maxdepth: {maxdepth}\n"])

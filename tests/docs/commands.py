@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Shell commands of Markdown files, with the annotations that tell the test how to run them.
+"""Shell commands and Python blocks of Markdown files, with the annotations that tell tests how to run them.
 
 An annotation is a comment before a fenced block (CONTRIBUTING.md, "Commands in the documents"):
 
@@ -14,8 +14,9 @@ import shlex
 SHELLS = ("sh", "bash", "console", "shell")
 #         verb: whether a text must follow
 VERBS = {"skip": True, "slow": False, "with": True, "add": True, "exit": True, "first": True,
-         "write": True, "append": True}
+         "write": True, "append": True, "needs": True}
 OF_FILES = ("write", "append")
+OF_PYTHON = ("skip", "slow", "with", "first", "needs")  # a block of Python is one step
 COMMENT = re.compile(r"^\s*<!--\s*test:(.*?)-->\s*$")
 ANNOTATION = re.compile(r"^\s*(\w+)(?:\s+`([^`]+)`)?(?:\s*:\s*|\s+|$)(.*?)\s*$")
 FENCE = re.compile(r"^(\s*)(`{3,}|~{3,})\s*(\w*)\s*$")
@@ -36,15 +37,17 @@ class Annotation:
 
 @dataclasses.dataclass
 class Step:
-    """A command of a document, or a file that a block holds."""
+    """A command of a document, a block of Python, or a file that a block holds."""
     where: str
     text: str
+    language: str = "sh"   # or "python"
     file: str = ""         # the block is written to this file
     append: bool = False   # at its end
     skip: str = ""         # why it is not run
     slow: bool = False
     exit: int = 0
     first: list = dataclasses.field(default_factory=list)
+    needs: list = dataclasses.field(default_factory=list)  # modules; without them not run
 
 
 def annotation(where: str, text: str) -> Annotation:
@@ -108,10 +111,26 @@ def step(where: str, text: str, notes: list[Annotation], used: set[int]) -> Step
         elif note.verb == "add":
             made.text += " " + note.text
         elif note.verb != "with":
-            raise Faulty(f"{note.where}: '{note.verb}' is for files, not for commands")
+            raise Faulty(f"{note.where}: '{note.verb}' is not for commands")
     for note in (n for n in notes if n.verb == "with" and text.startswith(n.prefix)):
         made.text = replaced(made.text, note.text)
         made.first = [replaced(one, note.text) for one in made.first]
+    return made
+
+
+def python_step(where: str, text: str, notes: list[Annotation]) -> Step:
+    made = Step(where, text, language="python")
+    for note in notes:
+        if note.verb not in OF_PYTHON or note.prefix:
+            raise Faulty(f"{note.where}: for Python there are {', '.join(OF_PYTHON)}, for the whole block")
+        if note.verb == "skip":
+            made.skip = note.text
+        elif note.verb == "slow":
+            made.slow = True
+        elif note.verb in ("first", "needs"):
+            getattr(made, note.verb).append(note.text)
+        else:
+            made.text = replaced(made.text, note.text)
     return made
 
 
@@ -121,6 +140,8 @@ def block_steps(name: str, begin: int, language: str, lines: list[str],
     if files:
         return [Step(f"{name}:{begin}", "\n".join(lines) + "\n", file=n.text,
                      append=n.verb == "append") for n in files]
+    if language == "python":
+        return [python_step(f"{name}:{begin + 1}", "\n".join(lines), notes)]
     if language not in SHELLS:
         if notes:
             raise Faulty(f"{notes[0].where}: the block that follows has no shell commands")

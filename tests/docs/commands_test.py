@@ -16,7 +16,6 @@ import pathlib
 import re
 import resource
 import shlex
-import shutil
 import signal
 import subprocess
 import sys
@@ -25,26 +24,9 @@ import time
 
 import commands
 from commands import Faulty, Step
+from scratch import HOME, scratch_folder
 
-HOME = pathlib.Path(__file__).resolve().parents[2]
-COPIED = ("examples", "papers", "validation", "catalogue", "docs", "tools")
 LIMIT = 600  # [s] of one command
-# A scheduler that accepts every job. campaign.slurm_jobs_... runs real ones where Slurm is installed.
-SBATCH = "#!/bin/sh\ncase \"$*\" in *--parsable*) echo 1;; *) echo Submitted batch job 1;; esac\n"
-
-
-def scratch_folder(program: str, place: pathlib.Path) -> dict[str, str]:
-    """Makes the folder in which commands run; returns their environment."""
-    for name in COPIED:
-        shutil.copytree(HOME / name, place / name)
-    shutil.copytree(HOME / "tests" / "docs" / "cases", place / "cases")
-    (place / "mahlwerk").symlink_to(program)
-    tools = place / ".bin"
-    tools.mkdir()
-    (tools / "mahlwerk").symlink_to(program)
-    (tools / "sbatch").write_text(SBATCH)
-    (tools / "sbatch").chmod(0o755)
-    return dict(os.environ, PATH=f"{tools}:{os.environ['PATH']}", PYTHONDONTWRITEBYTECODE="1")
 
 
 class Runner:
@@ -194,12 +176,16 @@ def self_test() -> int:
                                                  ("echo '# no comment'", "why")], noted
     for faulty in ("<!-- test: jump -->\n" + block, "<!-- test: skip -->\n" + block,
                    "<!-- test: slow `none` -->\n" + block, "<!-- test: slow -->\ntext\n" + block,
-                   "<!-- test: slow -->\n```toml\n```\n", "<!-- test: slow -->\n"):
+                   "<!-- test: slow -->\n```toml\n```\n", "<!-- test: slow -->\n",
+                   "<!-- test: exit: 1 -->\n```python\nx = 1\n```\n"):
         try:
             commands.steps("x.md", faulty)
         except Faulty:
             continue
         raise AssertionError(f"accepted: {faulty}")
+    python = commands.steps("x.md", "<!-- test: with: a=c -->\n```python\nx = a\n\ny = 2\n```\n")
+    assert [(s.text, s.language, s.where) for s in python] == [
+        ("x = c\n\ny = 2", "python", "x.md:3")], python
     runner = Runner("false")
     runner.document("x.md", commands.steps("x.md", "```sh\nfalse\n```\n"), False)
     assert runner.failed == ["x.md:2"], runner.failed
@@ -219,7 +205,7 @@ def main() -> int:
     for file in files:
         name, text = file.relative_to(HOME).as_posix(), file.read_text()
         try:
-            steps = commands.steps(name, text)
+            steps = [s for s in commands.steps(name, text) if s.language == "sh"]
         except (Faulty, ValueError) as fault:
             runner.fail(name, str(fault))
             continue
