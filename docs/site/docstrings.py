@@ -9,7 +9,9 @@ once for each header: their contents stay, the boxes and the warnings of their r
 import logging
 import re
 
+from docutils import nodes
 from sphinx import addnodes
+from sphinx.transforms import SphinxTransform
 
 ARGUMENT = re.compile(r"^([a-z_]+) {2,}(\S.*)$")
 
@@ -45,15 +47,26 @@ class RepeatedNamespace(logging.Filter):
                     and re.search(r"Declaration is '\.\. cpp:type:: \w+'", text))
 
 
-def flatten_namespaces(app, tree) -> None:
-    for one in list(tree.findall(addnodes.desc)):
-        if one.get("domain") == "cpp" and one[0].astext().startswith("namespace "):
-            one.replace_self(list(one[-1].children))
+class FlatNamespaces(SphinxTransform):
+    default_priority = 840  # before the domains take entries of the index
+
+    def apply(self, **_) -> None:
+        seen: set[str] = set()
+        for one in list(self.document.findall(addnodes.desc)):
+            if one.get("domain") != "cpp" or not one[0].astext().startswith("namespace "):
+                continue
+            before = one.parent[one.parent.index(one) - 1]
+            if isinstance(before, addnodes.index):
+                before.parent.remove(before)
+            places = [i for i in one[0]["ids"] if i not in seen]
+            seen.update(places)
+            anchors = "".join(f'<span id="{i}"></span>' for i in places)
+            one.replace_self([nodes.raw("", anchors, format="html"), *one[-1].children])
 
 
 def setup(app) -> dict:
     app.connect("autodoc-process-docstring", process)
-    app.connect("doctree-read", flatten_namespaces)
+    app.add_transform(FlatNamespaces)
     # First, before the filters that count warnings.
     for handler in logging.getLogger("sphinx").handlers:
         handler.filters.insert(0, RepeatedNamespace())

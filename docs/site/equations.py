@@ -13,7 +13,10 @@ from docutils import nodes
 from docutils.transforms import Transform
 
 LABEL = re.compile(r"\s*\*\*\(([a-z]{3}\.\d+)\)\*\*")
+MARKED = re.compile(r"\(([a-z]{3}\.\d+)\)")
 CITATION = re.compile(r"(?<![\w./-])([a-z]{3}\.\d+)(?!\.?\w)")
+
+NO_CITATIONS = (nodes.literal, nodes.literal_block, nodes.reference, nodes.title, nodes.raw, nodes.comment)
 
 
 def written(folder: pathlib.Path) -> dict[str, str]:
@@ -45,11 +48,14 @@ class Equations(Transform):
         for node in list(self.document.findall(nodes.literal_block)):
             if LABEL.search(node.astext()):
                 set_equation(node)
+        for node in self.document.findall(nodes.strong):  # in tables and running text
+            if found := MARKED.fullmatch(node.astext()):
+                node["ids"].append(f"eq-{found[1]}")
+                node["classes"].append("label")
         for node in list(self.document.findall(nodes.Text)):
-            if any(isinstance(up, (nodes.literal, nodes.literal_block, nodes.reference, nodes.title,
-                                   nodes.raw, nodes.comment)) for up in ancestors(node)):
-                continue
-            self.cite(node, places, env)
+            if "label" not in node.parent.get("classes", []) and not any(
+                    isinstance(up, NO_CITATIONS) for up in ancestors(node)):
+                self.cite(node, places, env)
 
     def cite(self, node: nodes.Text, places: dict[str, str], env) -> None:
         text, made, done = node.astext(), [], 0
