@@ -1,0 +1,56 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""The site builds without warnings, every link in it leads somewhere, and it needs no other server.
+
+    site_test.py PROGRAM FOLDER [PACKAGE]
+
+Builds into FOLDER with tools/build_docs. PACKAGE: folder of the built Python package. Exit code 77:
+Sphinx or another package is not installed.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import time
+
+HOME = pathlib.Path(__file__).resolve().parents[2]
+SKIPPED = 77
+
+
+def check_pages(site: pathlib.Path) -> list[str]:
+    faults = []
+    first = (site / "index.html").read_text()
+    for door in ("install.html", "tutorial/index.html", "cases.html"):
+        if f'href="{door}"' not in first:
+            faults.append(f"the first page has no link to {door}")
+    for page in site.rglob("*.html"):
+        text = page.read_text()
+        if "math notranslate" in text and not re.search(r'src="[./]*_static/mathjax/MathJax\.js', text):
+            faults.append(f"{page.relative_to(site)} has equations without the local MathJax")
+    for entry in sorted((HOME / "catalogue").glob("*/*.toml")):
+        page = site / "catalogue" / f"{entry.parent.name}.html"
+        if f">{entry.stem}<" not in page.read_text():
+            faults.append(f"{page.relative_to(site)} does not show {entry.stem}")
+    if not (site / "searchindex.js").exists():
+        faults.append("there is no index for the search")
+    return faults
+
+
+def main() -> int:
+    program, folder, *package = sys.argv[1:]
+    site, begin = pathlib.Path(folder) / "site", time.monotonic()
+    command = [sys.executable, "-B", HOME / "tools" / "build_docs", site, "--program", program]
+    if package and list(pathlib.Path(package[0]).glob("mahlwerk/_core*.so")):
+        command += ["--package", package[0]]
+    built = subprocess.run(command)
+    if built.returncode:
+        return built.returncode if built.returncode == SKIPPED else 1
+    print(f"built in {time.monotonic() - begin:.0f} s")
+    faults = check_pages(site)
+    for fault in faults:
+        print(fault)
+    links = subprocess.run([sys.executable, "-B", pathlib.Path(__file__).with_name("links_test.py"), "site", site])
+    return 1 if faults else links.returncode
+
+
+sys.exit(main())
