@@ -33,7 +33,7 @@ def set_equation(node: nodes.literal_block) -> None:
     lines = []
     for line in node.astext().rstrip().split("\n"):
         labels = LABEL.findall(line)
-        marks = "".join(f'<span class="label" id="eq-{one}">({one})</span>' for one in labels)
+        marks = "".join(f'<span class="label" id="eq-{one}">({one})</span>' for one in reversed(labels))  # they float to the right
         lines.append(f'<span class="line">{marks}{html.escape(LABEL.sub("", line)) or " "}</span>')
     text = "\n".join(lines)
     node.replace_self(nodes.raw("", f'<pre class="equation">{text}</pre>\n', format="html"))
@@ -82,13 +82,17 @@ def scan(app) -> None:
 
 
 class Doors(Transform):
-    """The first table of the first page is set as cards."""
+    """The first table of the first page is set as cards, one for each column."""
     default_priority = 510
 
     def apply(self) -> None:
-        if self.document.settings.env.docname == "index":
-            for table in list(self.document.findall(nodes.table))[:1]:
-                table["classes"].append("doors")
+        if self.document.settings.env.docname != "index":
+            return
+        for table in list(self.document.findall(nodes.table))[:1]:
+            rows = [list(row.findall(nodes.entry)) for row in table.findall(nodes.row)]
+            cards = [nodes.container("", *[child for entry in column for child in entry.children],
+                                     classes=["door"]) for column in zip(*rows)]
+            table.replace_self(nodes.container("", *cards, classes=["doors"]))
 
 
 def setup(app) -> dict:

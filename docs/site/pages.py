@@ -34,13 +34,15 @@ BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",
 
 
 def site_name(source: str) -> str:
-    """Name of the page, without suffix, of a Markdown file of the repository; "" for no page."""
+    """Name of the page, without suffix, of a Markdown file or notebook of the repository; "" for no page."""
     path = pathlib.PurePosixPath(source)
     first, rest = path.parts[0], path.parts[1:]
     if first == "docs":
         return path.relative_to("docs").with_suffix("").as_posix()
     if source in ("CONTRIBUTING.md", "CHANGELOG.md"):
         return path.stem.lower()
+    if path.suffix == ".ipynb":
+        return path.with_suffix("").as_posix()
     if path.name == "README.md" and rest:
         folder = path.parent.as_posix()
         if folder == "catalogue":
@@ -52,10 +54,10 @@ def site_name(source: str) -> str:
 
 
 def sources() -> dict[str, str]:
-    """Markdown file of the repository: name of its page."""
+    """Markdown file or notebook of the repository: name of its page."""
     found = [HOME / "CONTRIBUTING.md", HOME / "CHANGELOG.md", HOME / "viewer" / "README.md",
              HOME / "catalogue" / "README.md", *(HOME / "docs").rglob("*.md"),
-             *(HOME / "examples").glob("*/README.md"), *(HOME / "papers").glob("*/README.md"),
-             *(HOME / "validation").glob("*/README.md")]
+             *(HOME / "examples").glob("*/README.md"),
+             *(HOME / "examples").glob("*/*.ipynb"), *(HOME / "papers").glob("*/README.md"), *(HOME / "validation").glob("*/README.md")]
     names = sorted(f.relative_to(HOME).as_posix() for f in found)
     return {name: site_name(name) for name in names}

@@ -6,7 +6,7 @@ import ast
 from pages import HOME
 
 SECTIONS = {
-    "Cases": ["Case", "Section", "Check", "Origin"],
+    "Cases": ["Case", "Check", "Origin"],
     "Results": ["Result", "Quantity", "Notice", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey"],
     "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison"],

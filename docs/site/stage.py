@@ -7,6 +7,7 @@ a copy of it in `source/`, a link to a folder to a page that lists it. Annotatio
 """
 import fnmatch
 import html
+import json
 import os
 import pathlib
 import re
@@ -42,8 +43,10 @@ class Stage:
         self.lists()
 
     def page(self, source: str, name: str) -> str:
-        text = "".join(part if code else self.prose(part, source, name)
-                       for code, part in parts((HOME / source).read_text()))
+        text = (HOME / source).read_text()
+        if source.endswith(".ipynb"):
+            text = notebook(text) + "\n" + raw_link(relative(self.raw(source), name), "This notebook") + " as a file.\n"
+        text = "".join(part if code else self.prose(part, source, name) for code, part in parts(text))
         case = (HOME / source).parent / "case.toml"
         if source.startswith("examples/") and case.exists():
             text += f"\n## The case file\n\n```toml\n{case.read_text()}```\n"
@@ -147,6 +150,15 @@ def parts(text: str) -> list[tuple[bool, str]]:
         else:
             made[-1][1].append(line)
     return [(code, "".join(lines)) for code, lines in made]
+
+
+def notebook(text: str) -> str:
+    """The cells of a notebook as Markdown; their outputs are left out."""
+    made = []
+    for cell in json.loads(text)["cells"]:
+        source = "".join(cell["source"])
+        made.append(source if cell["cell_type"] == "markdown" else f"```python\n{source}\n```")
+    return "\n\n".join(made) + "\n"
 
 
 def relative(target: str, page: str) -> str:
