@@ -111,28 +111,28 @@ int new_case(const Request& request) {
 }  // namespace
 
 Command new_command() {
-  return {
-      "new",
-      "write a commented case to start from; without options, list what can be given",
-      {{.name = "FILE",
-        .target = &Request::target,
-        .about = "the case file to write (default: the terminal)"},
-       {"--mill", &Request::mill, "mill of the catalogue", "NAME"},
-       {.name = "--kind",
-        .target = &Request::kind,
-        .about = "kind of mill, with values to be replaced",
-        .type = "KIND",
-        .excludes = "--mill"},
-       {"--jar", &Request::jar,
-        "jar of the catalogue (default: a middle one of the mill, else one to be replaced)", "NAME"},
-       {.name = "--jar-kind",
-        .target = &Request::jar_kind,
-        .about = "kind of jar, with values to be replaced",
-        .type = "KIND",
-        .excludes = "--jar"},
-       {"--balls", &Request::balls, "ball set of the catalogue", "NAME"},
-       {"--force", &Request::force, "replace an existing file"}},
-      new_case};
+  return {"new",
+          "write a commented case to start from; without options, list what can be given",
+          {{.name = "FILE",
+            .target = &Request::target,
+            .about = "the case file to write (default: the terminal)"},
+           {"--mill", &Request::mill, "mill of the catalogue", "NAME"},
+           {.name = "--kind",
+            .target = &Request::kind,
+            .about = "kind of mill, with values to be replaced",
+            .type = "KIND",
+            .excludes = "--mill"},
+           {"--jar", &Request::jar,
+            "jar of the catalogue (default: a middle one of the mill, else one to be replaced)",
+            "NAME"},
+           {.name = "--jar-kind",
+            .target = &Request::jar_kind,
+            .about = "kind of jar, with values to be replaced",
+            .type = "KIND",
+            .excludes = "--jar"},
+           {"--balls", &Request::balls, "ball set of the catalogue", "NAME"},
+           {"--force", &Request::force, "replace an existing file"}},
+          new_case};
 }
 
 }  // namespace mahlwerk::app

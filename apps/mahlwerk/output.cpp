@@ -28,6 +28,7 @@ int first_error = 0;  // errno of the first failed write to stdout; 0: none, or 
 }  // namespace
 
 void to_stdout(std::string_view text) {
+  if (listener() != nullptr) return;
   fmt::print("{}", printable(text));
 }
 

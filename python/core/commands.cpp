@@ -82,6 +82,11 @@ app::Request request_of(const py::dict& options) {
   take(options, "checkpoint", request.checkpoint);
   take(options, "force", request.force);
   take(options, "quick", request.quick_only);
+  take(options, "mill", request.mill);
+  take(options, "kind", request.kind);
+  take(options, "jar", request.jar);
+  take(options, "jar_kind", request.jar_kind);
+  take(options, "balls", request.balls);
   return request;
 }
 

@@ -86,6 +86,21 @@ class Case:
         made._set(text, Path(folder or Path.cwd()) / "case", False, {})
         return made
 
+    @classmethod
+    def new(cls, *, mill: Optional[str] = None, kind: Optional[str] = None,
+            jar: Optional[str] = None, jar_kind: Optional[str] = None,
+            balls: Optional[str] = None) -> Case:
+        """A case to start from, as `mahlwerk new` writes it: a `mill` of the catalogue or a `kind` of
+        mill, a `jar` of the catalogue or a `jar_kind`, and a ball set of the catalogue. Its text says
+        in comments what each key is, and marks assumed values."""
+        import tempfile
+
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "case.toml"
+            command(["new"], target=os.fspath(file), mill=mill, kind=kind, jar=jar,
+                    jar_kind=jar_kind, balls=balls)
+            return cls.from_text(file.read_text(encoding="utf-8"))
+
     def _set(self, text: str, file: Path, in_file: bool, changes: dict[str, str]) -> None:
         shown_file = os.fspath(file) if in_file else os.path.relpath(file)
         resolved = _core.read_case(text, shown_file, list(changes.items()))

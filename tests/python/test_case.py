@@ -98,3 +98,15 @@ def test_check_says_what_the_command_says(example, program, ball):
         two.check()
     assert caught.value.faults[0].code == "roll-one-ball"
 
+
+def test_a_new_case_of_every_mill_of_the_catalogue_is_valid_and_commented(capfd):
+    for one in mahlwerk.catalogue("mills"):
+        case = mahlwerk.Case.new(mill=one["name"])
+        assert case["mill.model"].strip('"') == one["name"]
+    case = mahlwerk.Case.new(kind="vibration", jar_kind="capsule")
+    assert "ASSUMED" in case._text and case.check().derived
+    with pytest.raises(mahlwerk.InputError, match="no mill is given"):
+        mahlwerk.Case.new()
+    with pytest.raises(mahlwerk.InputError, match="did you mean"):
+        mahlwerk.Case.new(mill="retsch-mm40")
+    assert capfd.readouterr().out == "", "commands print nothing from Python"
