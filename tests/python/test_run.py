@@ -71,8 +71,9 @@ def test_observers_get_every_collision_once_and_in_order(ball):
             read = file[f"replicate_{k}/collisions"][:]
             assert set(read.dtype.names) == set(mahlwerk.record_columns())
             np.testing.assert_array_equal(read["time"], got["time"])
-    rate = sum(len(r) for r in map(result.collisions, (1, 2))) / 2 / 100
-    assert rate == pytest.approx(result["collision_rate"].value, rel=1e-9)
+    each = result.table("replicates")
+    assert each["collision_rate_per_s"] * each["simulated_time_s"] == pytest.approx(
+        [len(result.collisions(k)) for k in (1, 2)], rel=1e-12)
     frame = mahlwerk.tables.frame_of(result.collisions(1))
     assert len(frame) == len(result.collisions(1)) and frame["ball"].dtype == np.int32
 
