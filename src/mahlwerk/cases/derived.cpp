@@ -31,6 +31,20 @@ double balls_volume(const std::vector<BallSet>& balls) {
   return volume;
 }
 
+double bulk_filling(const std::vector<BallSet>& balls, const Jar& jar) {
+  return balls_volume(balls) / ((1 - bed_porosity) * jar_volume(jar));
+}
+
+std::optional<double> void_filling(const Case& c) {
+  if (!c.powder || !c.powder->density) return std::nullopt;
+  const double bulk = c.powder->mass / (*c.powder->density * (1 - bed_porosity));
+  return bulk / (bed_porosity * bulk_filling(c.balls, c.jar) * jar_volume(c.jar));
+}
+
+double bulk_density(const std::vector<BallSet>& balls) {
+  return balls_mass(balls) * (1 - bed_porosity) / balls_volume(balls);
+}
+
 std::int64_t balls_count(const std::vector<BallSet>& balls) {
   std::int64_t count = 0;
   for (const BallSet& set : balls) count += set.count;

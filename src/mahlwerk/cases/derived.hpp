@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
@@ -18,6 +19,16 @@ std::int64_t balls_count(const std::vector<BallSet>& balls);
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter; NaN if one is unknown
 /// [m] Diameter of the smallest ball, without grains of the powder; infinite without balls.
 double smallest_ball(const std::vector<BallSet>& balls);
+/// [1] Share of voids in a bed at rest, of balls and of powder, by convention (Austin, Klimpel and
+/// Luckie 1984).
+constexpr double bed_porosity = 0.4;
+/// [1] J: bulk volume of the balls over the volume of the jar (obs.14).
+double bulk_filling(const std::vector<BallSet>& balls, const Jar& jar);
+/// [1] U: bulk volume of the powder over the voids between the balls (obs.15); no value without
+/// powder or its density.
+std::optional<double> void_filling(const Case& c);
+/// [kg/m3] Mass of the balls over their bulk volume.
+double bulk_density(const std::vector<BallSet>& balls);
 /// [rad/s] Critical speed, at which the largest ball centrifuges on the wall of a tumbling jar
 /// (kin.11).
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity);

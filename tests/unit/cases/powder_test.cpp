@@ -79,6 +79,21 @@ TEST(PowderAsGrains, of_its_own_size_unless_said_otherwise) {
   EXPECT_NE(grains_note(c).find("the powder's own size"), std::string::npos);
 }
 
+// (obs.14, obs.15) A bed has 40 % voids.
+TEST(Fillings, j_and_u_of_a_drum_give_the_balls_and_the_powder) {
+  const std::string drum =
+      with(with(with(planetary, "ball_to", "void_filling = \"100 %\"\ndensity = \"2700 kg/m3\""),
+                "count", "bulk_filling = \"30 %\""),
+           "material = \"tic\"", "");
+  const Case c = read_sample(drum);
+  const double jar = jar_volume(c.jar), one = ball_volume(c.balls[0]);
+  EXPECT_EQ(c.balls[0].count, std::llround(0.6 * 0.3 * jar / one));
+  const double j = static_cast<double>(c.balls[0].count) * one / 0.6 / jar;
+  EXPECT_NEAR(bulk_filling(c.balls, c.jar), j, 1e-15);
+  EXPECT_NEAR(c.powder->mass, 2700 * 0.6 * 0.4 * j * jar, 1e-12);
+  EXPECT_NEAR(*void_filling(c), 1, 1e-12);
+}
+
 TEST(PowderAsGrains, filling_is_solid_volume_over_the_jars) {
   const Case c = read_sample(with(grains, "ball_to", "filling = \"15 %\""));
   const double jar = std::numbers::pi / 4 * 0.042 * 0.042 * 0.0325;

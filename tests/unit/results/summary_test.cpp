@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <numbers>
 #include <set>
 
 #include "mahlwerk/cases/grinding.hpp"
@@ -47,6 +49,42 @@ TEST(Summary, powers_and_shares_leave_out_what_was_before_counting) {
   EXPECT_NEAR(value(o, "lasting_contacts_rate"), 0.4, 1e-15);
   EXPECT_NEAR(value(o, "simulated_time"), 10, 1e-15);
   EXPECT_EQ(value(o, "replicates"), 3);
+}
+
+// (obs.14, obs.15) Solid volumes over 0.6; the voids of the balls are 0.4 of their bulk volume.
+TEST(Summary, a_drum_states_its_speed_and_the_bulk_fillings_of_balls_and_powder) {
+  Outcome o = fake_outcome();
+  EXPECT_THROW(value(o, "bulk_filling"), std::exception) << "no drum";
+  o.mill_case.mill.motion = kinematics::Tumbling{-std::numbers::pi};
+  geometry::Cylinder jar;
+  jar.diameter = 0.2;
+  jar.height = 0.1;
+  o.mill_case.jar.shape = jar;
+  o.mill_case.balls = {{100, 0.02, 7800, ""}};
+  o.mill_case.powder.emplace().mass = 0.5;
+  EXPECT_THROW(value(o, "void_filling"), std::exception) << "no density of the powder";
+  o.mill_case.powder->density = 2700;
+  EXPECT_NEAR(value(o, "drum_speed"), 30, 1e-12);
+  const double bulk = 100 * std::numbers::pi / 6 * 8e-6 / 0.6;  // [m3] of the balls
+  EXPECT_NEAR(value(o, "bulk_filling"), bulk / (std::numbers::pi * 1e-3), 1e-12);
+  EXPECT_NEAR(value(o, "void_filling"), 0.5 / 2700 / 0.6 / (0.4 * bulk), 1e-12);
+}
+
+// (obs.16, obs.17) 0.512 W are drawn at two turns a second; the balls' bulk density is 4680 kg/m3.
+TEST(Summary, a_stirrer_states_its_torque_and_power_number) {
+  Outcome o = fake_outcome();
+  geometry::Attritor vessel;
+  vessel.diameter = 0.1;
+  vessel.height = 0.12;
+  vessel.arm_span = 0.08;
+  vessel.rotor_speed = -4 * std::numbers::pi;
+  o.mill_case.jar.shape = vessel;
+  o.mill_case.balls = {{10, 0.01, 7800, ""}};
+  o.mill_case.mill.motion = kinematics::Still{};
+  EXPECT_NEAR(value(o, "rotor_torque"), 0.512 / (4 * std::numbers::pi), 1e-12);
+  EXPECT_NEAR(value(o, "power_number"), 0.512 / (4680 * 8 * std::pow(0.08, 5)), 1e-9);
+  o.mill_case.mill.motion = kinematics::Vibration{};
+  EXPECT_THROW(value(o, "rotor_torque"), std::exception) << "the vessel works, too";
 }
 
 // (obs.13) 50, 60 and 70 hits of 4 mJ in 10 s; the jar works 5 J and 1 mJ for each of 100, 120,

@@ -119,9 +119,13 @@ constexpr NumberSpec mass_of_set("mass", "kg", positive, "mass of all balls of t
 constexpr NumberSpec filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
                                     "volume of the balls over volume of the jar");
 
+constexpr NumberSpec bulk_filling_of_set(
+    "bulk_filling", "", {.least = 0, .most = 1, .without_least = true},
+    "J: bulk volume of the balls, with 40 % voids, over volume of the jar");
+
 /// The number of balls, given directly, by mass, by filling of the jar, or by initial positions.
 std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
-  const std::string_view key = in.one_of({"count", "mass", "filling", "positions"});
+  const std::string_view key = in.one_of({"count", "mass", "filling", "bulk_filling", "positions"});
   if (key == "positions") {
     set.positions = read_positions(in, *in.find(key));
     return static_cast<std::int64_t>(set.positions.size());
@@ -136,7 +140,9 @@ std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
     const double mass = in.quantity(at, mass_of_set);
     return nearest_count(in, at, key, mass / set.mass());
   }
-  const double filling = in.quantity(at, filling_of_set);
+  const double filling = key == "filling"
+                             ? in.quantity(at, filling_of_set)
+                             : (1 - bed_porosity) * in.quantity(at, bulk_filling_of_set);
   return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
 }
 
@@ -152,6 +158,7 @@ void describe_count(KeyVisitor& v, BallSet& set) {
            name);
   v.alternative(mass_of_set.in_place_of("count"));
   v.alternative(filling_of_set.in_place_of("count"));
+  v.alternative(bulk_filling_of_set.in_place_of("count"));
   const auto vectors = [&](const VectorList& list, const std::vector<Vec3>& given) {
     if (given.empty() && !v.visits_all()) return;
     const bool sound =

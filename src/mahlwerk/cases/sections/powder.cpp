@@ -22,6 +22,9 @@ constexpr NumberSpec ball_to_powder("ball_to_powder", "", positive,
 constexpr NumberSpec filling_of_powder("filling", "",
                                        {.least = 0, .most = 1, .without_least = true},
                                        "solid volume of the powder over volume of the jar");
+constexpr NumberSpec void_filling_of_powder(
+    "void_filling", "", positive,
+    "U: bulk volume of the powder, with 40 % voids, over the voids between the balls at rest");
 constexpr NumberSpec density_of_solid("density", "kg/m3", positive, "density of the solid");
 constexpr NumberSpec size_of_grains("grain_size", "m", positive,
                                     "diameter of the spheres that represent the powder");
@@ -56,7 +59,7 @@ void report_missing_density(SectionReader& in, const Powder& powder, std::string
 /// [kg] The powder's mass, given directly, by ball_to_powder, or by filling of the jar.
 double read_powder_mass(SectionReader& in, const Powder& powder, const std::vector<BallSet>& balls,
                         const Jar& jar) {
-  const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling"});
+  const std::string_view key = in.one_of({"mass", "ball_to_powder", "filling", "void_filling"});
   NumberSpec spec = mass_of_powder;
   spec.instead = "ball_to_powder";
   if (key.empty() || key == "mass") return in.value(spec);
@@ -65,9 +68,12 @@ double read_powder_mass(SectionReader& in, const Powder& powder, const std::vect
   if (key == "ball_to_powder") {
     mass = balls_mass(balls) / read_ball_to_powder(in, at);
   } else {
-    const double filling = in.quantity(at, filling_of_powder);
-    if (!powder.density) report_missing_density(in, powder, "filling");
-    mass = filling * jar_volume(jar) * powder.density.value_or(invalid_value);
+    if (!powder.density) report_missing_density(in, powder, key);
+    const double solid = key == "filling"
+                             ? in.quantity(at, filling_of_powder) * jar_volume(jar)
+                             : in.quantity(at, void_filling_of_powder) * bed_porosity *
+                                   bulk_filling(balls, jar) * jar_volume(jar) * (1 - bed_porosity);
+    mass = solid * powder.density.value_or(invalid_value);
   }
   if (!std::isnan(mass))
     in.record_origin("mass", show(mass, "kg"), &at, fmt::format("{} = \"{}\"", key, at.text));
@@ -175,7 +181,7 @@ BallSet read_grains(SectionReader& in, Powder& powder) {
               .grains = true};
   describe(in, set.elastic, powder.material);
   describe(in, set.substance, powder.material);
-  if (!powder.density && in.find("filling") == nullptr)
+  if (!powder.density && in.find("filling") == nullptr && in.find("void_filling") == nullptr)
     report_missing_density(in, powder, "as = \"grains\"");
   if (powder.size && *powder.grain_size < *powder.size)
     in.fault(*in.find("grain_size"),
@@ -209,6 +215,7 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
   v.number(mass_of_powder, powder.mass);
   v.alternative(ball_to_powder.in_place_of("mass"));
   v.alternative(filling_of_powder.in_place_of("mass"));
+  v.alternative(void_filling_of_powder.in_place_of("mass"));
   describe_feed(v, powder);
   v.optional_number(density_of_solid.with_default_text("that of the material"), powder.density);
   if (!powder.grain_size || balls.empty()) return;

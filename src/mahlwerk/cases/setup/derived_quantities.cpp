@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -104,6 +105,7 @@ class Derivation {
 
   void special(const Tumbling& drum) {
     const double critical = critical_speed(c_.jar, c_.balls, c_.gravity);
+    add("drum_speed", std::abs(drum.speed) * 30 / std::numbers::pi, "rpm", "speed of the drum");
     add("critical_speed", critical, "rad/s",
         "speed that pins the largest ball to the wall of the drum (kin.11)");
     if (critical > 0)
@@ -167,9 +169,16 @@ class Derivation {
     add("ball_mass", largest_.mass(), "kg", "mass of the largest ball");
     add("total_ball_mass", mass, "kg", "mass of all balls");
     add("filling", 100 * balls / jar, "%", "solid volume of the balls over the jar's volume");
+    const bool drum = std::holds_alternative<Tumbling>(*c_.mill.motion);
+    if (drum)
+      add("bulk_filling", 100 * bulk_filling(c_.balls, c_.jar), "%",
+          "J: bulk volume of the balls, with 40 % voids, over the jar's volume (obs.14)");
     if (!c_.powder) return;
     add("powder_mass", c_.powder->mass, "kg", "mass of the powder");
     add("ball_to_powder", mass / c_.powder->mass, "", "mass of the balls over mass of the powder");
+    if (const auto voids = void_filling(c_); drum && voids)
+      add("void_filling", 100 * *voids, "%",
+          "U: bulk volume of the powder over the voids between the balls at rest (obs.15)");
     if (c_.balls.back().grains) grains(c_.balls.back(), *c_.powder, jar);
   }
 

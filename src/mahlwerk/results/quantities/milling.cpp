@@ -3,8 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/still.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 
@@ -29,6 +32,52 @@ double shaft_speed(const Case& c) {
   if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
     return planetary->speed;
   return undefined;
+}
+
+/// The jar's stirrer, if it has one that turns in a vessel at rest; else null.
+const geometry::Attritor* stirrer(const Case& c) {
+  if (kinematics::as<kinematics::Still>(*c.mill.motion) == nullptr) return nullptr;
+  const auto* vessel = std::get_if<geometry::Attritor>(&*c.jar.shape);
+  return vessel != nullptr && vessel->rotor_speed != 0 ? vessel : nullptr;
+}
+
+/// [1] Power number of the stirrer (obs.17).
+double power_number(const Case& c, const Replicate& r) {
+  const geometry::Attritor& vessel = *stirrer(c);
+  const double n = std::abs(vessel.rotor_speed) / (2 * std::numbers::pi);
+  return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * std::pow(vessel.arm_span, 5));
+}
+
+/// Speed and filling of a drum, as comminution states them.
+void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
+  if (kinematics::as<kinematics::Tumbling>(*mill_case.mill.motion) == nullptr) return;
+  list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
+                    return shaft_speed(c) * 30 / std::numbers::pi;
+                  }});
+  list.push_back({"bulk_filling", "1",
+                  "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
+                  [](const Case& c, const Replicate&) {
+                    return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
+                  }});
+  if (cases::void_filling(mill_case))
+    list.push_back({"void_filling", "1",
+                    "U: bulk volume of the powder over the voids between the balls at rest",
+                    [](const Case& c, const Replicate&) {
+                      return *cases::void_filling(c);  // (obs.15)
+                    }});
+}
+
+void add_stirrer_measures(const Case& mill_case, std::vector<Measure>& list) {
+  if (stirrer(mill_case) == nullptr) return;
+  list.push_back({"rotor_torque", "N m",
+                  "drawn power over the speed of the rotor; without friction of the drive",
+                  [](const Case& c, const Replicate& r) {
+                    return drawn(r) / std::abs(stirrer(c)->rotor_speed);  // (obs.16)
+                  }});
+  list.push_back({"power_number", "1",
+                  "Np: drawn power over rho N^3 d^5, with the bulk density rho of the balls, the "
+                  "turns N of the rotor per second and its diameter d",
+                  power_number});
 }
 
 /// [1] Number of powder particles; NaN if their size is not known.
@@ -68,6 +117,8 @@ std::vector<Measure> mill_measures(const Case& mill_case) {
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) / shaft_speed(c);  // (obs.7)
                     }});
+  add_drum_measures(mill_case, list);
+  add_stirrer_measures(mill_case, list);
   if (mill_case.mill.jars_carried > 1)
     list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars that the mill carries",
                     [](const Case& c, const Replicate& r) {

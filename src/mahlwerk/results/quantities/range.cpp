@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 10> shares{
     "finest_share",
     "conversion"};
 
-constexpr std::array<std::string_view, 59> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 62> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -78,6 +78,9 @@ constexpr std::array<std::string_view, 59> not_negative{"collision_rate",
                                                         "deepest_overlap",
                                                         "simulated_time",
                                                         "charge_distance",
+                                                        "drum_speed",
+                                                        "bulk_filling",
+                                                        "void_filling",
                                                         "impact_efficiency"};
 
 template <class Names>
