@@ -32,8 +32,8 @@ struct Option {
   std::array<int, 2> range = {};          ///< allowed integers; {0, 0}: any
   std::vector<std::string> values = {};   ///< allowed values; empty: all
   std::string excludes = {}, needs = {};  ///< another option, listed before
-  /// Shell completions of a positional argument: words, or a command that prints them; empty:
-  /// files.
+  /// Shell completions of an argument: words, or a command that prints them; empty: files for a
+  /// positional argument, nothing for an option.
   std::string completions = {};
 };
 using Options = std::vector<Option>;

@@ -13,8 +13,8 @@ namespace mahlwerk::app {
 namespace {
 
 /// A `case` branch of the script for each command: its subcommands, options and positional
-/// arguments.
-std::string branches(const std::string& path, const Command& command) {
+/// arguments. Adds a branch to `values` for each option whose values are known.
+std::string branches(const std::string& path, const Command& command, std::string& values) {
   std::vector<std::string> words;
   std::string offers;
   bool files = false;
@@ -23,6 +23,9 @@ std::string branches(const std::string& path, const Command& command) {
   for (const Option& option : command.options)
     if (option.name.starts_with("-")) {
       words.push_back(option.name);
+      if (!option.completions.empty())
+        values +=
+            fmt::format("    {}) words=\"{}\" files='' ;;\n", option.name, option.completions);
     } else {
       offers = option.completions.empty() ? "" : option.completions + " ";
       files = option.completions.empty();
@@ -32,7 +35,7 @@ std::string branches(const std::string& path, const Command& command) {
   std::string all = fmt::format("    '{}') words=\"{}{}\"{} ;;\n", path, offers,
                                 fmt::join(words, " "), files ? " files=yes" : "");
   for (const Command& part : command.subcommands)
-    all += branches(fmt::format("{} {}", path, part.name), part);
+    all += branches(fmt::format("{} {}", path, part.name), part, values);
   return all;
 }
 
@@ -45,10 +48,9 @@ _mahlwerk() {
   case $command in
 )";
 constexpr std::string_view tail = R"(  esac
-  if [[ ${COMP_WORDS[COMP_CWORD - 1]} == --set ]]; then
-    words="@KEYS@" files=''
-    compopt -o nospace 2>/dev/null
-  fi
+  case ${COMP_WORDS[COMP_CWORD - 1]} in
+    --set) words="@KEYS@" files=''; compopt -o nospace 2>/dev/null ;;
+@VALUES@  esac
   COMPREPLY=($(compgen -W "$words" -- "$cur"))
   [[ $files && $cur != -* ]] && COMPREPLY+=($(compgen -f -- "$cur"))
   return 0
@@ -69,12 +71,12 @@ constexpr std::string_view zsh_tail =
 int completion(const Request& request) {
   const std::vector<Command> all = commands();
   std::string parts = " ";  // " sweep status, sweep export,"
-  std::string names, below, keys;
+  std::string names, below, keys, values;
   for (const Command& command : all) {
     for (const Command& part : command.subcommands)
       parts += fmt::format("{} {}, ", command.name, part.name);
     names += command.name + " ";
-    below += branches(command.name, command);
+    below += branches(command.name, command, values);
   }
   for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
   std::string script(head);
@@ -82,6 +84,7 @@ int completion(const Request& request) {
   script += tail;
   script.replace(script.find("@PARTS@"), 7, parts);
   script.replace(script.find("@KEYS@"), 6, keys);
+  script.replace(script.find("@VALUES@"), 8, values);
   if (request.target == "zsh") script = fmt::format("{}{}{}", zsh_head, script, zsh_tail);
   to_stdout(script);
   return success;

@@ -18,6 +18,11 @@ using results::Json;
 
 constexpr std::size_t line_width = 110;
 
+/// "mill"; "top" for the keys outside sections.
+std::string_view section_word(const KeySection& section) {
+  return section.section.empty() ? "top" : std::string_view(section.section);
+}
+
 std::string heading(const KeySection& section) {
   const bool list = section.section == "balls" || section.section == "contact.pairs";
   const std::string name = section.section.empty() ? "(top of the file)"
@@ -169,7 +174,7 @@ KeySections all_sections() {
 KeySections sections_named(std::string_view word) {
   KeySections found;
   for (const KeySection& s : cases::key_sections()) {
-    const bool section = s.kind.empty() && s.section == word && !word.empty();
+    const bool section = s.kind.empty() && word == section_word(s);
     const bool kind =
         !s.kind.empty() && (s.kind == word || fmt::format("{}.{}", s.section, s.kind) == word);
     const bool key = std::ranges::find(s.keys, word, &KeyInfo::key) != s.keys.end();
@@ -181,8 +186,8 @@ KeySections sections_named(std::string_view word) {
 std::vector<std::string> section_words() {
   std::vector<std::string> words;
   for (const KeySection& s : cases::key_sections()) {
-    const std::string& word = s.kind.empty() ? s.section : s.kind;
-    if (!word.empty() && std::ranges::find(words, word) == words.end()) words.push_back(word);
+    const std::string word(s.kind.empty() ? section_word(s) : s.kind);
+    if (std::ranges::find(words, word) == words.end()) words.push_back(word);
   }
   return words;
 }

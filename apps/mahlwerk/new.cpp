@@ -111,26 +111,46 @@ int new_case(const Request& request) {
 }  // namespace
 
 Command new_command() {
+  const auto entries = [](std::string_view category) {
+    return fmt::format("$(\"${{COMP_WORDS[0]}}\" list {} 2>/dev/null | awk '/^  / {{print $1}}')",
+                       category);
+  };
+  const auto kinds = [](std::string_view section) {
+    return fmt::format("{}", fmt::join(kinds_of(section), " "));
+  };
   return {"new",
           "write a commented case to start from; without options, list what can be given",
           {{.name = "FILE",
             .target = &Request::target,
             .about = "the case file to write (default: the terminal)"},
-           {"--mill", &Request::mill, "mill of the catalogue", "NAME"},
+           {.name = "--mill",
+            .target = &Request::mill,
+            .about = "mill of the catalogue",
+            .type = "NAME",
+            .completions = entries("mills")},
            {.name = "--kind",
             .target = &Request::kind,
             .about = "kind of mill, with values to be replaced",
             .type = "KIND",
-            .excludes = "--mill"},
-           {"--jar", &Request::jar,
-            "jar of the catalogue (default: a middle one of the mill, else one to be replaced)",
-            "NAME"},
+            .excludes = "--mill",
+            .completions = kinds("mill")},
+           {.name = "--jar",
+            .target = &Request::jar,
+            .about =
+                "jar of the catalogue (default: a middle one of the mill, else one to be replaced)",
+            .type = "NAME",
+            .completions = entries("jars")},
            {.name = "--jar-kind",
             .target = &Request::jar_kind,
             .about = "kind of jar, with values to be replaced",
             .type = "KIND",
-            .excludes = "--jar"},
-           {"--balls", &Request::balls, "ball set of the catalogue", "NAME"},
+            .excludes = "--jar",
+            .completions = kinds("jar")},
+           {.name = "--balls",
+            .target = &Request::balls,
+            .about = "ball set of the catalogue",
+            .type = "NAME",
+            .completions = entries("media")},
            {"--force", &Request::force, "replace an existing file"}},
           new_case};
 }

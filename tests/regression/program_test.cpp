@@ -68,9 +68,29 @@ TEST_F(Program, describe_shows_the_keys_of_sections_kinds_and_single_keys) {
   shows("fritsch-p7-classic", {"mills/fritsch-p7-classic"});
   shows("materials/steel-304", {"density"});
   shows("planetary --json", {"\"key\": \"orbit_radius\"", "\"least_excluded\": true"});
+  shows("top", {"title", "gravity"});
   const ProgramResult all = mahlwerk("list keys --json");
   EXPECT_EQ(all.code, 0);
   EXPECT_NE(all.output.find("\"section\": \"optimise\""), std::string::npos);
+}
+
+TEST_F(Program, describe_shows_both_if_a_kind_and_an_entry_have_the_same_name) {
+  fs::create_directories(here_ / "own" / "materials");
+  std::ofstream(here_ / "own/materials/sphere.toml")
+      << "title = \"A material called sphere\"\nabout = \"For a test.\"\n"
+         "[density]\nvalue = \"1 kg/m3\"\nsource = \"a test\"\n";
+  const auto described = [&](const std::string& what) {
+    return mahlwerk("--version >/dev/null; MAHLWERK_CATALOGUE=own '" MAHLWERK_PROGRAM
+                    "' describe " +
+                    what)
+        .output;
+  };
+  const std::string both = described("sphere");
+  EXPECT_NE(both.find("[jar] kind = \"sphere\""), std::string::npos) << both;
+  EXPECT_NE(both.find("materials/sphere"), std::string::npos) << both;
+  EXPECT_EQ(described("jar.sphere").find("a test"), std::string::npos);
+  const std::string entry = described("materials/sphere");
+  EXPECT_TRUE(entry.starts_with("A material called sphere")) << entry;
 }
 
 TEST_F(Program, an_existing_result_is_refused_unless_forced) {
@@ -168,6 +188,9 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
   EXPECT_EQ(offered("sweep st"), "status\n");
   EXPECT_EQ(offered("stat"), "\n") << "a part of a command is none";
   EXPECT_EQ(offered("list mi"), "mills\n");
+  EXPECT_EQ(offered("describe tav"), "tavares\n");
+  EXPECT_EQ(offered("new --kind plan"), "planetary\n");
+  EXPECT_EQ(offered("new --mill x --jar-kind lif"), "lifter_cylinder\n");
   EXPECT_EQ(offered("run case.toml --set mill.sp"), "mill.speed=\n");
   std::ofstream(here_ / "mine.toml") << "";
   EXPECT_EQ(offered("run mi"), "mine.toml\n");
