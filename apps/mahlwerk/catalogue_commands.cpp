@@ -169,9 +169,8 @@ Command describe_command() {
             .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
                      "list keys'",
             .required = true,
-            .completions = fmt::format(
-                "$(\"${{COMP_WORDS[0]}}\" list 2>/dev/null | awk '/^  / {{print $1}}') {}",
-                fmt::join(section_words(), " "))},
+            .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
+            .more_completions = [] { return joined_words(section_words()); }},
            json()},
           describe};
 }

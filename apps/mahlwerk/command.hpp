@@ -35,6 +35,8 @@ struct Option {
   /// Shell completions of an argument: words, or a command that prints them; empty: files for a
   /// positional argument, nothing for an option.
   std::string completions = {};
+  /// More of them, computed only when a completion script is printed; null: none.
+  std::string (*more_completions)() = nullptr;
 };
 using Options = std::vector<Option>;
 

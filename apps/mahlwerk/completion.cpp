@@ -12,6 +12,13 @@
 namespace mahlwerk::app {
 namespace {
 
+std::string completions_of(const Option& option) {
+  std::string all = option.completions;
+  if (option.more_completions != nullptr)
+    all += (all.empty() ? "" : " ") + option.more_completions();
+  return all;
+}
+
 /// A `case` branch of the script for each command: its subcommands, options and positional
 /// arguments. Adds a branch to `values` for each option whose values are known.
 std::string branches(const std::string& path, const Command& command, std::string& values) {
@@ -20,16 +27,17 @@ std::string branches(const std::string& path, const Command& command, std::strin
   bool files = false;
   for (const Command& part : command.subcommands) words.push_back(part.name);
   words.push_back("--help");
-  for (const Option& option : command.options)
-    if (option.name.starts_with("-")) {
-      words.push_back(option.name);
-      if (!option.completions.empty())
-        values +=
-            fmt::format("    {}) words=\"{}\" files='' ;;\n", option.name, option.completions);
-    } else {
-      offers = option.completions.empty() ? "" : option.completions + " ";
-      files = option.completions.empty();
+  for (const Option& option : command.options) {
+    const std::string known = completions_of(option);
+    if (!option.name.starts_with("-")) {
+      offers = known.empty() ? "" : known + " ";
+      files = known.empty();
+      continue;
     }
+    words.push_back(option.name);
+    if (!known.empty())
+      values += fmt::format("    {}) words=\"{}\" files='' ;;\n", option.name, known);
+  }
   for (std::string& word : words)  // "--jobs,--threads" are two
     if (const auto comma = word.find(','); comma != std::string::npos) word[comma] = ' ';
   std::string all = fmt::format("    '{}') words=\"{}{}\"{} ;;\n", path, offers,

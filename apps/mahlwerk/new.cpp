@@ -115,9 +115,6 @@ Command new_command() {
     return fmt::format("$(\"${{COMP_WORDS[0]}}\" list {} 2>/dev/null | awk '/^  / {{print $1}}')",
                        category);
   };
-  const auto kinds = [](std::string_view section) {
-    return fmt::format("{}", fmt::join(kinds_of(section), " "));
-  };
   return {"new",
           "write a commented case to start from; without options, list what can be given",
           {{.name = "FILE",
@@ -133,7 +130,7 @@ Command new_command() {
             .about = "kind of mill, with values to be replaced",
             .type = "KIND",
             .excludes = "--mill",
-            .completions = kinds("mill")},
+            .more_completions = [] { return joined_words(kinds_of("mill")); }},
            {.name = "--jar",
             .target = &Request::jar,
             .about =
@@ -145,7 +142,7 @@ Command new_command() {
             .about = "kind of jar, with values to be replaced",
             .type = "KIND",
             .excludes = "--jar",
-            .completions = kinds("jar")},
+            .more_completions = [] { return joined_words(kinds_of("jar")); }},
            {.name = "--balls",
             .target = &Request::balls,
             .about = "ball set of the catalogue",
