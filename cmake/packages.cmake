@@ -45,6 +45,8 @@ if(TARGET mahlwerk_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-mahlwerk)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(scripts ${PROJECT_SOURCE_DIR}/packaging/debian/python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${scripts}/postinst ${scripts}/prerm)
   # The compiled module belongs to one minor version of Python.
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "mahlwerk (= ${version}), python3-numpy")
   if(Python_VERSION_MINOR)
