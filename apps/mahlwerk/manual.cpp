@@ -120,11 +120,11 @@ std::string program_page(const std::vector<Command>& all) {
     text += tagged(fmt::format("\\fB{}\\fR", roff(command.name)), command.about);
     pages.push_back(page_name(command));
   }
-  text +=
-      ".SH FILES\n" +
-      tagged("\\fIshare/mahlwerk\\fR",
-             "beside the folder of the program: catalogue, papers, validation, and examples, of "
-             "which mahlwerk --help names the first");
+  text += ".SH FILES\nRelative to the folder above that of the program:\n" +
+          tagged("\\fIshare/mahlwerk\\fR",
+                 "catalogue, papers, validation, and examples, of which mahlwerk --help names the "
+                 "first") +
+          tagged("\\fIshare/doc/mahlwerk/docs\\fR", "the documents that messages name");
   return text + ending(pages);
 }
 
