@@ -72,7 +72,8 @@ install(DIRECTORY catalogue papers validation examples DESTINATION share/mahlwer
 # The documents, with the folders that they link to beside them.
 install(FILES README.md CONTRIBUTING.md CITATION.cff DESTINATION share/doc/mahlwerk
   COMPONENT program)
-install(DIRECTORY docs DESTINATION share/doc/mahlwerk COMPONENT program PATTERN "*.cpp" EXCLUDE)
+install(DIRECTORY docs DESTINATION share/doc/mahlwerk COMPONENT program
+  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN site EXCLUDE)
 install(CODE "
   set(documents \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/doc/mahlwerk\")
   foreach(part catalogue papers validation examples)
