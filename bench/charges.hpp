@@ -46,7 +46,8 @@ inline std::vector<scene::Ball> lattice(int n, double packing, double diameter, 
     const Vec3 cell{static_cast<double>(i % n), static_cast<double>(i / n % n),
                     static_cast<double>(i / n / n)};
     const Vec3 place = step * (cell + Vec3{0.5, 0.5, 0.5}) - 0.5 * side * Vec3{1, 1, 1};
-    const Vec3 velocity = random.uniform(0, speed) * random.direction();
+    const Vec3 heading = random.direction();  // one draw a statement, for all compilers
+    const Vec3 velocity = random.uniform(0, speed) * heading;
     mean += velocity / (n * n * n);
     balls.push_back({diameter / 2, density, place, velocity, {}});
   }

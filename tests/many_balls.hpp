@@ -40,8 +40,11 @@ inline std::vector<scene::Ball> lattice(int n, double packing, bool rough = fals
     const Vec3 cell{static_cast<double>(i % n), static_cast<double>(i / n % n),
                     static_cast<double>(i / n / n)};
     const Vec3 place = step * (cell + Vec3{0.5, 0.5, 0.5}) - 0.5 * side * Vec3{1, 1, 1};
-    const Vec3 velocity = random.uniform(0, 2) * random.direction();
-    const Vec3 spin = rough ? random.uniform(0, 4) * random.direction() : Vec3{};
+    // One draw a statement: compilers evaluate the operands of a product in different orders.
+    const Vec3 heading = random.direction();
+    const Vec3 velocity = random.uniform(0, 2) * heading;
+    const Vec3 axis = rough ? random.direction() : Vec3{};
+    const Vec3 spin = rough ? random.uniform(0, 4) * axis : Vec3{};
     balls.push_back({0.5, 6 / std::numbers::pi, place, velocity, spin});
     mean += velocity / count;
   }

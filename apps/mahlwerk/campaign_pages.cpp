@@ -117,8 +117,8 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   put("campaign.html", [&](const fs::path& aside) {
     results::write_text(aside, report::campaign_page(campaign, version()));
   });
-  for (const auto& [name, picture] : figures)
-    put(name, [&](const fs::path& aside) { results::write_text(aside, picture); });
+  for (const auto& figure : figures)
+    put(figure.first, [&](const fs::path& aside) { results::write_text(aside, figure.second); });
 }
 
 }  // namespace mahlwerk::app

@@ -98,7 +98,8 @@ class CaseReader {
 
   /// Evaluates the formulas of [sweep] and sets their keys.
   void apply_formulas(const std::map<std::string, std::string>& locations) {
-    for (const auto& [key, formula] : c_.sweep.derived) {
+    for (const auto& entry : c_.sweep.derived) {
+      const std::string &key = entry.first, &formula = entry.second;
       const std::string& where = locations.at(key);
       const auto fault = [&](std::string what, std::string remedy) {
         findings_.faults.push_back({where, fmt::format("the formula of \"{}\": {}", key, what),

@@ -101,9 +101,9 @@ Matrix transition_matrix(const RateMatrix& rates, double time) {
   if (!(pace * time > 0)) return result;
   constexpr int terms = 9;
   constexpr double short_time = 0.0625;  // q t; its ninth power over 9! is 4e-17
-  const int doublings =
+  const int squarings =
       std::max(0, static_cast<int>(std::ceil(std::log2(pace * time / short_time))));
-  const double x = std::ldexp(pace * time, -doublings);
+  const double x = std::ldexp(pace * time, -squarings);
   const Matrix once = uniformized_matrix(rates, pace);
   Matrix power = result;
   double weight = 1;
@@ -114,7 +114,7 @@ Matrix transition_matrix(const RateMatrix& rates, double time) {
       result.values[i] += weight * power.values[i];
   }
   normalize_columns(result);  // includes the factor exp(-x)
-  for (int i = 0; i < doublings; ++i) {
+  for (int i = 0; i < squarings; ++i) {
     result = product(result, result);
     normalize_columns(result);
   }

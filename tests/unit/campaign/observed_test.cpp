@@ -183,9 +183,9 @@ TEST(Replicates, together_have_the_same_bits_from_different_times) {
       if (left.empty()) break;
       ReplicateRun::run_slice_together(left);
     }
-    const auto outcome_of = [&](const std::unique_ptr<ReplicateRun>& run) {
-      results::Outcome outcome{.mill_case = what, .replicates = {run->result()}};
-      outcome.engine = what.run.engine;
+    const auto outcome_of = [&mill_case = what](const std::unique_ptr<ReplicateRun>& run) {
+      results::Outcome outcome{.mill_case = mill_case, .replicates = {run->result()}};
+      outcome.engine = mill_case.run.engine;
       return outcome;
     };
     for (std::size_t k = 0; k < 3; ++k) {

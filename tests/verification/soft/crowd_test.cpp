@@ -3,6 +3,8 @@
 
 // The soft engine for many balls (ManyBodySolver): the same physics as for few balls, and the same
 // bits however a run is cut, stopped, divided among threads or compiled.
+#include "crowd.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +15,6 @@
 
 #include "isas.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -25,80 +26,8 @@
 namespace mahlwerk::tests::crowd_test {
 namespace {
 
-using contact::AdamsImpact;
 using contact::HertzMindlin;
-using contact::Jkr;
-using contact::LinearSpring;
 using contact::Rolling;
-using contact::WaltonBraun;
-
-contact::Pair some_pair() {
-  contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.3);
-  pair.rolling_friction = 0.02;
-  pair.surface_energy = 0.05;
-  pair.cohesion = 1e4;
-  return pair;
-}
-
-/// Balls with the radii `sizes` [m] in turn, on a lattice of `pitch` [m] about the centre.
-std::vector<scene::Ball> lattice(int count, double pitch, const std::vector<double>& sizes,
-                                 double speed = 0.5) {
-  Random random(5, 0);
-  const int side = static_cast<int>(std::ceil(std::cbrt(count)));
-  std::vector<scene::Ball> balls;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 cell{static_cast<double>(i % side), static_cast<double>(i / side % side),
-                    static_cast<double>(i / side / side)};
-    balls.push_back({sizes[static_cast<std::size_t>(i) % sizes.size()], 7850,
-                     pitch * (cell - 0.5 * (side - 1) * Vec3{1, 1, 1}),
-                     random.uniform(0, speed) * random.direction(),
-                     random.uniform(0, 30) * random.direction()});
-  }
-  return balls;
-}
-
-struct World {
-  std::string name;
-  scene::Chamber mill;
-  std::vector<scene::Ball> balls;
-  contact::ContactModel law;
-  double step = 2e-6;
-};
-
-std::unique_ptr<scene::Engine> crowd(const World& w, int threads = 1, std::size_t few = 0) {
-  const int faces = geometry::faces(*w.mill.shape);
-  soft::Settings rules{w.law, w.step, false};
-  rules.few_ball_limit = few;
-  rules.threads = threads;
-  return soft::make_engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
-}
-
-std::vector<World> worlds() {
-  const Vec3 down{0, 0, -gravity};
-  const scene::Chamber shaker{geometry::Capsule{0.04, 0.02}, shaken(20, 0.015), {}, down};
-  const scene::Chamber planet{
-      geometry::Box{0.03, 0.03, 0.03}, kinematics::Planetary{0.07, 40, -2}, {}, down};
-  const scene::Chamber drum{geometry::Cylinder{0.04, 0.04}, kinematics::Tumbling{12},
-                            scene::mounted_along({1, 0, 0}), down};
-  const scene::Chamber gas{geometry::PeriodicBox{0.03, 0.03, 0.03}, kinematics::Still{}, {}, {}};
-  const scene::Chamber open_drum{geometry::PeriodicCylinder{0.04, 0.03}, kinematics::Tumbling{12},
-                                 scene::mounted_along({1, 0, 0}), down};
-  auto curved = of_law(AdamsImpact{}, Rolling::epsd);
-  curved.curved_walls = true;
-  return {
-      {"shaken", shaker, lattice(60, 0.0055, {0.0025}), of_law(HertzMindlin{}, Rolling::cdt)},
-      {"planetary, own spins", planet, lattice(60, 0.0042, {0.002, 0.001}),
-       of_law(HertzMindlin{}, Rolling::own_spin)},
-      {"planetary, two sizes", planet, lattice(60, 0.0042, {0.002, 0.001}),
-       of_law(WaltonBraun{}, Rolling::epsd)},
-      {"drum, sticking", drum, lattice(100, 0.0045, {0.002, 0.0015}),
-       of_law(Jkr{}, Rolling::viscous)},
-      {"drum, curved walls", drum, lattice(100, 0.0045, {0.002, 0.0005}), curved},
-      {"drum without ends", open_drum, lattice(100, 0.0045, {0.002, 0.0015}, 2),
-       of_law(HertzMindlin{}, Rolling::cdt)},
-      {"periodic", gas, lattice(64, 0.0074, {0.003, 0.0008}, 3), of_law(LinearSpring{})},
-  };
-}
 
 TEST(ManyBodySolver, states_overlaps_in_the_radius_of_the_smaller_ball_as_with_few_balls) {
   const contact::Pair pair = pair_of({1e8, 0.3}, {1e8, 0.3}, 1);
@@ -196,8 +125,8 @@ World drum_of(int count) {
                             kinematics::Tumbling{10},
                             scene::mounted_along({1, 0, 0}),
                             {0, 0, -gravity}};
-  return {"drum", drum, lattice(count, 0.0022, {0.001}, 0.2), of_law(HertzMindlin{}, Rolling::cdt),
-          2e-6};
+  return {"drum", drum, lattice_of(count, 0.0022, {0.001}, 0.2),
+          of_law(HertzMindlin{}, Rolling::cdt), 2e-6};
 }
 
 TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
@@ -223,7 +152,7 @@ TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_register
 TEST(SoftEngine, has_the_same_bits_on_every_instruction_set) {
   std::vector<World> all = worlds();
   World five = all.front();
-  five.name = "five balls", five.balls = lattice(5, 0.0055, {0.0025});
+  five.name = "five balls", five.balls = lattice_of(5, 0.0055, {0.0025});
   all.push_back(five);
   for (const World& w : all)
     for (const std::size_t few : {std::size_t{0}, std::size_t{1000}}) {
@@ -244,40 +173,6 @@ TEST(SoftEngine, has_the_same_bits_on_every_instruction_set) {
     }
 }
 
-std::uint64_t fingerprint_of(const scene::Engine& engine, const Recorder& records) {
-  std::string bytes;
-  const auto add = [&](const auto& a) {
-    bytes.append(reinterpret_cast<const char*>(&a), sizeof a);
-  };
-  for (const scene::Ball& b : engine.balls()) add(b.position), add(b.velocity), add(b.spin);
-  for (const scene::Collision& c : records.all)
-    add(c.time), add(c.where), add(c.normal), add(c.impulse), add(c.lost_tangential);
-  return fingerprint(bytes);
-}
-
-/// A change of these bits changes results, if only by rounding, and belongs in the changelog.
-TEST(FewBodySolver, has_the_bits_it_has_always_had) {
-  World five = worlds().front();
-  five.balls = lattice(5, 0.0055, {0.0025});
-  const auto run = crowd(five, 1, 32);
-  Recorder records;
-  run->advance(0.1, records);
-  EXPECT_GT(records.all.size(), 10U);
-  EXPECT_EQ(fingerprint_of(*run, records), 2327053474110910378U);
-}
-
-/// A change of these bits changes results, if only by rounding, and belongs in the changelog.
-TEST(ManyBodySolver, has_the_bits_it_has_always_had) {
-  const scene::Chamber box = still_box(0.05, {0, 0, -gravity});
-  const World w{"box", box, lattice(2000, 0.0035, {0.0015, 0.001}),
-                of_law(HertzMindlin{}, Rolling::cdt), 2e-6};
-  const auto run = crowd(w, 2);
-  Recorder records;
-  run->advance(0.01, records);
-  EXPECT_GT(records.all.size(), 1000U);
-  EXPECT_EQ(fingerprint_of(*run, {}), 1884672058222664979U);
-}
-
 TEST(ManyBodySolver, closes_its_energy_and_keeps_its_momentum) {
   World w = drum_of(3000);
   const auto drum = crowd(w, 2);
@@ -287,7 +182,7 @@ TEST(ManyBodySolver, closes_its_energy_and_keeps_its_momentum) {
   stays_below("drum of 3000: energy balance over work done",
               std::abs(a.residual()) / (std::abs(a.wall_work) + a.lost()), 1e-3, "(dem.32)");
   World gas = worlds().back();
-  gas.balls = lattice(2197, 0.0023, {0.001}, 0.5);
+  gas.balls = lattice_of(2197, 0.0023, {0.001}, 0.5);
   const auto engine = crowd(gas, 2);
   const auto momentum = [](const std::vector<scene::Ball>& balls) {
     Vec3 sum{};

@@ -221,7 +221,6 @@ void ReplicateRun::run_slice() {
 }
 
 void ReplicateRun::run_slice_together(std::span<ReplicateRun* const> runs) {
-  using Clock = std::chrono::steady_clock;
   const auto time_of = [](const ReplicateRun* run) { return run->result_.energy_balance.time; };
   const double now = time_of(*std::ranges::min_element(runs, {}, time_of));
   double end = std::numeric_limits<double>::infinity();
@@ -235,9 +234,10 @@ void ReplicateRun::run_slice_together(std::span<ReplicateRun* const> runs) {
   std::vector<scene::Observer*> observers;
   for (ReplicateRun* run : behind) recording.emplace_back(*run), engines.push_back(&*run->engine_);
   for (RecordingObserver& observer : recording) observers.push_back(&observer);
-  const Clock::time_point began = Clock::now();
+  const auto began = std::chrono::steady_clock::now();
   const auto failures = soft::advance_together(engines, end, observers);
-  const double worked = std::chrono::duration<double>(Clock::now() - began).count();
+  const double worked =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   for (std::size_t k = 0; k < behind.size(); ++k) behind[k]->end_slice(failures[k], worked);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array exponents{&Dimension::mass, &Dimension::length, &Dimension::angle,
                                &Dimension::temperature, &Dimension::time};
-constexpr std::array<std::string_view, 5> names{"kg", "m", "rad", "K", "s"};
+constexpr std::array<std::string_view, 5> base_units{"kg", "m", "rad", "K", "s"};
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%' || (c & 0x80);
@@ -32,7 +32,7 @@ std::string unit_name(const Dimension& d) {
     std::string& side = n > 0 ? above : below;
     if (n == 0) continue;
     side += n > 0 ? (above.empty() ? "" : " ") : "/";
-    side += names[i];
+    side += base_units[i];
     if (std::abs(n) > 1) side += std::to_string(std::abs(n));
   }
   return above.empty() && !below.empty() ? "1" + below : above + below;

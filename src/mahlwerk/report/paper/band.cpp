@@ -92,8 +92,9 @@ std::vector<Fault> band_faults(const Paper& paper,
         fault(fmt::format("`nominal` gives {}, which is not in `band_over`", name),
               "add it to `band_over`, or remove it", "paper-unknown-key");
       else if (key != keys.end() && !key->range &&
-               std::ranges::none_of(key->values,
-                                    [&](const std::string& v) { return same_value(v, text); }))
+               std::ranges::none_of(key->values, [&wanted = text](const std::string& v) {
+                 return same_value(v, wanted);
+               }))
         fault(fmt::format("{} does not take the value {} in {}.toml", name, text, figure.campaign),
               fmt::format("its values are {}", fmt::join(key->values, ", ")),
               "paper-unknown-value");

@@ -102,9 +102,9 @@ Verdict judge_maximum(const ClaimContext& c, const ClaimLine& line) {
         std::ranges::find_if(s, [&](const LinePoint& p) { return same_value(p.text, text); });
     return at == s.end() ? NAN : at->x;
   };
-  const auto [low, high] = std::minmax({x_of(c.claim.first), x_of(c.claim.second)});
+  const auto range = std::minmax({x_of(c.claim.first), x_of(c.claim.second)});
   const auto inside = std::ranges::count_if(
-      candidates, [&](const LinePoint* p) { return p->x >= low && p->x <= high; });
+      candidates, [&](const LinePoint* p) { return p->x >= range.first && p->x <= range.second; });
   std::string found = fmt::format("largest at {} {}: {}", c.key(), best.text, c.text(best));
   if (candidates.size() > 1)
     found += fmt::format("; within the intervals anywhere from {} to {}", candidates.front()->text,

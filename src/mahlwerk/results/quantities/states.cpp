@@ -14,7 +14,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr const char* power = "dissipated_power";
+constexpr const char* power_name = "dissipated_power";
 
 /// [W] Powers below this are rounding errors of the kinetic energy over the counted time.
 double rounding_power(const std::vector<const Replicate*>& chosen) {
@@ -32,7 +32,7 @@ std::string percent(double share) {
 /// "3 of 16 replicates (19 %) dissipate 4.21 W +- 0.3 W".
 std::string words(const TwoStates& found, std::size_t which) {
   const State& state = found.states[which];
-  const Quantity& q = named(state.quantities, power);
+  const Quantity& q = named(state.quantities, power_name);
   const std::size_t all = found.states[0].replicates.size() + found.states[1].replicates.size();
   std::string text = fmt::format("{} of {} replicates ({}) dissipate {}", state.replicates.size(),
                                  all, percent(found.share(state)), show_rounded(q.value, q.unit));
@@ -61,8 +61,8 @@ std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Me
     found.states[powers[i] > groups->between ? 1 : 0].replicates.push_back(
         number_of(outcome, *chosen[i]));
   for (State& state : found.states) state.quantities = means(measures, each, state.replicates);
-  const double low = named(found.states[0].quantities, power).value,
-               high = named(found.states[1].quantities, power).value;
+  const double low = named(found.states[0].quantities, power_name).value,
+               high = named(found.states[1].quantities, power_name).value;
   const double larger = std::max(std::abs(low), std::abs(high));
   if (!(high - low > much * larger) || !(larger > rounding_power(chosen))) return std::nullopt;
   return found;
