@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -17,6 +15,7 @@
 #include "mahlwerk/base/printable.hpp"
 #include "messages.hpp"
 #include "progress.hpp"
+#include "terminal.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -39,10 +38,7 @@ void json_to_stdout(const results::Json& json) {
 
 void guard_output() {
   std::signal(SIGPIPE, ignore_signal);  // not SIG_IGN, which child processes would inherit
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    // Opened in the wrong direction, so that each read or write fails.
-    if (::fcntl(stream, F_GETFD) == -1)
-      static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+  open_closed_streams();
 }
 
 bool output_failed(int error) {

@@ -3,8 +3,6 @@
 #include "progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -16,6 +14,7 @@
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "messages.hpp"
+#include "terminal.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -29,14 +28,9 @@ extern "C" void on_interrupt(int signal) {
   std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
 }
 
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
 bool is_terminal() {
   const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+  return stderr_is_terminal() && term != nullptr && std::string_view(term) != "dumb";
 }
 
 /// [s] between two lines without a terminal.

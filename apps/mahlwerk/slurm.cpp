@@ -5,11 +5,10 @@
 #include "slurm.hpp"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <memory>
+#include <cstdlib>
 
+#include "child_process.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
@@ -66,16 +65,10 @@ std::string more_options(const Request& request) {
 
 /// The output of a command without trailing line ends. Throws InputError if it failed.
 std::string output_of(const std::string& command, const fs::path& script) {
-  struct Close {
-    void operator()(std::FILE* pipe) const { pclose(pipe); }
-  };
-  std::unique_ptr<std::FILE, Close> pipe(popen((command + " 2>&1").c_str(), "r"));
-  std::string text;
-  for (int c; pipe && (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
-  const int status = pipe ? pclose(pipe.release()) : -1;
+  auto [text, exit_code] = shell_output(command);
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  if (status == 0) return text;
-  const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == 127;
+  if (exit_code == 0) return text;
+  const bool missing = exit_code == 127;
   throw InputError(Fault{
       "--slurm",
       missing ? "there is no sbatch on this machine" : fmt::format("sbatch refused: {}", text),

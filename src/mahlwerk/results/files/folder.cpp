@@ -3,11 +3,9 @@
 #include "mahlwerk/results/files/folder.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -16,6 +14,7 @@
 
 #include "mahlwerk/results/files/manifest.hpp"
 #include "mahlwerk/results/files/ownership.hpp"
+#include "mahlwerk/results/files/process.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -71,16 +70,16 @@ std::string hidden(const fs::path& target, std::string_view what) {
 }
 
 fs::path sibling(const fs::path& target, std::string_view what) {
-  return target.parent_path() / (hidden(target, what) + std::to_string(::getpid()));
+  return target.parent_path() / (hidden(target, what) + std::to_string(own_process_id()));
 }
 
 /// Whether `number` is the id of another living process, or not a number.
 bool is_other_process(std::string_view number) {
-  ::pid_t process = 0;
+  int process = 0;
   const auto read = std::from_chars(number.data(), number.data() + number.size(), process);
   if (read.ec != std::errc{} || read.ptr != number.data() + number.size() || process <= 0)
     return true;
-  return process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);
+  return process != own_process_id() && process_exists(process);
 }
 
 /// Removes the hidden folders that killed runs left beside the target; this process holds the lock
@@ -103,10 +102,12 @@ void remove_leftovers(const fs::path& target) {
   for (const fs::path& one : remains) fs::remove_all(one, none);
 }
 
-/// Writes the file; returns 0 or the errno of the first failure.
-int write_bytes(const fs::path& file, std::string_view text) {
-  std::FILE* out = std::fopen(file.c_str(), "wb");
+/// Writes or, with mode "ab", appends to the file; returns 0 or the errno of the first failure.
+/// Without a buffer, so that a text is one write: lines that several processes append stay whole.
+int write_bytes(const fs::path& file, std::string_view text, const char* mode = "wb") {
+  std::FILE* out = std::fopen(file.c_str(), mode);
   if (out == nullptr) return errno;
+  std::setvbuf(out, nullptr, _IONBF, 0);
   int failed = 0;
   if (std::fwrite(text.data(), 1, text.size(), out) != text.size()) failed = errno;
   if (failed == 0 && std::fflush(out) != 0) failed = errno;
@@ -200,6 +201,11 @@ void Folder::put_in_place() const {
 
 void write_text(const fs::path& file, std::string_view text) {
   if (const int failed = write_bytes(file, text); failed != 0)
+    throw cannot_write(file, std::strerror(failed));
+}
+
+void append_text(const fs::path& file, std::string_view text) {
+  if (const int failed = write_bytes(file, text, "ab"); failed != 0)
     throw cannot_write(file, std::strerror(failed));
 }
 

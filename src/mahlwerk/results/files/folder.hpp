@@ -54,6 +54,9 @@ InputError cannot_write(const std::filesystem::path& place, const std::string& w
 /// Writes a whole file. Throws InputError with the reason on failure.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
+/// Appends to a file, or creates it. Lines that several processes append stay whole.
+void append_text(const std::filesystem::path& file, std::string_view text);
+
 /// Creates a folder and its parents, unless it exists. Throws InputError on failure.
 void make_folder(const std::filesystem::path& place);
 

@@ -2,11 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/manifest.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 
 #include "mahlwerk/results/files/folder.hpp"
@@ -59,13 +54,7 @@ void list_files(const fs::path& folder, const std::vector<std::string>& names) {
     if (!known || !known->contains(name)) fresh.insert(name);
   if (fresh.empty()) return;
   const std::string text = (known ? "" : std::string(head)) + lines(fresh);
-  const fs::path file = folder / manifest_name;
-  const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  const bool whole =
-      out >= 0 && ::write(out, text.data(), text.size()) == static_cast<::ssize_t>(text.size());
-  const int error = errno;
-  if (out >= 0) ::close(out);
-  if (!whole) throw cannot_write(file, std::strerror(error));
+  append_text(folder / manifest_name, text);
 }
 
 }  // namespace mahlwerk::results
