@@ -31,6 +31,12 @@ class Stage:
         self.extra.mkdir(parents=True)
         self.sources = sources()
         self.folders: set[str] = set()
+        self.generated: list[str] = []  # pages that are made from the program, in their order
+
+    def generate(self, pages: dict[str, str]) -> None:
+        for name, text in pages.items():
+            self.write(name, text)
+        self.generated += pages
 
     def write(self, name: str, text: str) -> None:
         file = self.place / (name + ".md")
@@ -112,7 +118,7 @@ class Stage:
     def matching(self, pattern: str) -> list[str]:
         names = sorted(f.relative_to(self.place).with_suffix("").as_posix()
                        for f in self.place.rglob("*.md"))
-        order = [f"howto/{one}" for one in HOWTO]
+        order = [f"howto/{one}" for one in HOWTO] + self.generated
         found = [n for n in names if fnmatch.fnmatch(n, pattern) and not n.endswith("/index")]
         return sorted(found, key=lambda n: order.index(n) if n in order else len(order))
 

@@ -4,6 +4,7 @@
 import collections
 import json
 import pathlib
+import re
 import subprocess
 
 CATEGORIES = {
@@ -41,8 +42,8 @@ def catalogue_pages(program: str) -> dict[str, str]:
     entries = collections.defaultdict(list)
     for one in ask(program, "list"):
         entries[one.get("room") or one["category"]].append(one["name"])
-    return {f"catalogue/{category}": category_page(program, category, names)
-            for category, names in entries.items()}
+    return {f"catalogue/{category}": category_page(program, category, entries[category])
+            for category in CATEGORIES}
 
 
 def category_page(program: str, category: str, names: list[str]) -> str:
@@ -85,62 +86,104 @@ def slug(name: str) -> str:
 # Keys of case files
 
 def key_pages(described: list[dict], pictures: pathlib.Path) -> dict[str, str]:
-    sections = collections.OrderedDict()
+    """Pages of `mahlwerk list keys --json`, one for each section."""
+    sections: dict[str, list[dict]] = {}
     for one in described:
         sections.setdefault(one["section"] or "top", []).append(one)
+    made = {f"reference/keys/{page_name(section)}": section_page(section, kinds, pictures)
+            for section, kinds in sections.items()}
     rows = []
-    made = {}
     for section, kinds in sections.items():
-        page = section.replace(".", "-")
-        names = ", ".join(f"[`{k['kind']}`]({page}.md#{slug(k['kind'])})" for k in kinds if k.get("kind"))
-        about = next((k["about"] for k in kinds if not k.get("kind") and k.get("about")), "")
-        rows.append([f"[{heading(section)}]({page}.md)", cell(about), names])
-        made[f"reference/keys/{page}"] = section_page(section, kinds, pictures)
+        page = page_name(section)
+        about = next(text_cell(k["about"]) for k in kinds)
+        names = ", ".join(f"[`{k['kind']}`]({page}.md#{slug(k['kind'])})" for k in kinds if k["kind"])
+        rows.append([f"[{heading(section)}]({page}.md)", about, names])
     made["reference/keys/index"] = (
-        "# Keys of case files\n\nEvery key with its type, unit, range and default, as the program knows them. "
-        "How the keys work together: [case files](../../cases.md). The same on the command line: "
-        "`mahlwerk describe --keys`.\n\n" + table(["section", "what", "kinds"], rows))
+        "# Keys of case files\n\nEvery key with its unit, range, default and meaning, as the program knows them. "
+        "How the keys work together: [case files](../../cases.md). On the command line: "
+        "`mahlwerk describe mill`, `mahlwerk describe planetary`, `mahlwerk list keys`.\n\n"
+        + table(["section", "what", "kinds and models"], rows))
     return made
+
+
+def page_name(section: str) -> str:
+    return section.replace(".", "-")
 
 
 def heading(section: str) -> str:
     if section == "top":
         return "Top of the file"
-    return f"`[[{section}]]`" if section in ("balls", "contact.pairs") else f"`[{section}]`"
+    return cell(f"[[{section}]]" if section in ("balls", "contact.pairs") else f"[{section}]")
 
 
 def section_page(section: str, kinds: list[dict], pictures: pathlib.Path) -> str:
     made = [f"# {heading(section)}\n"]
     for one in kinds:
-        kind = one.get("kind")
-        if kind:
-            made.append(f"## {cell(kind)}\n")
-        if one.get("about"):
-            made.append(cell(one["about"]) + "\n")
-        for suffix in (".svg", ".png") if kind else ():
-            if (pictures / (kind + suffix)).exists():
-                made.append(f"![Meaning of the keys of {cell(kind)}](../../pictures/docs/images/keys/{kind}{suffix})\n")
+        if one["kind"]:
+            chosen = f" Chosen by `{one['choice']} = \"{one['kind']}\"`." if one["choice"] else ""
+            made.append(f"## {cell(one['kind'])}\n\n{sentence(one['about'])}{chosen}\n")
+            made += [f"![Keys of {cell(one['kind'])}](../../pictures/docs/images/keys/{one['kind']}{suffix})\n"
+                     for suffix in (".svg", ".png") if (pictures / (one["kind"] + suffix)).exists()]
+        else:
+            made.append(sentence(one["about"]) + "\n")
         if one["keys"]:
-            made.append(table(["key", "type", "range", "default", "meaning"], [key_row(k) for k in one["keys"]]))
+            made.append(table(["key", "value", "default", "meaning"],
+                              [key_row(key) for key in one["keys"]]))
+        elif one["kind"]:
+            made.append("It has no keys of its own.\n")
     return "\n".join(made)
 
 
+def sentence(text: str) -> str:
+    made = text_cell(text).strip()
+    return made[:1].upper() + made[1:] + "." * (not made.endswith("."))
+
+
 def key_row(key: dict) -> list[str]:
-    unit = key.get("unit") or ""
-    kind = cell(key.get("type") or "") + (f", {cell(unit)}" if unit and unit != "1" else "")
-    least, most = key.get("least"), key.get("most")
-    if least is not None and most is not None:
-        limits = f"{cell(least)} to {cell(most)}"
-    elif least is not None:
-        limits = f"from {cell(least)}"
-    else:
-        limits = f"up to {cell(most)}" if most is not None else ""
-    words = key.get("words") or []
-    if words:
-        limits = ", ".join(f"`{w}`" for w in words)
-    default = "**required**" if key.get("required") else ""
-    if key.get("default") not in (None, ""):
-        default = f"`{key['default']}`"
-    elif key.get("default_source"):
-        default = cell(key["default_source"])
-    return [f"`{key['key']}`", kind, limits, default, cell(key.get("about") or "")]
+    default = f"`{key['default']}`" if key["default"] else text_cell(key["default_source"] or "")
+    if key["required"]:
+        default = "**required**"
+    limits = f"{range_of(key)} {cell(key['unit'] or '')}".strip()
+    if key["type"] == "integer":
+        limits = f"integer {limits}".strip()
+    elif key["type"] != "number":
+        limits = key["type"]
+    return [f"`{key['key']}`", limits, default, meaning_of(key)]
+
+
+def text_cell(text: str) -> str:
+    """Text of a cell in which `code` stays code."""
+    return "".join(part if i % 2 else cell(part) for i, part in enumerate(re.split(r"(`[^`]+`)", text)))
+
+
+def range_of(key: dict) -> str:
+    least, most = key["least"], key["most"]
+    low = "" if least is None else f"{'above ' if key['least_excluded'] else ''}{number(least)}"
+    high = "" if most is None else f"{'below ' if key['most_excluded'] else ''}{number(most)}"
+    if low and high:
+        return f"{low} to {high}"
+    if low:
+        return low if key["least_excluded"] else f"from {low}"
+    return high if key["most_excluded"] or not high else f"up to {high}"
+
+
+def meaning_of(key: dict) -> str:
+    made = [text_cell(key["about"])]
+    if key["example"] and not key["default"]:
+        made[0] += f", e.g. `\"{key['example']}\"`"
+    if key["instead_of"]:
+        made.append(f"in place of `{key['instead_of']}`")
+    if key["alternatives"]:
+        made.append("or " + ", ".join(f"`{one}`" for one in key["alternatives"]))
+    made += ["only with " + " or ".join(f'`{choice} = "{word}"`' for word in words)
+             for choice, words in key["under"].items()]
+    text = "; ".join(made)
+    if key["type"] == "flag":
+        return text
+    for word, meaning in zip(key["words"], key["meanings"] or [""] * len(key["words"])):
+        text += f"<br>`\"{word}\"`" + f": {text_cell(meaning)}" * bool(meaning)
+    return text
+
+
+def number(value: float) -> str:
+    return re.sub(r"e\+?(-?)0*(\d)", r"e\1\2", f"{value:g}")
