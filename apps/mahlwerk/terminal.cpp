@@ -6,6 +6,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <initializer_list>
+
 namespace mahlwerk::app {
 
 bool stderr_is_terminal() {
