@@ -225,7 +225,7 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
             "mass",
             "powder is not simulated as particles",
             "how the powder takes part in the simulation",
-            {"only its mass counts", "spheres of grain_size represent it; soft engine"}},
+            {"only its mass counts", "spheres of grain_size represent it"}},
            grains);
   if (grains == 0) return;
   v.optional_number(size_of_grains.with_default_text("the size of the powder"), powder.grain_size);
