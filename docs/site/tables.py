@@ -122,8 +122,9 @@ def section_page(section: str, kinds: list[dict], pictures: pathlib.Path) -> str
         if one["kind"]:
             chosen = f" Chosen by `{one['choice']} = \"{one['kind']}\"`." if one["choice"] else ""
             made.append(f"## {cell(one['kind'])}\n\n{sentence(one['about'])}{chosen}\n")
-            made += [f"![Keys of {cell(one['kind'])}](../../pictures/docs/images/keys/{one['kind']}{suffix})\n"
-                     for suffix in (".svg", ".png") if (pictures / (one["kind"] + suffix)).exists()]
+            made += [f"![Drawing of the keys of {cell(one['kind'])}](../../pictures/docs/images/keys/{name})\n"
+                     for name in (f"{section}-{one['kind']}.svg", f"{section}-{one['kind']}.png")
+                     if (pictures / name).exists()]
         else:
             made.append(sentence(one["about"]) + "\n")
         if one["keys"]:
