@@ -192,8 +192,8 @@ class Case:
         with self._as_file() as target:
             said = command(["check"], target=target, changes=self._changes,
                            refusal_is_result=True)[0]
-        if not said["runs"]:
-            raise InputError([_core.Fault(**fault) for fault in said["faults"]])
+            if not said["runs"]:
+                raise InputError([_core.Fault(**fault) for fault in said["faults"]])
         return Check({name: Quantity(name, q["value"], None, q["unit"], q["about"])
                       for name, q in said["follows"].items()}, said["notes"],
                      [one for one in self.origins if one.assumed])
@@ -294,7 +294,7 @@ class Case:
         from .searches import Match
 
         case, place = self._with_section("match", settings), self._place(out, "-match")
-        with like.replace({})._as_file(resolved=True) as target, case._as_file() as data:
+        with like._as_file(resolved=True) as target, case._as_file() as data:
             command(["match"], target=target, data=data, changes=case._changes, out=place,
                     force=force, threads=threads, progress=progress)
         return Match(place)
@@ -358,6 +358,10 @@ class Case:
             with open(handle, "w", encoding="utf-8") as out:
                 out.write(self.text if resolved else text)
             yield path
+        except InputError as error:
+            shown_file = os.path.relpath(self._file)
+            raise InputError([_core.Fault(one.where.replace(path, shown_file), one.what, one.remedy,
+                                          one.code) for one in error.faults]) from None
         finally:
             os.unlink(path)
 

@@ -97,6 +97,7 @@ def test_check_says_what_the_command_says(example, program, ball):
     with pytest.raises(mahlwerk.InputError) as caught:
         two.check()
     assert caught.value.faults[0].code == "roll-one-ball"
+    assert ".case-" not in str(caught.value), "no temporary name in a message"
 
 
 def test_a_new_case_of_every_mill_of_the_catalogue_is_valid_and_commented(capfd):
