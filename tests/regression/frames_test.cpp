@@ -87,7 +87,7 @@ TEST_F(Frames, say_where_the_jar_is_and_move_as_the_balls_do) {
 
 TEST_F(Frames, are_there_when_the_run_is_killed) {
   const ProgramResult e =
-      mahlwerk("run " + example("01-one-ball") +
+      mahlwerk("--version; '" MAHLWERK_PROGRAM "' run " + example("01-one-ball") +
                " --set run.time=\"100000 s\" --set observe.frames=\"1 s\" --set run.replicates=1 "
                "--out out & while kill -0 $! && [ $(cat .out.partial-*/frames-1.xyz 2> /dev/null | "
                "grep -c Lattice) -lt 12 ]; do sleep 0.02; done; kill -KILL $!; wait $!");
