@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import html
 import os
 from collections.abc import Iterator
 from functools import cached_property
@@ -12,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _core
 from .errors import InputError
+from .pages import table_html
 from .result import Result
 from .tables import array_of, frame_of
 
@@ -155,10 +157,6 @@ class Campaign:
         return f"<Campaign {self.title!r}, {len(self)} points in {os.fspath(self.folder)}>"
 
     def _repr_html_(self) -> str:
-        import html
-
-        from .case import table_html
-
         keys = [one.column for one in self.keys]
         shown = keys + [c for c in ("status", "dissipated_power_W", "collision_rate_per_s",
                                     "regime", "warnings") if c in self.table.dtype.names]

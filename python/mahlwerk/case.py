@@ -7,13 +7,15 @@ from __future__ import annotations
 import contextlib
 import html
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import _core, toml
 from .commands import command
 from .errors import InputError, Interrupted, RunError
+from .files import keep, read_text, temporary
+from .pages import table_html
 from .progress import Progress, shown
 
 if TYPE_CHECKING:
@@ -337,64 +339,20 @@ class Case:
         name = file.parent.name if file.stem == "case" else file.stem
         return Path("results") / (name + suffix)
 
-    @contextlib.contextmanager
-    def _as_file(self, place: Optional[Path] = None, resolved: bool = False) -> Iterator[str]:
+    def _as_file(self, place: Optional[Path] = None,
+                 resolved: bool = False) -> contextlib.AbstractContextManager[str]:
         """Path of a case file with this case: its own file, a file that stays beside the results in
         `place`, or a temporary one. `resolved`: the changes are in it, too."""
         if self._in_file and not (resolved and self._changes):
-            yield os.fspath(self._file)
-            return
-        text = self._text
+            return contextlib.nullcontext(os.fspath(self._file))
         if place is not None:
             kept = place.parent / (place.name + ".case.toml")
-            keep(kept, text)
-            yield os.fspath(kept)
-            return
-        import tempfile
-
-        folder = self._file.parent if os.access(self._file.parent, os.W_OK) else None
-        handle, path = tempfile.mkstemp(".toml", ".case-", folder)
-        try:
-            with open(handle, "w", encoding="utf-8") as out:
-                out.write(self.text if resolved else text)
-            yield path
-        except InputError as error:
-            shown_file = os.path.relpath(self._file)
-            raise InputError([_core.Fault(one.where.replace(path, shown_file), one.what, one.remedy,
-                                          one.code) for one in error.faults]) from None
-        finally:
-            os.unlink(path)
+            keep(kept, self._text)
+            return contextlib.nullcontext(os.fspath(kept))
+        return temporary(self.text if resolved else self._text, self._file)
 
 
 def restored(text: str, file: Path, in_file: bool, changes: dict[str, str]) -> Case:
     made = Case.__new__(Case)
     made._set(text, file, in_file, changes)
     return made
-
-
-def read_text(file: Path) -> str:
-    try:
-        return file.read_bytes().decode("utf-8", "surrogateescape")
-    except OSError as error:
-        raise InputError([_core.Fault(os.fspath(file), f"the file cannot be read: {error.strerror}",
-                                      "", "no-such-case")]) from None
-
-
-def keep(file: Path, text: str) -> None:
-    """Writes the case of a campaign beside its folder; an equal file is left alone."""
-    if file.exists() and file.read_text(encoding="utf-8") == text:
-        return
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError([_core.Fault(os.fspath(file), f"cannot be written: {error.strerror}",
-                                      "choose another folder", "cannot-write")]) from None
-
-
-def table_html(heading: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    def line(tag: str, cells: Iterable[str]) -> str:
-        return "<tr>" + "".join(f"<{tag} style='text-align:left'>{html.escape(str(c))}</{tag}>"
-                                for c in cells) + "</tr>"
-
-    return "<table>" + line("th", heading) + "".join(line("td", row) for row in rows) + "</table>"

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import _core
 from .errors import InputError
+from .pages import framed, table_html
 from .tables import frame_of, read_csv
 
 if TYPE_CHECKING:
@@ -272,16 +273,12 @@ class Result:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        from .case import table_html
-
         rows = [(q.name, q.text(), q.about) for q in self.quantities.values()
                 if math.isfinite(q.value)]
         told = "".join(f"<p><b>{one.severity}:</b> {html.escape(one.text)}</p>"
                        for one in self.warnings)
-        page = html.escape(self.report, quote=True)
         return (f"<b>{html.escape(self.title)}</b>{told}<details><summary>all quantities</summary>"
-                f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>"
-                f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:0"></iframe>')
+                f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>{framed(self.report)}")
 
     def __reduce__(self) -> Any:
         if self._ran is None and self.folder is not None:

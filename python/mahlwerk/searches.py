@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import html
 import json
 import os
 from functools import cached_property
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from .errors import InputError
+from .pages import framed
 from .result import Notice, Result
 from .tables import frame_of, read_csv
 
@@ -62,8 +62,7 @@ class Found:
         return Case(self.folder / name)
 
     def _repr_html_(self) -> str:
-        page = html.escape(self.report, quote=True)
-        return f'<iframe srcdoc="{page}" style="width:100%;height:640px;border:0"></iframe>'
+        return framed(self.report)
 
 
 class Remarks(Found):
