@@ -60,12 +60,19 @@ const app::Command& command_named(const std::vector<app::Command>& all,
 }
 
 template <class T>
+T cast(const py::handle& value, const char* name) try {
+  return value.cast<T>();
+} catch (const py::cast_error&) {
+  throw py::type_error(std::string(name) +
+                       " is of the wrong type: " + py::repr(value).cast<std::string>());
+}
+template <class T>
 void take(const py::dict& options, const char* name, T& value) {
-  if (options.contains(name) && !options[name].is_none()) value = options[name].cast<T>();
+  if (options.contains(name) && !options[name].is_none()) value = cast<T>(options[name], name);
 }
 template <class T>
 void take(const py::dict& options, const char* name, std::optional<T>& value) {
-  if (options.contains(name) && !options[name].is_none()) value = options[name].cast<T>();
+  if (options.contains(name) && !options[name].is_none()) value = cast<T>(options[name], name);
 }
 
 app::Request request_of(const py::dict& options) {
@@ -98,12 +105,14 @@ py::tuple command(const std::vector<std::string>& words, const py::dict& options
   const app::Request request = request_of(options);
   Report report;
   int code = app::success;
-  report.job.run(
+  const bool interrupted = report.job.run(
       [&] {
         const app::Listening listening(report);
         code = chosen.perform(request);
       },
       show);
+  // A command that was too short to notice Ctrl-C ends as if it had.
+  if (interrupted && code == app::success) code = app::interrupted;
   return py::make_tuple(code, report.json, report.faults, report.warnings);
 }
 

@@ -34,7 +34,12 @@ class Job {
   /// raised. Returns whether Ctrl-C stopped the work.
   bool run(const std::function<void()>& work, const pybind11::object& show);
 
+  /// Whether Python code raised an exception.
+  bool failed();
+  void stop() { stop_->store(true); }
+
  private:
+  void wait_for(std::thread& worker, const pybind11::object& show);
   void tell(const pybind11::object& show);
   void check_signals();
   void end(pybind11::error_already_set& raised);  // Ctrl-C, or an exception
@@ -48,5 +53,9 @@ class Job {
   std::string line_;
   std::exception_ptr raised_;
 };
+
+/// Ends the work of all jobs and waits for it, for the end of the interpreter: a thread that waits
+/// for a lock of an interpreter that has ended would end the process. The caller holds the GIL.
+void stop_all_jobs();
 
 }  // namespace mahlwerk::python

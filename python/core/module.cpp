@@ -10,6 +10,7 @@
 #include <string>
 
 #include "commands.hpp"
+#include "job.hpp"
 #include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
@@ -63,8 +64,10 @@ PYBIND11_MODULE(_core, m) {
   py::register_exception_translator(&translate);
   m.def("set_data_folder", [](const std::string& folder) { set_data_folder(folder); });
   m.attr("version") = std::string(app::version());
+  m.def("stop_all_jobs", &stop_all_jobs, "Ends all work and waits for it; at exit.");
   m.def("isa", [] { return std::string(name_of(isa())); });
   bind_case(m);
+  bind_records(m);
   bind_outcome(m);
   bind_run(m);
   bind_commands(m);

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "mahlwerk/results/outcome.hpp"
-#include "mahlwerk/scene/collision.hpp"
+#include "records.hpp"
 
 namespace mahlwerk::python {
 
 /// The outcome of a run in memory, with the records that it was asked to keep.
 struct RunResult {
   results::Outcome outcome;
-  std::vector<std::vector<scene::Collision>> records;  ///< by replicate, or empty
+  std::vector<RecordBuffer> records;  ///< by replicate, or empty
 };
 
 void bind_outcome(pybind11::module_& m);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "records.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -12,20 +13,20 @@ namespace mahlwerk::python {
 namespace py = pybind11;
 using scene::Collision;
 
-py::dtype record_type() {
-  py::list names, formats, offsets;
-  for (const results::CollisionColumn& column : results::collision_columns()) {
-    names.append(column.name);
-    formats.append(column.whole ? "i4" : "f8");
-    offsets.append(column.offset);
-  }
-  return py::dtype(names, formats, offsets, sizeof(Collision));
-}
-
-py::array as_array(std::vector<Collision> records) {
-  auto* owned = new std::vector<Collision>(std::move(records));
-  const py::capsule owner(owned, [](void* p) { delete static_cast<std::vector<Collision>*>(p); });
-  return py::array(record_type(), {owned->size()}, {sizeof(Collision)}, owned->data(), owner);
+void bind_records(py::module_& m) {
+  py::class_<RecordBuffer>(m, "RecordBuffer", py::buffer_protocol(), "Collision records as bytes.")
+      .def_buffer([](RecordBuffer& b) {
+        return py::buffer_info(reinterpret_cast<std::uint8_t*>(b.records.data()),
+                               static_cast<py::ssize_t>(b.records.size() * sizeof(Collision)),
+                               true);
+      });
+  m.def("record_columns", [] {
+    py::list columns;  // name, unit, meaning, offset, whether it is an integer
+    for (const results::CollisionColumn& c : results::collision_columns())
+      columns.append(py::make_tuple(c.name, c.unit, c.about, c.offset, c.whole));
+    return columns;
+  });
+  m.attr("record_size") = sizeof(Collision);
 }
 
 void RecordList::collisions(std::span<const Collision> finished) {
@@ -50,7 +51,7 @@ void PythonObserver::flush() {
   const std::size_t used = buffer_.size();
   const py::gil_scoped_acquire held;
   try {
-    observe_(as_array(std::exchange(buffer_, {})), replicate_);
+    observe_(RecordBuffer{std::exchange(buffer_, {})}, replicate_);
   } catch (...) {
     job_->fail(std::current_exception());
   }

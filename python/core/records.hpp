@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "job.hpp"
@@ -12,11 +14,14 @@
 
 namespace mahlwerk::python {
 
-/// The structured type of a collision record, with the memory layout of scene::Collision.
-pybind11::dtype record_type();
+/// Collision records that Python reads as bytes, without a copy. numpy makes an array of them
+/// (mahlwerk/records.py). This module has no interface to numpy: its initialisation, which imports
+/// numpy, would block threads that hold the interpreter's lock.
+struct RecordBuffer {
+  std::vector<scene::Collision> records;
+};
 
-/// An array of records that owns them; they are not copied.
-pybind11::array as_array(std::vector<scene::Collision> records);
+void bind_records(pybind11::module_& m);
 
 /// Collects all records of a replicate.
 class RecordList final : public scene::Observer {
@@ -32,7 +37,7 @@ class RecordList final : public scene::Observer {
 /// job.
 class PythonObserver final : public scene::Observer {
  public:
-  /// `observe(records, replicate)`; `replicate` counts from 1.
+  /// `observe(buffer, replicate)`; `replicate` counts from 1.
   PythonObserver(pybind11::handle observe, int replicate, Job& job);
   ~PythonObserver() override;  ///< passes the last records
   void collisions(std::span<const scene::Collision> finished) override;

@@ -66,7 +66,7 @@ std::string line_of(const campaign::Progress& p) {
 /// observers.
 results::Outcome compute(const cases::Case& mill_case, const RunRequest& request,
                          const campaign::Streams* streams, std::atomic<bool>& stop, Job& job,
-                         std::vector<std::vector<scene::Collision>>& kept) {
+                         std::vector<RecordBuffer>& kept) {
   campaign::RunOptions options;
   options.threads = request.threads;
   options.stop = &stop;
@@ -80,7 +80,7 @@ results::Outcome compute(const cases::Case& mill_case, const RunRequest& request
     ObserverList all;
     if (to_files) all.add(to_files(point, replicate));
     if (request.keep_records)
-      all.add(std::make_unique<RecordList>(kept[static_cast<std::size_t>(replicate)]));
+      all.add(std::make_unique<RecordList>(kept[static_cast<std::size_t>(replicate)].records));
     for (const py::handle one : request.observers)
       all.add(std::make_unique<PythonObserver>(one, replicate + 1, job));
     return std::move(all).combined();
@@ -106,7 +106,7 @@ py::tuple run(const cases::Case& mill_case, const std::optional<fs::path>& out, 
       [&] {
         result->outcome =
             compute(mill_case, request, folder ? &streams : nullptr, stop, job, result->records);
-        if (!folder) return;
+        if (!folder || job.failed()) return;  // nothing is written after an exception of Python
         streams.close();
         report::write(*folder, result->outcome, app::version());
         folder->commit();

@@ -13,20 +13,24 @@ numpy is loaded with the first table, pandas with the first frame, matplotlib wi
 
 from __future__ import annotations
 
+import atexit
 import os
 from pathlib import Path
 from typing import Any, Union
 
 from . import _core
 from .campaign import Campaign, SweptKey
-from .case import Case, Check, Origin
+from .case import Case
+from .check import Check, Origin
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
+from .records import record_columns
 from .result import Notice, Quantity, Result
 from .searches import Comparison, Fit, Match, Optimum
 
 _core.set_data_folder(os.fspath(Path(__file__).with_name("data")))  # catalogue, papers, examples
 Fault = _core.Fault
+atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
 __all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "InputError", "Interrupted",
@@ -47,8 +51,3 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:
     what = "holds no result" if place.is_dir() else "is not a folder"
     raise InputError([Fault(os.fspath(folder), what,
                             "give a folder that a command of Mahlwerk wrote", "no-result")])
-
-
-def record_columns() -> dict[str, tuple[str, str]]:
-    """Unit and meaning of each field of the collision records."""
-    return _core.record_columns()

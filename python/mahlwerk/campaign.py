@@ -46,7 +46,7 @@ class Campaign:
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]):
-        place = Path(folder)
+        place = Path(folder).absolute()
         self.folder = place.parent if place.suffix == ".sqlite" else place
         self._store = self.folder / "campaign.sqlite" if place.suffix != ".sqlite" else place
         if not self._store.is_file():
@@ -57,12 +57,17 @@ class Campaign:
     def _ask(self, sql: str) -> tuple[list[str], list[Any]]:
         import sqlite3
 
-        store = sqlite3.connect(f"{self._store.resolve().as_uri()}?mode=ro", uri=True, timeout=30)
         try:
-            found = store.execute(sql)
-            return [one[0] for one in found.description], found.fetchall()
-        finally:
-            store.close()
+            store = sqlite3.connect(f"{self._store.resolve().as_uri()}?mode=ro", uri=True, timeout=30)
+            try:
+                found = store.execute(sql)
+                return [one[0] for one in found.description], found.fetchall()
+            finally:
+                store.close()
+        except sqlite3.DatabaseError as error:
+            raise InputError([_core.Fault(os.fspath(self._store),
+                                          f"the store is damaged or cannot be read: {error}",
+                                          "run the campaign again", "store")]) from None
 
     @property
     def title(self) -> str:
@@ -96,6 +101,10 @@ class Campaign:
         """The values of a key ("mill.speed") or a quantity ("dissipated_power"), by point."""
         return self.table[self.column_name(name)]
 
+    def key_of(self, name: str) -> str:
+        """The key that a name stands for: itself, or that of a column."""
+        return next((one.key for one in self.keys if one.column == name), name)
+
     def column_name(self, name: str) -> str:
         if name in (self.table.dtype.names or ()):
             return name
@@ -113,7 +122,7 @@ class Campaign:
 
     def unit(self, name: str) -> str:
         """Unit of a key or quantity; "1" or "" for none."""
-        return next((one.unit for one in self.keys if one.key == name),
+        return next((one.unit for one in self.keys if name in (one.key, one.column)),
                     self.quantities.get(name, ("",))[0])
 
     @property

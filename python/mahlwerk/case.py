@@ -7,49 +7,30 @@ from __future__ import annotations
 import contextlib
 import html
 import os
+import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _core, toml
+from .changes import checked_threads, cited, merged, plain
+from .check import Check, Origin
 from .commands import command
 from .errors import InputError, Interrupted, RunError
-from .files import keep, read_text, temporary
+from .files import kept, named_folder, read_text, temporary
 from .pages import table_html
+from .records import observer
 from .progress import Progress, shown
 
 if TYPE_CHECKING:
     from .campaign import Campaign
-    from .result import Quantity, Result
+    from .result import Result
     from .searches import Comparison, Fit, Match, Optimum
 
-__all__ = ["Case", "Check", "Origin"]
+__all__ = ["Case"]
 
 Place = Union[str, "os.PathLike[str]"]
 Changes = Mapping[str, Any]
-
-
-class Origin(NamedTuple):
-    """A value of a case and where it comes from."""
-
-    key: str
-    value: str  #: as written in a case file, with its unit
-    source: str  #: "case.toml:9", "--set mill.speed", "catalogue ...", "default: ..."
-    assumed: bool  #: a default that nobody chose
-    unverified: bool  #: the source in the catalogue is weak
-
-
-class Check(NamedTuple):
-    """What follows from a case, before it runs."""
-
-    derived: dict[str, Quantity]  #: filling, critical speed, run time ...
-    notes: list[str]  #: the choice of the engine, unusual values
-    assumed: list[Origin]  #: defaults that nobody chose
-
-    def _repr_html_(self) -> str:
-        rows = [(name, q.text(), q.about) for name, q in self.derived.items()]
-        notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.notes)
-        return table_html(("quantity", "value", "meaning"), rows) + notes
 
 
 class Case:
@@ -71,21 +52,24 @@ class Case:
     def __init__(self, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes] = None):
         if isinstance(source, Mapping):
             text, file, in_file = toml.case_text(source), Path.cwd() / "case", False
+            shown_file = "case"
         else:
             files = _core.case_files(os.fspath(source))
             if len(files) > 1:
                 raise InputError([_core.Fault(
                     os.fspath(source), f"the folder contains {len(files)} cases, Case takes one",
                     "name one of its files", "one-case")])
-            file, in_file = Path(files[0]), True
+            file, in_file, shown_file = Path(files[0]).absolute(), True, os.fspath(files[0])
             text = read_text(file)
-        self._set(text, file, in_file, {k: toml.change_text(v) for k, v in (changes or {}).items()})
+        self._shown = shown_file
+        self._set(text, file, in_file, merged({}, changes or {}))
 
     @classmethod
     def from_text(cls, text: str, folder: Optional[Place] = None) -> Case:
         """A case from the text of a case file; files that it names are relative to `folder`."""
         made = cls.__new__(cls)
-        made._set(text, Path(folder or Path.cwd()) / "case", False, {})
+        made._shown = "case"
+        made._set(text, Path(folder or "").absolute() / "case", False, {})
         return made
 
     @classmethod
@@ -97,6 +81,8 @@ class Case:
         in comments what each key is, and marks assumed values."""
         import tempfile
 
+        if (mill and kind) or (jar and jar_kind):
+            raise ValueError("give mill or kind, and jar or jar_kind, not both")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "case.toml"
             command(["new"], target=os.fspath(file), mill=mill, kind=kind, jar=jar,
@@ -104,23 +90,27 @@ class Case:
             return cls.from_text(file.read_text(encoding="utf-8"))
 
     def _set(self, text: str, file: Path, in_file: bool, changes: dict[str, str]) -> None:
-        shown_file = os.fspath(file) if in_file else os.path.relpath(file)
-        resolved = _core.read_case(text, shown_file, list(changes.items()))
+        # Faults cite the name that was given; files that the case names are relative to its folder.
+        content = text.encode("utf-8", "surrogateescape")
+        resolved = cited(file, self._shown, lambda: _core.read_case(
+            content, os.fspath(file), list(changes.items())))
         self._text, self._file, self._in_file = text, file, in_file
         self._changes, self._resolved = changes, resolved
 
     def replace(self, changes: Changes) -> Case:
         """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`."""
+        made = self._blank()
+        made._set(self._text, self._file, self._in_file, merged(self._changes, changes))
+        return made
+
+    def _blank(self) -> Case:
         made = type(self).__new__(type(self))
-        made._set(self._text, self._file, self._in_file, self._merged(changes))
+        made._shown = self._shown
         return made
 
     def update(self, changes: Changes) -> None:
         """Changes several values together."""
-        self._set(self._text, self._file, self._in_file, self._merged(changes))
-
-    def _merged(self, changes: Changes) -> dict[str, str]:
-        return {**self._changes, **{k: toml.change_text(v) for k, v in changes.items()}}
+        self._set(self._text, self._file, self._in_file, merged(self._changes, changes))
 
     # Values
 
@@ -134,6 +124,8 @@ class Case:
 
     def origin(self, key: str) -> Origin:
         """The value of a key and its source. Raises KeyError for a key without value."""
+        if not isinstance(key, str):
+            raise TypeError(f"a key is a text, for instance \"mill.speed\", not {key!r}")
         known = {one.key: one for one in self.origins}
         for name in (key, key.replace("balls.", "balls.1.", 1)):
             if name in known:
@@ -169,9 +161,11 @@ class Case:
         return isinstance(other, Case) and self._resolved == other._resolved
 
     __hash__ = None  # type: ignore[assignment]
+    __iter__ = None  # a case is no sequence
 
     def __reduce__(self) -> Any:
-        return restored, (self._text, self._file, self._in_file, self._changes)
+        return restored, (type(self), self._text, self._file, self._in_file, self._changes,
+                          self._shown)
 
     def __repr__(self) -> str:
         return f"<Case {self.title!r}{f' from {self._file}' if self._in_file else ''}>"
@@ -225,11 +219,12 @@ class Case:
 
         if collisions is None:
             collisions = out is None and self._value("observe.collisions") == "true"
-        folder = None if out is None else Path(out)
+        folder = None if out is None else named_folder(out)
+        called = [observer(one) for one in observers]
         with shown(progress) as show:
-            ran, interrupted = _core.run(self._resolved, folder, force, threads, bool(collisions),
-                                         list(observers), show)
-        result = Result.of_run(ran, folder)
+            ran, interrupted = _core.run(self._resolved, folder, force, checked_threads(threads),
+                                         bool(collisions), called, show)
+        result = Result.of_run(ran, folder, self._file.parent)
         if ran.failure:
             raise RunError(ran.failure, result)
         if interrupted:
@@ -246,8 +241,8 @@ class Case:
 
         case, place = self._with_section("sweep", over), self._place(out, "")
         try:
-            with case._as_file(place) as target:
-                command(["sweep"], target=target, changes=case._changes, out=place, force=force,
+            with case._as_file(place, force) as target:
+                command(["sweep"], target=target, changes=case._titled(), out=place, force=force,
                         threads=threads, progress=progress)
         except (Interrupted, RunError) as error:
             if (place / "campaign.sqlite").exists():
@@ -273,7 +268,7 @@ class Case:
 
         place = self._place(out, "-fit")
         with self._as_file() as target:
-            command(["fit"], target=target, data=os.fspath(data), changes=self._changes, out=place,
+            command(["fit"], target=target, data=os.fspath(data), changes=self._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Fit(place)
 
@@ -285,7 +280,7 @@ class Case:
 
         case, place = self._with_section("optimise", settings), self._place(out, "-optimise")
         with case._as_file() as target:
-            command(["optimise"], target=target, changes=case._changes, out=place, force=force,
+            command(["optimise"], target=target, changes=case._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Optimum(place)
 
@@ -297,7 +292,7 @@ class Case:
 
         case, place = self._with_section("match", settings), self._place(out, "-match")
         with like._as_file(resolved=True) as target, case._as_file() as data:
-            command(["match"], target=target, data=data, changes=case._changes, out=place,
+            command(["match"], target=target, data=data, changes=case._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Match(place)
 
@@ -308,7 +303,7 @@ class Case:
 
         place = self._place(out, "-compare")
         with self._as_file() as target:
-            command(["compare"], target=target, changes=self._changes, out=place, force=force,
+            command(["compare"], target=target, changes=self._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Comparison(place)
 
@@ -321,16 +316,22 @@ class Case:
         """This case, with a section added to its text."""
         if content is None:
             return self
-        made = type(self).__new__(type(self))
+        if re.search(rf"^\s*\[\s*{name}\s*[].]", self._text, re.MULTILINE):
+            raise InputError([_core.Fault(self._shown, f"the case has a [{name}] already",
+                                          "call without it, or start from a case without [" + name
+                                          + "]", "bad-override")])
+        made = self._blank()
         text = self._text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
-        made._set(text, self._file, self._in_file, self._changes)
+        varied = {plain(key) for key in content.get("over", content)}
+        changes = {k: v for k, v in self._changes.items() if plain(k) not in varied}
+        made._set(text, self._file, self._in_file, changes)
         made._in_file = False  # the file does not have the section
         return made
 
     def _place(self, out: Optional[Place], suffix: str) -> Path:
         """The result folder: `out`, or the one that the command line takes."""
         if out is not None:
-            return Path(out)
+            return named_folder(out)
         if not self._in_file:
             raise InputError([_core.Fault(
                 "", "no folder is given for the results",
@@ -339,20 +340,34 @@ class Case:
         name = file.parent.name if file.stem == "case" else file.stem
         return Path("results") / (name + suffix)
 
-    def _as_file(self, place: Optional[Path] = None,
+    def _titled(self) -> dict[str, str]:
+        """The changes, with the title of a case that has none: else the name of a file would be it."""
+        given = next((one for one in self.origins if one.key == "title"), None)
+        if self._in_file or "title" in self._changes or (given and not given.source.startswith("d")):
+            return self._changes
+        return {**self._changes, "title": self.title}
+
+    def _as_file(self, place: Optional[Path] = None, force: bool = False,
                  resolved: bool = False) -> contextlib.AbstractContextManager[str]:
-        """Path of a case file with this case: its own file, a file that stays beside the results in
-        `place`, or a temporary one. `resolved`: the changes are in it, too."""
-        if self._in_file and not (resolved and self._changes):
+        """Path of a case file with the text of this case: its own file if that is unchanged, a file
+        that stays beside the results in `place`, or a temporary one. `resolved`: the changes are in
+        it, too."""
+        if self._in_file and not (resolved and self._changes) and self._unchanged():
             return contextlib.nullcontext(os.fspath(self._file))
         if place is not None:
-            kept = place.parent / (place.name + ".case.toml")
-            keep(kept, self._text)
-            return contextlib.nullcontext(os.fspath(kept))
-        return temporary(self.text if resolved else self._text, self._file)
+            return kept(self._text, place.parent / (place.name + ".case.toml"), force)
+        return temporary(self.text if resolved else self._text, self._file, self._shown)
+
+    def _unchanged(self) -> bool:
+        try:
+            return read_text(self._file) == self._text
+        except InputError:
+            return False
 
 
-def restored(text: str, file: Path, in_file: bool, changes: dict[str, str]) -> Case:
-    made = Case.__new__(Case)
+def restored(kind: type[Case], text: str, file: Path, in_file: bool, changes: dict[str, str],
+             shown_file: str) -> Case:
+    made = kind.__new__(kind)
+    made._shown = shown_file
     made._set(text, file, in_file, changes)
     return made

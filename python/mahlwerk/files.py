@@ -12,7 +12,7 @@ from pathlib import Path
 from . import _core
 from .errors import InputError
 
-__all__ = ["keep", "read_text", "temporary"]
+__all__ = ["kept", "named_folder", "read_text", "temporary"]
 
 
 def read_text(file: Path) -> str:
@@ -23,32 +23,54 @@ def read_text(file: Path) -> str:
                                       "", "no-such-case")]) from None
 
 
-def keep(file: Path, text: str) -> None:
-    """Writes the case of a campaign beside its folder; an equal file is left alone."""
-    if file.exists() and file.read_text(encoding="utf-8") == text:
-        return
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError([_core.Fault(os.fspath(file), f"cannot be written: {error.strerror}",
-                                      "choose another folder", "cannot-write")]) from None
+def named_folder(folder: str | os.PathLike[str]) -> Path:
+    """The path of a result folder. Raises InputError for an empty name."""
+    if not os.fspath(folder):
+        raise InputError([_core.Fault("", "the name of the folder is empty",
+                                      'give a name, for instance "results/name"', "no-folder")])
+    return Path(folder)
 
 
 @contextlib.contextmanager
-def temporary(text: str, place: Path) -> Iterator[str]:
+def kept(text: str, file: Path, force: bool) -> Iterator[str]:
+    """Path of a case file that stays beside the folder of its campaign. Another file of that name is
+    replaced only with `force`. It is removed if the campaign is refused."""
+    content = text.encode("utf-8", "surrogateescape")
+    try:
+        old = file.read_bytes() if file.exists() else None
+        if old is not None and old != content and not force:
+            raise InputError([_core.Fault(
+                os.fspath(file), "the file holds another case, whose campaign is beside it",
+                "choose another folder, or force=True", "other-campaign")])
+        if old != content:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content)
+    except OSError as error:
+        raise InputError([_core.Fault(os.fspath(file), f"cannot be written: {error.strerror}",
+                                      "choose another folder", "cannot-write")]) from None
+    try:
+        yield os.fspath(file)
+    except InputError:
+        if old is None:
+            file.unlink(missing_ok=True)
+        elif old != content:
+            file.write_bytes(old)
+        raise
+
+
+@contextlib.contextmanager
+def temporary(text: str, place: Path, shown: str) -> Iterator[str]:
     """Path of a case file that exists for a while, beside `place` where that can be written, since
-    files that a case names are relative to it. Faults cite `place` in its stead."""
+    files that a case names are relative to it. Faults cite `shown` in its stead."""
     import tempfile
 
     folder = place.parent if os.access(place.parent, os.W_OK) else None
     handle, path = tempfile.mkstemp(".toml", ".case-", folder)
     try:
-        with open(handle, "w", encoding="utf-8") as out:
-            out.write(text)
+        with open(handle, "wb") as out:
+            out.write(text.encode("utf-8", "surrogateescape"))
         yield path
     except InputError as error:
-        shown = os.path.relpath(place)
         raise InputError([_core.Fault(one.where.replace(path, shown), one.what, one.remedy, one.code)
                           for one in error.faults]) from None
     finally:

@@ -89,6 +89,8 @@ class ResultPlots:
                              + ", ".join(sorted(set(self._result.table("wall_map")["part"]))))
         flat = part == "side"
         ax = axes(ax, subplot_kw={} if flat else {"projection": "polar"})
+        if (ax.name == "polar") == flat:
+            raise ValueError(f"{part} needs {'plain' if flat else 'polar'} axes")
         a = np.unique(np.concatenate([table["angle_low_rad"], table["angle_high_rad"]]))
         b = np.unique(np.concatenate([table["across_low_m"], table["across_high_m"]]))
         grid = np.full((len(b) - 1, len(a) - 1), np.nan)
@@ -123,6 +125,8 @@ class ResultPlots:
 
         if frame not in ("carrier", "jar"):
             raise ValueError(f'frame is "carrier" or "jar", not {frame!r}')
+        if plane is not None and plane not in ("xy", "xz", "yz"):
+            raise ValueError(f'plane is "xy", "xz" or "yz", not {plane!r}')
         film = replay(self._result, frame)
         ax = axes(ax)
         count = film["positions"].shape[1]
@@ -186,6 +190,7 @@ class CampaignPlots:
         ax = axes(ax)
         column = campaign.column_name(quantity)
         half = campaign.quantities[quantity][3] if quantity in campaign.quantities else None
+        x = campaign.key_of(x)
         others = [k for k in campaign.keys if k.key != x and not k.follows]
         groups: dict[tuple[Any, ...], list[int]] = {}
         for row, point in enumerate(campaign.table):
@@ -218,6 +223,8 @@ class CampaignPlots:
         if xs.dtype.kind == "U" or ys.dtype.kind == "U":
             raise ValueError("a map needs two keys whose values are numbers")
         values = campaign.column(quantity)
+        if values.dtype.kind == "U":
+            raise ValueError(f"a map needs a quantity with numbers, and {quantity} has words")
         known = np.isfinite(values)
         total, count = np.zeros((2, len(ys), len(xs)))
         np.add.at(total, (j[known], i[known]), values[known])
@@ -246,7 +253,7 @@ def steps(low: Any, high: Any, height: Any) -> tuple[Any, Any]:
             y.append(0.0)
         x += [a, b]
         y += [h, h]
-    return np.array(x + x[-1:]), np.array(y + [0.0])
+    return np.array(x + x[-1:]), np.array(y + [0.0] if y else y)
 
 
 def shown_bins(table: Any, per: str, energies: Any, unit: str) -> tuple[int, int]:

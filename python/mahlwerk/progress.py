@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import html
 import math
 import sys
@@ -31,14 +32,17 @@ class Terminal:
 
     def __call__(self, share: float, line: str) -> None:
         text = line if math.isnan(share) else f"{100 * share:3.0f} %  {line}"
-        sys.stderr.write("\r" + text.ljust(self.width))
-        sys.stderr.flush()
+        self.write("\r" + text.ljust(self.width))
         self.width = len(text)
+
+    def write(self, text: str) -> None:
+        with contextlib.suppress(OSError, ValueError):  # a closed terminal does not end the work
+            sys.stderr.write(text)
+            sys.stderr.flush()
 
     def close(self) -> None:
         if self.width:
-            sys.stderr.write("\r" + " " * self.width + "\r")
-            sys.stderr.flush()
+            self.write("\r" + " " * self.width + "\r")
 
 
 class Notebook:
@@ -78,7 +82,7 @@ class shown:
             self.show = progress
         elif progress is not False and in_notebook():
             self.show = Notebook()
-        elif progress or (progress is None and sys.stderr is not None and sys.stderr.isatty()):
+        elif sys.stderr is not None and (progress or (progress is None and sys.stderr.isatty())):
             self.show = Terminal()
 
     def __enter__(self) -> Any:

@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import _core
 from .errors import InputError
+from .files import named_folder
 from .pages import framed, table_html
-from .tables import frame_of, read_csv
+from .records import array_of_records
+from .tables import frame_of, of_columns, read_csv
 
 if TYPE_CHECKING:
     import numpy as np
@@ -99,7 +101,7 @@ class Result:
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]):
-        self.folder: Optional[Path] = Path(folder)
+        self.folder: Optional[Path] = Path(folder).absolute()
         self._ran: Any = None
         self._state: dict[str, Any] = {}
         if not (self.folder / "summary.json").is_file():
@@ -107,9 +109,11 @@ class Result:
                                           "give the folder that `mahlwerk run` wrote", "no-result")])
 
     @classmethod
-    def of_run(cls, ran: Any, folder: Optional[Path]) -> Result:
+    def of_run(cls, ran: Any, folder: Optional[Path], origin: Path) -> Result:
+        """`origin`: the folder to which file names of the case are relative."""
         made = cls.__new__(cls)
-        made.folder, made._ran, made._state = folder, ran, {}
+        made.folder = None if folder is None else folder.absolute()
+        made._ran, made._state = ran, {"origin": origin}
         return made
 
     # Numbers
@@ -121,7 +125,7 @@ class Result:
             return json.loads(self._ran.summary_json())
         if self.folder is None:
             return self._state["summary"]
-        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        return summary_in(self.folder)
 
     @property
     def about(self) -> dict[str, Any]:
@@ -135,7 +139,11 @@ class Result:
                                q.get("ci95_time"))
                 for name, q in self.summary.items() if not name.startswith("_")}
 
+    __iter__ = None  # a result is no sequence
+
     def __getitem__(self, name: str) -> Quantity:
+        if not isinstance(name, str):
+            raise TypeError(f"a quantity has a name, for instance \"collision_rate\", not {name!r}")
         try:
             return self.quantities[name]
         except KeyError:
@@ -179,18 +187,16 @@ class Result:
     @property
     def text(self) -> str:
         """The resolved case as TOML."""
-        if self._ran is not None:
-            return self._ran.resolved_case()
-        if self.folder is None:
-            return self._state["text"]
-        return (self.folder / "case.resolved.toml").read_text(encoding="utf-8")
+        if self.folder is not None:  # where the files that it names are, too
+            return (self.folder / "case.resolved.toml").read_text(encoding="utf-8")
+        return self._state["text"] if self._ran is None else self._ran.resolved_case()
 
     @property
     def case(self) -> Case:
         """The case that ran, with every value that was used."""
         from .case import Case
 
-        return Case.from_text(self.text, self.folder)
+        return Case.from_text(self.text, self.folder or self._state.get("origin"))
 
     # Tables
 
@@ -198,7 +204,7 @@ class Result:
     def tables(self) -> Mapping[str, np.ndarray]:
         """Every table as a numpy structured array, by the name of its CSV file without ".csv"."""
         if self._ran is not None:
-            return {name: table[0] for name, table in self._ran.tables().items()}
+            return {name: of_columns(columns) for name, (_, columns) in self._ran.tables().items()}
         if self.folder is None:
             return self._state["tables"]
         return FolderTables(self.folder)
@@ -216,16 +222,16 @@ class Result:
             return frame_of(self.table(name))
         import pandas as pd
 
-        return pd.DataFrame([(q.name, q.value, q.half_width, q.unit, q.about)
-                             for q in self.quantities.values()],
-                            columns=["name", "value", "ci95", "unit", "about"]).set_index("name")
+        parts = ["name", "value", "ci95", "ci95_time", "unit", "about"]
+        return pd.DataFrame([[getattr(q, part) for part in parts] for q in self.quantities.values()],
+                            columns=parts).set_index("name")
 
     def collisions(self, replicate: int = 1) -> np.ndarray:
         """The collision records of a replicate as a structured array; its fields are described by
         `mahlwerk.record_columns()`. Records in memory are not copied. Needs collisions=True of
         `Case.run`, or [observe] collisions of the case."""
         if self._ran is not None and self._ran.replicates_with_records:
-            return self._ran.records(replicate)
+            return array_of_records(self._ran.records(replicate))
         if "records" in self._state and 1 <= replicate <= len(self._state["records"]):
             return self._state["records"][replicate - 1]
         file = None if self.folder is None else self.folder / "collisions.h5"
@@ -234,7 +240,7 @@ class Result:
                 "", "the result has no collision records",
                 "run the case with collisions=True, or with [observe] collisions = true into a folder",
                 "no-records")])
-        return _core.read_records(file, replicate)
+        return array_of_records(_core.read_records(file, replicate))
 
     # Pictures and pages
 
@@ -255,12 +261,13 @@ class Result:
         return (self.folder / "report.html").read_text(encoding="utf-8")
 
     def save(self, folder: Union[str, os.PathLike[str]], *, force: bool = False) -> None:
-        """Writes a result folder, the same as the command line. Raises InputError."""
+        """Writes a result folder, the same as the command line, with the collision records that are in
+        memory. Raises InputError."""
         if self._ran is None:
             raise InputError([_core.Fault(os.fspath(folder), "this result is not in memory: it cannot be saved",
                                           "copy its folder", "no-result")])
-        self._ran.save(Path(folder), force)
-        self.folder = Path(folder)
+        self._ran.save(named_folder(folder), force)
+        self.folder = Path(folder).absolute()
 
     def __repr__(self) -> str:
         said = "" if self.complete else ", incomplete"
@@ -281,10 +288,11 @@ class Result:
                 f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>{framed(self.report)}")
 
     def __reduce__(self) -> Any:
-        if self._ran is None and self.folder is not None:
-            return Result, (self.folder,)
         count = self._ran.replicates_with_records if self._ran is not None else 0
-        state = self._state or {
+        if self.folder is not None and (count == 0 or (self.folder / "collisions.h5").is_file()):
+            return Result, (self.folder,)
+        state = self._state if self._ran is None else {
+            "origin": self._state["origin"],
             "summary": self.summary, "text": self.text, "tables": dict(self.tables),
             "report": self.report,
             "records": [self.collisions(i + 1).copy() for i in range(count)]}
@@ -308,6 +316,16 @@ class FolderTables(Mapping):
 
     def __len__(self) -> int:
         return len(self._files)
+
+
+def summary_in(folder: Path) -> dict[str, Any]:
+    try:
+        made = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        return {**made, "_about": made["_about"]}
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise InputError([_core.Fault(
+            os.fspath(folder / "summary.json"), f"the file is damaged or cannot be read: {error}",
+            "run the case again", "no-result")]) from None
 
 
 def restored(state: dict[str, Any]) -> Result:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
 
-__all__ = ["frame_of", "read_csv"]
+__all__ = ["array_of", "frame_of", "of_columns", "read_csv"]
 
 
 def frame_of(array: np.ndarray) -> pd.DataFrame:
@@ -35,6 +35,18 @@ def columns_of(array: np.ndarray) -> dict[str, np.ndarray]:
         part = array[begin:begin + block]
         for name, values in made.items():
             values[begin:begin + block] = part[name]
+    return made
+
+
+def of_columns(columns: Sequence[tuple[str, str, str, Any]]) -> np.ndarray:
+    """A structured array of columns with name, unit, meaning and values: bytes of doubles, or words."""
+    import numpy as np
+
+    values = [np.frombuffer(v, "<f8") if isinstance(v, bytes) else np.array(v, str)
+              for *_, v in columns]
+    made = np.empty(len(values[0]), [(c[0], v.dtype) for c, v in zip(columns, values)])
+    for (name, *_), v in zip(columns, values):
+        made[name] = v
     return made
 
 

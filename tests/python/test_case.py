@@ -111,3 +111,50 @@ def test_a_new_case_of_every_mill_of_the_catalogue_is_valid_and_commented(capfd)
     with pytest.raises(mahlwerk.InputError, match="did you mean"):
         mahlwerk.Case.new(mill="retsch-mm40")
     assert capfd.readouterr().out == "", "commands print nothing from Python"
+
+
+def test_the_last_change_of_a_value_counts_under_any_name(ball):
+    ball["balls.diameter"] = "2 mm"
+    ball["balls.1.diameter"] = "4 mm"
+    ball["balls.diameter"] = "3 mm"
+    assert ball["balls.diameter"] == "3 mm" == ball["balls.1.diameter"]
+    assert ball.replace({"balls.01.diameter": "5 mm"})["balls.diameter"] == "5 mm"
+
+
+def test_a_case_is_that_of_its_construction(example, tmp_path, monkeypatch):
+    import shutil
+    shutil.copytree(example("01-one-ball"), "mine")
+    case = mahlwerk.Case("mine/case.toml")
+    filling = case.check().derived["filling"].value
+    text = open("mine/case.toml", encoding="utf-8").read()
+    open("mine/case.toml", "w", encoding="utf-8").write(text.replace("8 mm", "4 mm"))
+    (tmp_path / "else").mkdir()
+    monkeypatch.chdir("else")
+    assert case["balls.diameter"] == "8 mm" and case.check().derived["filling"].value == filling
+    assert mahlwerk.Case("../mine")["balls.diameter"] == "4 mm"
+    shutil.rmtree("../mine")
+    assert case.check().derived["filling"].value == filling
+
+
+def test_a_case_without_title_gets_no_temporary_one(ball):
+    untitled = mahlwerk.Case.from_text(ball.text.split("\n", 1)[1])
+    found = untitled.replace({"run.time": "0.1 s"}).compare("out")
+    assert found.event.title == untitled.title and "case-" not in found.event.title
+
+
+def test_other_encodings_and_types_are_refused_as_on_the_command_line(tmp_path, program):
+    for name, content in (("latin.toml", 'title = "M\xfchle"'.encode("latin-1")),
+                          ("utf16.toml", 'title = "x"'.encode("utf-16")),
+                          ("nul.toml", b'title = "x\0"')):
+        (tmp_path / name).write_bytes(content)
+        _, _, said = program("check", name, "--json")
+        with pytest.raises(mahlwerk.InputError) as caught:
+            mahlwerk.Case(name)
+        assert [f.what for f in caught.value.faults] == [f["what"] for f in said["faults"]]
+    for wrong in (5, None, b"x"):
+        with pytest.raises(TypeError):
+            mahlwerk.Case.new(mill="thped")[wrong]
+    with pytest.raises(TypeError, match="target"):
+        mahlwerk.describe(5)
+    with pytest.raises(ValueError):
+        mahlwerk.Case.new(mill="thped", kind="still")

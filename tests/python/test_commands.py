@@ -120,3 +120,30 @@ def test_a_damaged_result_is_not_read_silently(ball):
     open("bad/summary.json", "w").write("{")
     with pytest.raises(ValueError):
         mahlwerk.open("bad").quantities
+
+
+def test_a_campaign_of_another_case_is_not_replaced(ball):
+    over = {"mill.frequency": ["10 Hz", "11 Hz"]}
+    open("mine.case.toml", "w").write("precious")
+    with pytest.raises(mahlwerk.InputError) as caught:
+        ball.sweep(over, "mine")
+    assert caught.value.faults[0].code == "other-campaign"
+    assert open("mine.case.toml").read() == "precious"
+    first = ball.sweep(over, "out")
+    with pytest.raises(mahlwerk.InputError) as caught:
+        ball.replace({"jar.diameter": "13 mm"}).sweep({"seed": [1]}, "out")
+    assert caught.value.faults[0].code == "other-campaign"
+    equal_tables(mahlwerk.open("out").table, first.table)
+    with pytest.raises(mahlwerk.InputError):
+        ball.sweep({"mill.frequency": ["10 mm"]}, "refused")
+    import os
+    assert not os.path.exists("refused.case.toml")
+
+
+def test_a_key_that_was_set_may_be_swept(ball):
+    ball["mill.frequency"] = "12 Hz"
+    assert ball.sweep({"mill.frequency": ["10 Hz", "11 Hz"]}, "out").column(
+        "mill.frequency").tolist() == [10, 11]
+    swept = mahlwerk.Case("out.case.toml")
+    with pytest.raises(mahlwerk.InputError, match="already"):
+        swept.sweep({"mill.frequency": ["10 Hz"]}, "again")

@@ -234,3 +234,49 @@ def test_a_page_of_a_result_shows_numbers_and_replay(ball):
     page = ball.run()._repr_html_()
     assert "collision_rate" in page and "replay-data" in page and "<iframe" in page
     assert "mill.frequency" in ball._repr_html_() and "filling" in ball.check()._repr_html_()
+
+
+def test_observers_in_several_threads_may_be_the_first_to_use_numpy(example):
+    ended = python("import sys, mahlwerk\n"
+                   "case = mahlwerk.Case(sys.argv[1], {'run.time': '1 s'})\n"
+                   "seen = []\n"
+                   "case.run(observers=[lambda records, k: seen.append(len(records))])\n"
+                   "print(len(seen))", example("01-one-ball"))
+    assert ended.stdout == "5\n", ended.stderr
+
+
+def test_a_saved_result_has_the_records_that_were_kept(ball):
+    result = ball.run(collisions=True)
+    result.save("out")
+    np.testing.assert_array_equal(mahlwerk.open("out").collisions(2), result.collisions(2))
+    copy = pickle.loads(pickle.dumps(result))
+    assert copy.folder == result.folder == Path("out").absolute()
+
+
+def test_the_interpreter_ends_regularly_while_a_thread_computes(example):
+    ended = python("import sys, threading, time, mahlwerk\n"
+                   "case = mahlwerk.Case(sys.argv[1], {'run.time': '1000000 s'})\n"
+                   "threading.Thread(target=case.run, args=('out',), daemon=True).start()\n"
+                   "time.sleep(0.3); sys.exit(3)", example("01-one-ball"))
+    assert ended.returncode == 3, ended.stderr
+    assert not [p for p in Path(".").iterdir() if "lock" in p.name or "partial" in p.name]
+
+
+def test_ctrl_c_ends_a_loop_of_short_commands():
+    ended = python("import os, signal, threading, time, mahlwerk\n"
+                   "threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+                   "end = time.monotonic() + 60\n"
+                   "while time.monotonic() < end: mahlwerk.describe('retsch-mm400')")
+    assert "Interrupt" in ended.stderr, ended.stderr
+
+
+def test_what_is_wrong_with_arguments_is_said_at_once(ball):
+    for observers in ([None], [print, 5]):
+        with pytest.raises(TypeError, match="observer"):
+            ball.run("out", observers=observers)
+    for threads in (-1, 5000):
+        with pytest.raises(ValueError, match="threads"):
+            ball.run(threads=threads)
+    with pytest.raises(mahlwerk.InputError, match="empty"):
+        ball.run("")
+    assert not os.path.exists("out")

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""Changes of values, and where their faults are said to be."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from . import _core, toml
+from .errors import InputError
+
+__all__ = ["checked_threads", "cited", "merged", "plain"]
+
+
+def checked_threads(threads: int) -> int:
+    if not 0 <= threads <= 4096:
+        raise ValueError(f"threads is from 1 to 4096, or 0 for all cores, not {threads}")
+    return threads
+
+
+def merged(old: Mapping[str, str], new: Mapping[str, Any]) -> dict[str, str]:
+    """Changes of which the last counts. "balls.1.x" and "balls.x" name the same value."""
+    made = dict(old)
+    for key, value in new.items():
+        for other in [one for one in made if plain(one) == plain(key)]:
+            del made[other]
+        made[key] = toml.change_text(value)
+    return made
+
+
+def plain(key: str) -> str:
+    return re.sub(r"^balls\.0*1\.", "balls.", key)
+
+
+def cited(file: Path, shown_file: str, work: Callable[[], Any]) -> Any:
+    """What `work` returns. Its faults cite `shown_file` in place of `file`."""
+    try:
+        return work()
+    except InputError as error:
+        raise InputError([_core.Fault(one.where.replace(os.fspath(file), shown_file), one.what,
+                                      one.remedy, one.code) for one in error.faults]) from None

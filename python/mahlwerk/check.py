@@ -1,0 +1,38 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of a case before it runs."""
+
+from __future__ import annotations
+
+import html
+from typing import TYPE_CHECKING, NamedTuple
+
+from .pages import table_html
+
+if TYPE_CHECKING:
+    from .result import Quantity
+
+__all__ = ["Check", "Origin"]
+
+
+class Origin(NamedTuple):
+    """A value of a case and where it comes from."""
+
+    key: str
+    value: str  #: as written in a case file, with its unit
+    source: str  #: "case.toml:9", "--set mill.speed", "catalogue ...", "default: ..."
+    assumed: bool  #: a default that nobody chose
+    unverified: bool  #: the source in the catalogue is weak
+
+
+class Check(NamedTuple):
+    """What follows from a case, before it runs."""
+
+    derived: dict[str, Quantity]  #: filling, critical speed, run time ...
+    notes: list[str]  #: the choice of the engine, unusual values
+    assumed: list[Origin]  #: defaults that nobody chose
+
+    def _repr_html_(self) -> str:
+        rows = [(name, q.text(), q.about) for name, q in self.derived.items()]
+        notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.notes)
+        return table_html(("quantity", "value", "meaning"), rows) + notes
