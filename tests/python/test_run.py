@@ -206,7 +206,7 @@ def test_other_python_threads_go_on_while_a_run_computes(ball):
     thread = threading.Thread(target=count)
     thread.start()
     steps = []
-    ball.replace({"run.time": "200 s"}).run(progress=lambda share, line: steps.append(share))
+    ball.replace({"run.time": "2000 s"}).run(progress=lambda share, line: steps.append(share))
     done.set()
     thread.join()
     assert counted[0] > 20, "the interpreter's lock is released"

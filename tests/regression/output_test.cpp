@@ -114,7 +114,7 @@ TEST_F(Output, a_signal_of_any_kind_keeps_what_was_computed) {
 TEST_F(Output, long_work_tells_where_it_is_without_a_terminal) {
   const auto told = [&](const std::string& more) {
     return mahlwerk("run " + ball_ + more +
-                    "--set run.time=\"60 s\" --force --out out 2>&1 > "
+                    "--set run.time=\"2000 s\" --force --out out 2>&1 > "
                     "/dev/null")
         .output;
   };

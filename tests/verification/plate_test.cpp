@@ -113,5 +113,33 @@ TEST(VibratingPlate, a_ball_at_rest_is_lifted_where_the_plate_falls_faster) {
   }
 }
 
+/// The normal force vanishes for a moment only and grows slowly again. The ball falls back at a
+/// speed that the search does not resolve: bounces at it took 1e7 steps and ended no earlier.
+TEST(VibratingPlate, a_ball_that_is_hardly_lifted_stays_on_the_plate) {
+  for (const double restitution : {0.5, 0.9, 0.99}) {
+    double steps = 0, residual = 0;
+    for (int digits = 3; digits <= 14; ++digits) {
+      const double amplitude = (1 + std::pow(10, -digits)) * gravity / (omega * omega);
+      scene::Ball ball = ball_a();
+      ball.position.z = -0.5 * lid + radius;
+      const scene::Chamber plate{
+          geometry::Box{1, 1, lid}, shaken(frequency, amplitude), {}, {0, 0, -gravity}};
+      event::Rules rules;
+      rules.bounce = {restitution, 1, 0};
+      const auto engine = event::one_ball(plate, ball, rules);
+      Recorder recorder;
+      ASSERT_NO_THROW(engine->advance(20 * period, recorder)) << restitution << ", " << digits;
+      const scene::EnergyBalance b = engine->energy_balance();
+      steps = std::max(steps, double(b.search_steps));
+      residual = std::max(residual, std::abs(b.residual() / b.wall_work));
+    }
+    const std::string at = ", e = " + std::to_string(restitution);
+    stays_below("steps of the search in twenty periods" + at, steps, 1e5,
+                "21 lifts of up to 1400, 100 bounces of 20 after each");
+    stays_below("residual over what the plate gives" + at, residual, 1e-6,
+                "energy of the plate, bounces and contact");
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests::plate_test

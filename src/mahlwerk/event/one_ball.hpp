@@ -230,7 +230,8 @@ class OneBall final : public scene::Engine {
   }
 
   /// Whether the coming bounces, an infinite series, end before the normal force can halve
-  /// (inelastic collapse). Then a sustained contact begins (evt.19).
+  /// (inelastic collapse), or are lower than the search resolves. Then a sustained contact begins
+  /// (evt.19).
   bool collapses(int face) const {
     if (rules_.sustained_mode != SustainedContactMode::roll || rebound_ >= rules_.sustained_speed)
       return false;
@@ -243,7 +244,9 @@ class OneBall final : public scene::Engine {
     const double rate_bound = jar_.motion_bounds().jerk +
                               jar_.motion_bounds().spin * normal_acceleration +
                               normal_acceleration * norm(p.velocity) / body_.radius;
-    return collapse_time * rate_bound < 0.5 * normal_acceleration;
+    const double height = rebound_ * rebound_ / (2 * normal_acceleration);  // [m] of the flight
+    return (e < 1 && height < tolerance_.grazing_depth()) ||
+           collapse_time * rate_bound < 0.5 * normal_acceleration;
   }
 
   /// Begins a sustained contact; the remaining normal speed is lost.

@@ -38,6 +38,9 @@ struct TouchTolerance {
   /// Least step [s]: a time in which ball and wall, approaching at no more than `speed` [m/s], do
   /// not cross the margin.
   double min_step(double speed) const { return margin / (speed + 1e-3); }
+  /// Depth [m], negligible against the radius, to which a ball that neither approaches nor leaves a
+  /// wall may sink in.
+  double grazing_depth() const { return 1e3 * margin; }
   /// min_step() of a ball and a wall at rest, the largest of all.
   double longest_min_step() const { return min_step(0); }
 };
@@ -67,13 +70,12 @@ double closing_speed(const TypedChamber<S, M>& jar, int face, const Instant& now
 }
 
 /// Safe time [s] of a ball that grazes a face, neither approaching nor leaving it. With its true
-/// radius it would advance by one margin a step. So the radius is reduced by a thousand margins:
-/// the ball may sink in by that negligible depth. A ball that is already deeper gains nothing.
+/// radius it would advance by one margin a step. So the ball may sink in by the grazing depth. A
+/// ball that is already deeper gains nothing.
 template <class S, class M>
 double grazing_safe_time(const TypedChamber<S, M>& jar, int face, const Instant& now,
                          const TouchTolerance& ball) {
-  const double deepest = 1e3 * ball.margin;
-  return jar.safe_time(face, now.ball, now.time, ball.radius - deepest).time;
+  return jar.safe_time(face, now.ball, now.time, ball.radius - ball.grazing_depth()).time;
 }
 
 /// Result of testing all faces at an instant.

@@ -44,7 +44,7 @@ TEST(Ledger, spectrum_lasting_and_open_contacts_are_all_that_is_dissipated) {
       EXPECT_NE(b.lost_open, 0) << name << ": contacts go on at the end";
     }
     if (what.balls.front().count == 1) {
-      EXPECT_GT(lasting, 0.01 * lost) << name << ": it rolls";
+      EXPECT_GT(lasting, 1e-3 * lost) << name << ": it rolls";
     }
     states(name + ": all that is known over dissipation", (spectrum + lasting + open) / lost, 1,
            1e-9, "the ledger: each loss is in one place");

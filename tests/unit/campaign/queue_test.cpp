@@ -87,7 +87,8 @@ TEST(Queue, trouble_with_files_is_no_failure_of_a_point) {
 
 TEST(Queue, replicates_that_ended_before_a_state_was_due_are_there_after_a_stop) {
   const Folder folder;
-  const cases::Case mill_case = read_sample(with(vial, "time", "time = \"100 s\"\nreplicates = 3"));
+  const cases::Case mill_case =
+      read_sample(with(vial, "time", "time = \"2000 s\"\nreplicates = 3"));
   std::atomic<bool> stop = false;
   results::Outcome whole, again;
   const auto run = [&](Checkpoint& states, bool no_further, results::Outcome& outcome) {

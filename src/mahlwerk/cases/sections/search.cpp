@@ -25,18 +25,18 @@ void record_ranges(SectionReader& in, const Node& over, const std::vector<SweptK
   }
 }
 
-constexpr IntegerSpec most_settings{.key = "settings",
-                                    .least = 4,
-                                    .most = 100'000,
-                                    .about = "largest number of settings that are tried",
-                                    .standard = Optimise().settings,
-                                    .source = "project convention"};
-constexpr IntegerSpec most_replicates{.key = "replicates",
-                                      .least = 2,
-                                      .most = 100'000,
-                                      .about = "largest number of replicates of one setting",
-                                      .standard = Optimise().replicates,
-                                      .source = "project convention"};
+const IntegerSpec most_settings{.key = "settings",
+                                .least = 4,
+                                .most = 100'000,
+                                .about = "largest number of settings that are tried",
+                                .standard = Optimise().settings,
+                                .source = "project convention"};
+const IntegerSpec most_replicates{.key = "replicates",
+                                  .least = 2,
+                                  .most = 100'000,
+                                  .about = "largest number of replicates of one setting",
+                                  .standard = Optimise().replicates,
+                                  .source = "project convention"};
 
 /// A section with `over`, `settings` and `replicates`.
 template <class Search>
