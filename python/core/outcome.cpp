@@ -19,7 +19,7 @@
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
 #include "mahlwerk/results/files/json.hpp"
-#include "mahlwerk/results/files/writer.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
 #include "records.hpp"
 
 namespace mahlwerk::python {

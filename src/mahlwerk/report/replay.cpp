@@ -100,7 +100,9 @@ std::string meshes(const cases::Case& c, const MotionSamples& w) {
   return list;
 }
 
-std::string data(const cases::Case& c, const observe::Replay& film) {
+}  // namespace
+
+std::string replay_data(const cases::Case& c, const observe::Replay& film) {
   const std::vector<scene::Ball> balls = cases::starting_balls(c, 0);
   std::vector<float> radius;
   std::vector<std::uint8_t> species;
@@ -130,8 +132,6 @@ std::string data(const cases::Case& c, const observe::Replay& film) {
       meshes(c, w));
 }
 
-}  // namespace
-
 std::string replay_section(const results::Outcome& outcome) {
   if (outcome.replicates.empty()) return "";
   const observe::Replay& film = outcome.replicates.front().replay;
@@ -139,7 +139,7 @@ std::string replay_section(const results::Outcome& outcome) {
   return fmt::format(
       "<section id=\"replay\"></section>\n<script type=\"application/json\" "
       "id=\"replay-data\">{}</script>\n<script>{}</script>\n",
-      data(outcome.mill_case, film), replay_script());
+      replay_data(outcome.mill_case, film), replay_script());
 }
 
 }  // namespace mahlwerk::report

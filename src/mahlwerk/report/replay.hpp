@@ -13,6 +13,10 @@ namespace mahlwerk::report {
 /// has no replay frames.
 std::string replay_section(const results::Outcome& outcome);
 
+/// The data of the 3-D replay as JSON (viewer/README.md): jar, motion and the frames of `film`, of
+/// which there is at least one.
+std::string replay_data(const cases::Case& mill_case, const observe::Replay& film);
+
 /// The contents of viewer/dist/replay.js, embedded in the program.
 std::string_view replay_script();
 

@@ -18,7 +18,6 @@
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/files/writer.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -265,12 +264,6 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
       "result.h5 and the CSV files beside this page.",
       escaped(version), name_of(outcome.engine), outcome.mill_case.seed, outcome.cpu_seconds);
   return page(given.empty() ? "A ball mill" : given, body, footer);
-}
-
-void write(const results::Folder& folder, const Outcome& outcome, std::string_view version,
-           std::string_view below, bool film) {
-  results::write(folder, outcome, version, below);
-  folder.write(std::string(below) + "report.html", report_page(outcome, version, film));
 }
 
 }  // namespace mahlwerk::report

@@ -15,14 +15,12 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/conclude.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/progress_reporter.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
-#include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -206,20 +204,8 @@ class CampaignRunner {
     if (point.failure) return failed(point.index, point.failure);
     point.outcome.interrupted = stopped();
     point.outcome.wall_seconds = seconds_since(point.began);
-    for (const results::Replicate& r : point.outcome.replicates)
-      point.outcome.cpu_seconds += r.cpu_seconds;
-    point.outcome.summary = results::summarise(point.outcome);
-    point.outcome.notices = notices(point);
+    conclude(point.outcome, point.choice, options_.stop);
     queue_.done(point.index, std::move(point.outcome));
-  }
-
-  /// Sorted by severity, the most severe first.
-  Notices notices(const ActivePoint& point) const {
-    Notices list = results::warnings(point.outcome);
-    append(list, rolling_notices(point.outcome));
-    append(list, engine_notices(point.outcome, point.choice, options_.stop));
-    std::ranges::stable_sort(list, std::ranges::greater(), &Notice::severity);
-    return list;
   }
 
   /// Begins no further replicate of the point; active ones end soon.

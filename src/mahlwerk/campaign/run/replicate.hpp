@@ -39,6 +39,9 @@ class ReplicateRun {
   static void run_slice_together(std::span<ReplicateRun* const> runs);
   const scene::EnergyBalance& energy_balance() const { return result_.energy_balance; }
   double& cpu_seconds() { return result_.cpu_seconds; }  ///< measured by the caller
+  const observe::Replay& replay() const { return result_.replay; }
+  /// Reason if physics stopped the run, else empty.
+  const std::string& stop_reason() const { return result_.stop_reason; }
   /// The result so far.
   results::Replicate result() const;
   /// Writes the state to `archive`, or reads it from there (scene::Engine::serialize).

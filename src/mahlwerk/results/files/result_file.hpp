@@ -8,16 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::results {
-
-/// A table and the name of its file without extension: "spectrum" for spectrum.csv.
-struct NamedTable {
-  std::string name, about;
-  Table table;
-};
 
 /// Numbers on a grid of any rank, in row-major order (the last axis runs fastest).
 struct Matrix {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/writer.hpp"
 
+#include <fmt/format.h>
+
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
@@ -12,86 +13,20 @@
 #include "mahlwerk/kinematics/tabulated.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_file.hpp"
-#include "mahlwerk/results/quantities/bed.hpp"
-#include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/quantities/pairs.hpp"
-#include "mahlwerk/results/quantities/spectra.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
-#include "mahlwerk/results/quantities/wall.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {
 
 constexpr std::string_view motion_file = "motion.csv", jar_file = "jar.stl", start_folder = "start";
 
-/// The samples of a measured motion, in the form that a case reads.
-Table samples(const kinematics::Tabulated& motion) {
-  Table table{{{"time", "s", "time of the sample"},
-               {"x", "m", "x of the jar's centre in the laboratory"},
-               {"y", "m", "y of the jar's centre, likewise"},
-               {"z", "m", "z of the jar's centre, likewise"},
-               {"angle", "rad", "angle of rotation of the jar"}},
-              {}};
-  for (const kinematics::Sample& s : motion.samples())
-    table.rows.push_back({s.time, s.centre.x, s.centre.y, s.centre.z, s.angle});
-  return table;
-}
-
 }  // namespace
-
-std::vector<NamedTable> tables(const Outcome& outcome) {
-  std::vector<NamedTable> all{
-      {"spectrum", "collisions and power per bin of energy", spectrum(outcome)},
-      {"speeds", "collisions per bin of normal speed", speeds(outcome)},
-      {"angles", "collisions per degree of impact angle", angles(outcome)},
-      {"normal_tangential", "collisions per bin of normal and of tangential energy",
-       normal_tangential(outcome)},
-      {"timeseries", "the run in equal windows of its counted time", time_series(outcome)},
-      {"replicates", "the quantities of each replicate", replicates(outcome)}};
-  if (!outcome.summary.pairs.empty())
-    all.push_back({"collisions_by_pair", "quantities by kind of pair",
-                   collisions_by_pair(outcome.summary.pairs)});
-  const auto unless_empty = [&](std::string name, std::string about, Table table) {
-    if (!table.rows.empty()) all.push_back({std::move(name), std::move(about), std::move(table)});
-  };
-  unless_empty("spectra_by_pair", "collisions and power per bin of energy, by kind of pair",
-               spectra_by_pair(outcome));
-  unless_empty("durations", "contacts per bin of duration", durations(outcome));
-  unless_empty("flashes", "collisions per bin of flash temperature rise", flashes(outcome));
-  unless_empty("wall_map", "hits and wear by cell of the jar's wall", wall_map(outcome));
-  unless_empty("fields", "density and velocity of the charge", fields(outcome));
-  unless_empty("bed", "density and velocity along the line through the bed of a drum",
-               bed_table(outcome));
-  unless_empty("wear", "wear of balls and jar", wear(outcome));
-  unless_empty("temperature", "temperatures of balls and jar over milling and pauses",
-               temperatures(outcome));
-  unless_empty("capture", "captured powder per bin of energy, by kind of pair", capture(outcome));
-  unless_empty("captured_grains", "collisions by number of captured grains",
-               captured_grains(outcome));
-  unless_empty("grinding", "sizes of the powder over the milling time", grinding(outcome));
-  unless_empty("size_distribution", "sizes of the powder at some times",
-               size_distribution(outcome));
-  unless_empty("conversion", "dose and conversion over the milling time", conversion(outcome));
-  unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.mill_case));
-  if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.mill_case.mill.motion))
-    all.push_back({"motion", "the measured motion of the jar", samples(*measured)});
-  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
-    if (const Replicate& r = outcome.replicates[i]; !r.balls_at_stop.empty())
-      all.push_back({stopped_name(static_cast<int>(i)),
-                     "the balls of a replicate at the time when physics stopped it",
-                     balls_at_stop(r)});
-  for (std::size_t i = 0; i < outcome.replicates.size(); ++i)
-    if (const Replicate& r = outcome.replicates[i]; !r.balls_at_end.empty())
-      all.push_back({final_name(static_cast<int>(i)),
-                     "the balls of a replicate at its end, for run.start_from", balls_at_end(r)});
-  return all;
-}
 
 std::string write_case(const Folder& folder, cases::Case mill_case, std::string_view name) {
   const std::string below(name.substr(0, name.find_last_of('/') + 1));
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*mill_case.mill.motion)) {
-    folder.write(below + std::string(motion_file), csv(samples(*measured)));
+    folder.write(below + std::string(motion_file), csv(motion_samples(*measured)));
     mill_case.mill.motion_file = motion_file;
   }
   if (const auto* mesh = geometry::as<geometry::Mesh>(*mill_case.jar.shape)) {

@@ -4,10 +4,8 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "mahlwerk/results/files/folder.hpp"
-#include "mahlwerk/results/files/result_file.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::results {
@@ -16,9 +14,6 @@ namespace mahlwerk::results {
 /// into `folder`. `below`: subfolder with a slash at its end ("point-03/"), or "".
 void write(const Folder& folder, const Outcome& outcome, std::string_view version,
            std::string_view below = "");
-
-/// All tables of a result, those of every result first. Each is a CSV file and a part of result.h5.
-std::vector<NamedTable> tables(const Outcome& outcome);
 
 /// Writes the case as `name` ("case.resolved.toml", with or without a folder), and its jar's mesh
 /// and measured motion beside it. Returns the text of the case.

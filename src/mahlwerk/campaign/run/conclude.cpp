@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/conclude.hpp"
+
+#include <algorithm>
+
+#include "mahlwerk/campaign/run/rolling.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/summarise.hpp"
+
+namespace mahlwerk::campaign {
+
+void conclude(results::Outcome& outcome, const EngineChoice& choice,
+              const std::atomic<bool>* stop) {
+  for (const results::Replicate& r : outcome.replicates) outcome.cpu_seconds += r.cpu_seconds;
+  outcome.summary = results::summarise(outcome);
+  outcome.notices = results::warnings(outcome);
+  append(outcome.notices, rolling_notices(outcome));
+  append(outcome.notices, engine_notices(outcome, choice, stop));
+  std::ranges::stable_sort(outcome.notices, std::ranges::greater(), &Notice::severity);
+}
+
+}  // namespace mahlwerk::campaign

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+
+#include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/results/outcome.hpp"
+
+namespace mahlwerk::campaign {
+
+/// Fills in what follows from the case and its ended replicates: CPU time, summary and notices, the
+/// most severe first. Some notices need pilot runs; setting `stop` ends them.
+void conclude(results::Outcome& outcome, const EngineChoice& choice,
+              const std::atomic<bool>* stop = nullptr);
+
+}  // namespace mahlwerk::campaign
