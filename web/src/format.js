@@ -63,8 +63,7 @@ function decimalsFor(number, digits) {
 export function quantityText(quantity) {
   const { value, interval, unit } = parts(quantity);
   const both = interval ? `${value} ± ${interval}` : value;
-  if (!unit) return both;
-  return unit.startsWith("/") ? `${both} ${unit}` : `${both} ${unit}`;
+  return unit ? `${both}\u00a0${unit}` : both;
 }
 
 /// About three digits, for axes and short texts.

@@ -13,14 +13,15 @@ import { entryOf, removeSection } from "./toml_text.js";
 const shown = ["mill", "jar", "balls", "powder", "contact", "run"];
 
 class SelectField {
-  constructor(label, groups, change, about = "") {
+  constructor(label, groups, change, { about = "", seen = true } = {}) {
     const id = freshId("field");
     const option = ({ value, name, title }) => element("option", { value, textContent: name, title });
     this.select = element("select", { id, onchange: () => change(this.select.value) },
       groups.map(({ name, options }) => name
         ? element("optgroup", { label: name }, options.map(option)) : options.map(option)).flat());
     this.root = element("div", { className: "field wide", title: about },
-      element("label", { for: id, textContent: label }), this.select);
+      element("label", { for: id, textContent: label, className: seen ? "" : "for-readers" }),
+      this.select);
   }
 
   show({ value, fallback }) {
@@ -106,7 +107,8 @@ export class Form {
     const options = field.kind === "material"
       ? this.catalogue.materials.map(({ name, title }) => ({ value: name, name: title }))
       : field.words.map((word, i) => ({ value: word, name: text.word(word), title: field.meanings[i] }));
-    return new SelectField(text.label(field.key), [{ options }], change, field.about);
+    return new SelectField(text.label(field.key), [{ options }], change,
+      { about: field.about });
   }
 
   catalogueChoice(where) {
@@ -117,7 +119,8 @@ export class Form {
     const kinds = kindsOf(this.vocabulary, where).map(({ kind, about }) =>
       ({ value: `kind ${kind}`, name: text.kind(kind), title: about }));
     return new SelectField(text.model(where), [{ name: text.byItsNumbers, options: kinds },
-      { name: text.fromCatalogue, options: models }], (value) => this.choose(where, value));
+      { name: text.fromCatalogue, options: models }], (value) => this.choose(where, value),
+    { seen: false });
   }
 
   choose(where, value) {

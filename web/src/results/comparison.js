@@ -6,14 +6,8 @@
 import { button, element } from "../dom.js";
 import { quantityText } from "../format.js";
 import { text } from "../text/en.js";
+import { verdictOf } from "./verdict.js";
 import { keysIn, shortList } from "./quantities.js";
-
-/// "apart" if the 95 % intervals of two quantities do not overlap, "overlap" if they do, "unknown"
-/// without intervals.
-export function verdictOf(a, b) {
-  if (!(a.ci95 >= 0) || !(b.ci95 >= 0) || a.ci95 === null || b.ci95 === null) return "unknown";
-  return Math.abs(a.value - b.value) > a.ci95 + b.ci95 ? "apart" : "overlap";
-}
 
 function changeOf(a, b) {
   if (a.value === 0) return "";

@@ -7,22 +7,33 @@ import uPlot from "uplot";
 import { element } from "../dom.js";
 import { onTheme } from "../theme.js";
 import { short } from "../format.js";
+import { text } from "../text/en.js";
 
 const variable = (name) =>
   getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 const font = "12px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
 
-function axis(options, size) {
+function axis(options, size, space) {
   return { stroke: variable("soft"), font, labelFont: font, label: options.label, labelSize: 20,
     grid: { stroke: variable("grid"), width: 1 }, ticks: { stroke: variable("grid"), width: 1, size: 4 },
-    size, gap: 4, space: options.log ? 44 : 60, values: (_, splits) => splits.map((at) =>
+    size, gap: 4, space, values: (_, splits) => splits.map((at) =>
       at === null || at === undefined ? "" : (options.values ?? short)(at)) };
 }
 
-/// Only powers of ten on a logarithmic axis are labelled.
-const powersOnly = (_, splits) => splits.map((at) =>
-  Math.abs(Math.log10(at) - Math.round(Math.log10(at))) < 1e-6 ? at : null);
+/// Marks of a logarithmic axis: powers of ten, in steps that leave at most eight; 1, 2 and 5 of each if
+/// there are few.
+function logarithmicMarks(_, __, least, most) {
+  const [low, high] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
+  const step = Math.max(1, Math.ceil((high - low + 1) / 8));
+  const marks = [];
+  for (let power = low - 1; power <= high; ++power)
+    for (const digit of high - low < 2 ? [1, 2, 5] : [1]) {
+      const at = Number(`${digit}e${power}`);
+      if (at >= least * 0.999 && at <= most * 1.001 && (power - low) % step === 0) marks.push(at);
+    }
+  return marks;
+}
 
 function scaleOf({ log, range }) {
   return { distr: log ? 3 : 1, time: false, ...(range ? { range } : {}) };
@@ -62,12 +73,11 @@ function intervals(halves, colour) {
 }
 
 export class Plot {
-  constructor(title, note = "") {
+  constructor(title) {
     this.box = element("div", { className: "plot" });
     this.caption = element("figcaption", {}, element("strong", { textContent: title }));
-    this.note = element("span", { className: "note", textContent: note });
     this.tools = element("span", { className: "tools" });
-    this.caption.append(this.note, this.tools);
+    this.caption.append(this.tools);
     this.box.setAttribute("role", "img");
     this.box.setAttribute("aria-label", title);
     this.title = title;
@@ -77,7 +87,7 @@ export class Plot {
   }
 
   height() {
-    return Math.round(Math.min(Math.max(this.box.clientWidth * 0.52, 190), 340));
+    return Math.round(Math.min(Math.max(this.box.clientWidth * 0.6, 210), 380));
   }
 
   fit() {
@@ -102,11 +112,12 @@ export class Plot {
   }
 
   made({ x, y, series, data, halves }) {
-    const axes = [axis(x, 34), axis(y, y.wide ?? 56)];
-    [x, y].forEach(({ log }, i) => log && (axes[i].filter = powersOnly));
+    const axes = [axis(x, 34, 64), axis(y, y.wide ?? 56, 32)];
+    [x, y].forEach(({ log }, i) => log &&
+      Object.assign(axes[i], { splits: logarithmicMarks, filter: (_, splits) => splits }));
     return new uPlot({ width: this.box.clientWidth, height: this.height(),
-      padding: [8, 14, 0, 0], axes, scales: { x: scaleOf(x), y: scaleOf(y) },
-      series: [{ label: x.label, value: (_, at) => (at == null ? "–" : (x.values ?? short)(at)) },
+      padding: [8, 24, 0, 0], axes, scales: { x: scaleOf(x), y: scaleOf(y) },
+      series: [{ label: text.at, value: (_, at) => (at == null ? "–" : (x.values ?? short)(at)) },
         ...series.map((each) => ({ ...seriesOf(each),
           value: (_, at) => (at == null ? "–" : (y.values ?? short)(at)) }))],
       hooks: halves ? { draw: [intervals(halves, series[0].colour)] } : {},

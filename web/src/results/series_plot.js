@@ -1,12 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Power and rate over simulated time.
+// Dissipated power over simulated time, and its mean so far, which settles while the run goes on.
 
 import { columnOf } from "../csv.js";
 import { scaledText, short } from "../format.js";
 import { text } from "../text/en.js";
 import { Plot } from "./plot.js";
+
+/// Mean from the start to each time; each value holds since the time before.
+function meansSoFar(times, values) {
+  const before = (i) => (i > 0 ? times[i - 1] : 0);
+  let sum = 0;
+  return values.map((value, i) => {
+    sum += value * (times[i] - before(i));
+    return sum / times[i];
+  });
+}
 
 export class SeriesPlot {
   constructor() {
@@ -19,12 +29,11 @@ export class SeriesPlot {
     const times = table && columnOf(table, "time_s");
     if (!times || times.length < 2) return this.plot.clear();
     const dissipated = columnOf(table, "dissipated_power_W");
-    const drawn = columnOf(table, "drawn_power_W");
-    this.plot.show({ data: [times, dissipated, drawn],
+    this.plot.show({ data: [times, dissipated, meansSoFar(times, dissipated)],
       x: { label: text.timeAxis, values: short },
-      y: { label: text.powerAxis.split(",")[0], wide: 64, values: (at) => scaledText(at, "W") },
-      series: [{ label: text.dissipated, colour: "go" },
-        { label: text.drawn, colour: "kept", width: 1.2, dash: [5, 4] }],
+      y: { label: text.powerAxis, wide: 64, values: (at) => scaledText(at, "W") },
+      series: [{ label: text.dissipated, colour: "faint", width: 1 },
+        { label: text.meanSoFar, colour: "go", width: 2.2 }],
       about: text.seriesAbout(times.length) });
   }
 }

@@ -38,7 +38,7 @@ function span(all) {
 
 export class SpectrumPlot {
   constructor() {
-    this.plot = new Plot(text.spectrum, text.spectrumNote);
+    this.plot = new Plot(text.spectrum);
     this.kind = "rate";
     this.plot.tools.append(choice(text.spectrumOf, [
       { key: "rate", name: text.rate, about: text.spectrumRateAbout },
@@ -69,7 +69,7 @@ export class SpectrumPlot {
     const peak = xs[data[1].indexOf(Math.max(...data[1]))];
     this.plot.show({ data,
       x: { label: text.impactEnergy, log: true, values: (at) => scaledText(at, "J") },
-      y: { label: this.kind === "rate" ? text.rateAxis : text.powerAxis, wide: 64,
+      y: { label: this.kind === "rate" ? text.rateAxis : text.powerPerOctave, wide: 64,
         values: (at) => (unit === "W" ? scaledText(at, "W") : short(at)) },
       series: [{ label: kept ? "B" : text.thisRun, colour: "go", steps: true, fill: true },
         ...(kept ? [{ label: "A", colour: "kept", steps: true, dash: [5, 4] }] : [])],

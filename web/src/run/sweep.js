@@ -5,15 +5,6 @@
 
 import { Run } from "./run.js";
 
-/// `count` numbers from `from` to `to`, equally spaced or with equal ratios.
-export function valuesBetween(from, to, count, logarithmic) {
-  return Array.from({ length: count }, (_, i) => {
-    const part = count > 1 ? i / (count - 1) : 0;
-    const value = logarithmic ? from * (to / from) ** part : from + part * (to - from);
-    return Number(value.toPrecision(6));
-  });
-}
-
 export class Sweep {
   /// `points`: list of { number, value }, where `value` is the text for the key. `listener(sweep)` is
   /// called after each step.
