@@ -32,10 +32,8 @@ async function begin(page, { toml, bad }) {
     return;
   }
   const [first] = Object.keys(cases);
-  await page.take(cases[first], first);
-  const running = page.start();
+  await page.runExample(first);
   if (bad) page.say(text.badLink);
-  await running;
 }
 
 async function start() {

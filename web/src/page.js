@@ -27,7 +27,7 @@ export class Page {
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });
-    this.choice = new ExampleChoice(parts.examples, cases, (name) => this.take(cases[name], name));
+    this.choice = new ExampleChoice(parts.examples, cases, (name) => this.runExample(name));
     this.form = new Form(parts.form, store, known);
     this.editor = new Editor(parts.editor, store);
     this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
@@ -42,12 +42,25 @@ export class Page {
   }
 
   /// Shows a case of an example (`name`), of a link or of A (name ""). Resolves when it is checked.
-  take(toml, name) {
-    this.run?.stop();
+  async take(toml, name) {
+    if (this.active()) await this.stopped();
+    this.run = null;
+    this.note = "";
     this.fresh = true;
     this.choice.show(name);
     this.store.setText(toml, "choice");
     return this.store.check();
+  }
+
+  /// Shows an example and runs it.
+  async runExample(name) {
+    await this.take(this.cases[name], name);
+    return this.start();
+  }
+
+  stopped() {
+    this.run.stop();
+    return this.run.promise;
   }
 
   changed() {
@@ -103,9 +116,9 @@ export class Page {
     this.run.checked = checked;
     this.results.begin(this.run);
     showRegion("result");
-    const done = this.run.start();
+    this.run.promise = this.run.start();
     this.refresh();
-    return done;
+    return this.run.promise;
   }
 
   refresh() {

@@ -8,7 +8,7 @@ import { split } from "../src/case/quantity.js";
 import catalogue from "./data/catalogue.json";
 import vocabulary from "./data/vocabulary.json";
 import { filmOf } from "./mock_film.js";
-import { reportOf, spectrumOf, summaryOf, timeseriesOf } from "./mock_tables.js";
+import { grindingOf, reportOf, sizesOf, spectrumOf, summaryOf, timeseriesOf } from "./mock_tables.js";
 
 const replicateTime = 0.5; // s of computing for one replicate, whatever it simulates
 
@@ -146,6 +146,8 @@ class MockEngine {
       "spectrum.csv": spectrumOf(settings, simulated, 0),
       "timeseries.csv": timeseriesOf(settings, simulated, 0),
     };
+    if (settings.powder) Object.assign(this.finished, { "size_distribution.csv": sizesOf(settings),
+      "grinding.csv": grindingOf(settings) });
     return { faults: [], files: Object.keys(this.finished) };
   }
 

@@ -68,6 +68,26 @@ export function timeseriesOf(settings, simulated, replicate) {
   return `time_s,collision_rate_per_s,dissipated_power_W,drawn_power_W\n${rows.join("\n")}\n`;
 }
 
+const share = (size, middle) => 1 - Math.exp(-((size / middle) ** 1.2));
+
+export function sizesOf({ powder }) {
+  if (!powder) return "";
+  const rows = [];
+  for (let minute = 0; minute <= 60; minute += 5)
+    for (let size = 1e-6; size < 1e-3; size *= 1.3)
+      rows.push([60 * minute, size, size * 1.3, 0, 0, share(size * 1.3, 3e-4 / (1 + minute / 4))].join(","));
+  return `time_s,size_low_m,size_high_m,share,density,passing\n${rows.join("\n")}\n`;
+}
+
+export function grindingOf({ powder }) {
+  if (!powder) return "";
+  const rows = Array.from({ length: 61 }, (_, minute) => {
+    const middle = 3e-4 / (1 + minute / 4);
+    return [60 * minute, 0.2 * middle, 0.7 * middle, 2 * middle].join(",");
+  });
+  return `time_s,d10_m,d50_m,d90_m\n${rows.join("\n")}\n`;
+}
+
 const escaped = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.codePointAt(0)};`);
 
 export const reportOf = ({ title }) => `<!doctype html><html lang="en"><head><meta charset="utf-8">

@@ -6,7 +6,7 @@
 import { readFileSync } from "node:fs";
 import { withJar, withKind, withMill } from "../src/case/mill_choice.js";
 import { convert, split } from "../src/case/quantity.js";
-import { parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
+import { differences, parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
 import { mergedSpectrum } from "../src/run/merge.js";
 import { valuesBetween } from "../src/run/sweep_values.js";
 import { quantityText } from "../src/format.js";
@@ -41,6 +41,7 @@ function testText() {
   expect("a new key at the top of an empty case", write("", "seed", 2).trim(), "seed = 2");
   expect("a removed key", read(remove(sample, "mill.kind"), "mill.kind"), undefined);
   expect("a removed section", read(removeSection(sample, "balls.1"), "balls.1.count"), 2);
+  expect("differences", differences(sample, write(sample, "balls.2.count", 3)), [["balls.2.count", 2, 3]]);
   expect("a value with quotes", read(write(sample, "title", 'x"\\y'), "title"), 'x"\\y');
 }
 

@@ -147,3 +147,12 @@ export function removeSection(text, address) {
   if (at < 1) return text;
   return text.slice(0, sections[at].start) + text.slice(sections[at + 1]?.start ?? text.length);
 }
+
+/// Keys whose values differ: list of [address, value of one, value of other]; undefined: not given.
+export function differences(one, other) {
+  const flat = (text) => new Map(parse(text).flatMap(({ address, keys }) =>
+    [...keys].map(([key, { value }]) => [address ? `${address}.${key}` : key, value])));
+  const [a, b] = [flat(one), flat(other)];
+  return [...new Set([...a.keys(), ...b.keys()])].filter((key) => a.get(key) !== b.get(key))
+    .map((key) => [key, a.get(key), b.get(key)]);
+}

@@ -5,6 +5,7 @@
 
 import { button, element } from "../dom.js";
 import { quantityText } from "../format.js";
+import { differences } from "../case/toml_text.js";
 import { text } from "../text/en.js";
 import { verdictOf } from "./verdict.js";
 import { keysIn, shortList } from "./quantities.js";
@@ -12,8 +13,8 @@ import { keysIn, shortList } from "./quantities.js";
 function changeOf(a, b) {
   if (a.value === 0) return "";
   const percent = 100 * (b.value / a.value - 1);
-  return `${percent < 0 ? "−" : "+"}${Math.abs(percent).toPrecision(Math.abs(percent) < 1 ? 1 : 2)
-    .replace(/e\+.*/, "")}\u00a0%`;
+  const size = Number(Math.abs(percent).toPrecision(2));
+  return `${percent < 0 ? "−" : "+"}${size < 0.1 ? 0 : size}\u00a0%`;
 }
 
 export class Comparison {
@@ -59,7 +60,8 @@ export class Comparison {
     this.keepButton.disabled = !this.keep();
     this.forgetButton.hidden = this.restoreButton.hidden = !kept;
     this.about.textContent = !kept ? text.compareHint
-      : newest ? text.compareAbout(kept.title, newest.title) : text.compareRunB(kept.title);
+      : newest ? text.compareAbout(kept.title, newest.title) + text.differences(differences(kept.toml,
+        newest.toml)) : text.compareRunB(kept.title);
     this.box.replaceChildren(...(kept && newest ? [this.table(kept.summary, newest.summary)] : []));
   }
 

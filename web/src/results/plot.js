@@ -87,7 +87,7 @@ export class Plot {
   }
 
   height() {
-    return Math.round(Math.min(Math.max(this.box.clientWidth * 0.6, 210), 380));
+    return Math.round(Math.min(Math.max(this.box.clientWidth * 0.64, 220), 400));
   }
 
   fit() {
@@ -106,13 +106,12 @@ export class Plot {
       document.documentElement.dataset.theme]);
     if (this.plot && shape === this.shape && !content.halves) return this.plot.setData(content.data);
     this.shape = shape;
-    this.plot?.destroy();
-    this.plot = null;
+    this.clearPlot();
     if (this.box.clientWidth > 0) this.plot = this.made(content);
   }
 
   made({ x, y, series, data, halves }) {
-    const axes = [axis(x, 34, 64), axis(y, y.wide ?? 56, 32)];
+    const axes = [axis(x, 34, 64), axis(y, y.wide ?? 56, 28)];
     [x, y].forEach(({ log }, i) => log &&
       Object.assign(axes[i], { splits: logarithmicMarks, filter: (_, splits) => splits }));
     return new uPlot({ width: this.box.clientWidth, height: this.height(),
@@ -125,8 +124,15 @@ export class Plot {
       legend: { show: true, live: true } }, data, this.box);
   }
 
-  clear() {
+  clearPlot() {
     this.plot?.destroy();
-    this.plot = this.content = null;
+    this.plot = null;
+    this.box.replaceChildren();
+  }
+
+  clear() {
+    this.clearPlot();
+    this.content = null;
+    this.box.append(element("p", { className: "note", textContent: text.noCurve }));
   }
 }

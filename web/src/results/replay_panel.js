@@ -7,25 +7,48 @@ import { readObject } from "../../../viewer/src/data.js";
 import { mount } from "../../../viewer/src/replay.js";
 import { onTheme } from "../theme.js";
 
+const patience = 500; // ms; the first numbers are on the screen before the picture is set up
+const share = 6; // newer data come at most at this multiple of the time that it takes to show them
+
 export class ReplayPanel {
   constructor(root) {
     this.root = root;
     this.replay = null;
+    this.quietUntil = 0;
+    root.classList.add("waiting");
     onTheme(() => this.replay?.repaint());
   }
 
-  /// `restart`: the data are of another case.
+  /// Shows data soon. `restart`: they are of another case.
   show(film, restart) {
     if (!film || this.impossible) return;
-    if (this.replay) {
-      try {
-        this.replay.renew(readObject(film), restart);
-      } catch (error) {
-        this.root.dataset.error = error.message;
-      }
-      return;
-    }
+    this.next = { film, restart: restart || (this.next?.restart ?? false) };
+    if (this.timer) return;
+    const wait = this.replay ? this.quietUntil - performance.now() : patience;
+    this.timer = setTimeout(() => requestAnimationFrame(() => this.take()), Math.max(wait, 0));
+  }
+
+  take() {
+    const { film, restart } = this.next;
+    this.next = this.timer = null;
+    const begun = performance.now();
+    if (this.replay) this.renew(film, restart);
+    else this.mount(film);
+    const now = performance.now();
+    this.quietUntil = now + share * (now - begun);
+  }
+
+  mount(film) {
+    this.root.classList.remove("waiting");
     this.replay = mount(this.root, () => readObject(film));
     this.impossible = !this.replay;
+  }
+
+  renew(film, restart) {
+    try {
+      this.replay.renew(readObject(film), restart);
+    } catch (error) {
+      this.root.dataset.error = error.message;
+    }
   }
 }

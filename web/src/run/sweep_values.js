@@ -8,6 +8,6 @@ export function valuesBetween(from, to, count, logarithmic) {
   return Array.from({ length: count }, (_, i) => {
     const part = count > 1 ? i / (count - 1) : 0;
     const value = logarithmic ? from * (to / from) ** part : from + part * (to - from);
-    return Number(value.toPrecision(6));
+    return Number(value.toPrecision(4));
   });
 }

@@ -70,7 +70,7 @@ export const text = {
   lineNumber: (line) => `Line ${line}`,
   remedy: (remedy) => `Remedy: ${remedy}`,
   faultsFirst: "The case has a fault; mend it first.",
-  faultCount: (count) => (count === 1 ? "The case has a fault." : `The case has ${count} faults.`),
+  faultCount: (count) => (count === 1 ? "The case has a fault:" : `The case has ${count} faults. The first:`),
   showFaults: "Show",
 
   run: "Run",
@@ -117,6 +117,7 @@ export const text = {
   fewQuantities: "Show the main quantities",
   preliminary: "Preliminary: the run is being computed, and the intervals still shrink.",
   noResult: "No result yet: press Run.",
+  noCurve: "Nothing to draw yet.",
 
   comparison: "Compare",
   keepAsA: "Keep this result as A",
@@ -126,6 +127,9 @@ export const text = {
   compareRunB: (title) => `A is "${title}". Now change the case and run it: the next result is B.`,
   compareAbout: (a, b) => `A is "${a}", B is "${b}". "Differ" means that the 95 % intervals do not ` +
     "overlap.",
+  differences: (list) => (list.length === 0 ? " Both cases are the same."
+    : ` Changed: ${list.map(([key, a, b]) => `${key} from ${a ?? "its default"} to ${b ?? "its default"}`)
+      .join(", ")}.`),
   compareColumns: ["Quantity", "A", "B", "Change", "Intervals"],
   verdict: (verdict) => verdicts[verdict],
 
