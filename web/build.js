@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Writes the page into a folder: node build.js [FOLDER] [--engine wasm|mock] [--wasm FILE]
+// Writes the page into a folder:
 //
-// The engine `wasm` is src/engine.js with the WebAssembly module FILE (default
-// ../build/web/mahlwerk.wasm); `mock` is test/mock_engine.js, for tests of the page alone.
+//   node build.js [FOLDER] [--engine wasm|mock] [--bin FOLDER] [--command FILE]
+//
+// The engine `wasm` is src/engine.js with mahlwerk.js and mahlwerk.wasm of the folder `bin` (default
+// ../build/web/bin); `mock` is test/mock_engine.js, for tests of the page alone. `command`: where
+// test/command.js is written for Node; left out, it is not.
 
 import { createHash } from "node:crypto";
 import { cpSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
@@ -27,8 +30,10 @@ function made(modules) {
   } };
 }
 
-const chosenEngine = (path) => ({ name: "engine", setup(task) {
-  task.onResolve({ filter: /^\.\/engine\.js$/ }, () => ({ path }));
+/// Finds the engine, and the module that the compiler has written for it.
+const chosenEngine = (path, bin) => ({ name: "engine", setup(task) {
+  task.onResolve({ filter: /\/engine\.js$/ }, () => ({ path }));
+  task.onResolve({ filter: /^mahlwerk-module$/ }, () => ({ path: join(bin, "mahlwerk.js") }));
 } });
 
 function options(entry, plugins) {
@@ -38,10 +43,13 @@ function options(entry, plugins) {
     external: ["node:*", "fs", "path", "url", "module"], define: { "import.meta.url": "''" } };
 }
 
-async function workerSource(engine) {
-  const { outputFiles } = await build(options("src/worker.js", [chosenEngine(engine)]));
+async function workerSource(plugins) {
+  const { outputFiles } = await build(options("src/worker.js", plugins));
   return outputFiles[0].text;
 }
+
+const writeCommand = (outfile, plugins) => build({ ...options("test/command.js", plugins), outdir: undefined,
+  outfile: resolve(outfile), write: true, format: "esm", platform: "node", target: "node20" });
 
 const cases = () => Object.fromEntries(order.map((name) =>
   [name, readFileSync(join(here, "examples", `${name}.toml`), "utf8")]));
@@ -74,13 +82,15 @@ function writeServiceWorker(folder) {
 
 async function main() {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: {
-    engine: { type: "string", default: "wasm" }, wasm: { type: "string" } } });
+    engine: { type: "string", default: "wasm" },
+    bin: { type: "string", default: join(here, "../build/web/bin") }, command: { type: "string" } } });
   const folder = resolve(positionals[0] ?? join(here, "../build/web/site"));
   const mock = values.engine === "mock";
   const engine = join(here, mock ? "test/mock_engine.js" : "src/engine.js");
-  const wasm = mock ? Buffer.alloc(0)
-    : readFileSync(resolve(values.wasm ?? join(here, "../build/web/mahlwerk.wasm")));
-  const modules = { "worker-source": await workerSource(engine), "example-cases": cases() };
+  const bin = resolve(values.bin);
+  const wasm = mock ? Buffer.alloc(0) : readFileSync(join(bin, "mahlwerk.wasm"));
+  const plugins = [chosenEngine(engine, bin)];
+  const modules = { "worker-source": await workerSource(plugins), "example-cases": cases() };
   const { outputFiles, metafile } = await build(options("src/main.js", [made(modules)]));
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
@@ -91,6 +101,7 @@ async function main() {
     `globalThis.MAHLWERK_WASM = "${deflateRawSync(wasm, { level: 9 }).toString("base64")}";\n`);
   writeFileSync(join(folder, "LICENSES.txt"), licences(metafile));
   writeServiceWorker(folder);
+  if (values.command) await writeCommand(values.command, plugins);
   const size = (name) => `${name} ${Math.ceil(statSync(join(folder, name)).size / 1000)} kB`;
   console.log(`${folder}: ${["page.js", "page.css", "mahlwerk.wasm.js"].map(size).join(", ")}`);
 }

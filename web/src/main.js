@@ -9,6 +9,7 @@ import "./style/page.css";
 import "./style/case.css";
 import "./style/result.css";
 import { caseOf } from "./case/share.js";
+import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";
 import { Page } from "./page.js";
 import { EngineWorker } from "./run/engine_worker.js";
@@ -48,9 +49,7 @@ async function start() {
       textContent: text.loadFailed(error.message) }));
     return;
   }
-  const { vocabulary } = known;
-  const page = new Page(inspector, cases, { vocabulary: vocabulary.sections ?? [...vocabulary],
-    catalogue: vocabulary.catalogue });
+  const page = new Page(inspector, cases, knownOf(known.vocabulary));
   page.showVersion(known.version);
   addEventListener("hashchange", async () => {
     const { toml } = await linked();

@@ -84,7 +84,7 @@ class MockEngine {
   version = "0.1.0 (test)";
 
   vocabulary() {
-    return { sections: vocabulary, catalogue };
+    return { keys: vocabulary, catalogue };
   }
 
   check(toml, set) {

@@ -5,6 +5,7 @@
 
 import { readFileSync } from "node:fs";
 import { withJar, withKind, withMill } from "../src/case/mill_choice.js";
+import { knownOf } from "../src/case/known.js";
 import { convert, split } from "../src/case/quantity.js";
 import { differences, parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
 import { mergedSpectrum } from "../src/run/merge.js";
@@ -46,7 +47,7 @@ function testText() {
 }
 
 function testChoice() {
-  const catalogue = JSON.parse(file("data/catalogue.json"));
+  const { catalogue } = knownOf({ keys: [], catalogue: JSON.parse(file("data/catalogue.json")) });
   const vial = file("../examples/vibrating-vial.toml");
   const mill = withMill(vial, catalogue, "fritsch-p7-classic");
   expect("the mill of the catalogue", [read(mill, "mill.model"), read(mill, "mill.speed"),

@@ -70,7 +70,8 @@ const carriesJar = (text, catalogue, jars) => {
 /// The text with a mill of the catalogue, and with one of its jars if the present one does not fit.
 export function withMill(text, catalogue, name) {
   const mill = catalogue.mills.find((each) => each.name === name);
-  text = filled(named(emptied(text, "mill"), "mill", "model", name), "mill", first[mill.kind] ?? {});
+  const open = Object.entries(first[mill.kind] ?? {}).filter(([key]) => !mill.fixed.has(key));
+  text = filled(named(emptied(text, "mill"), "mill", "model", name), "mill", Object.fromEntries(open));
   return carriesJar(text, catalogue, mill.jars) ? text
     : withJar(text, mill.jars[Math.floor(mill.jars.length / 2)]);
 }

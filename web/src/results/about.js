@@ -52,7 +52,7 @@ export class About {
   }
 
   notices(notices) {
-    const order = ["error", "warning", "note"];
+    const order = ["invalid", "warning", "note"];
     const sorted = [...notices].sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
     if (sorted.length === 0) return element("p", { className: "note", textContent: text.noNotices });
     return element("ul", { className: "notices" }, sorted.map((notice) =>

@@ -7,7 +7,7 @@ import { readObject } from "../../../viewer/src/data.js";
 import { mount } from "../../../viewer/src/replay.js";
 import { onTheme } from "../theme.js";
 
-const patience = 500; // ms; the first numbers are on the screen before the picture is set up
+const patience = 1500; // ms; the picture is set up after the first result, or then at the latest
 const share = 6; // newer data come at most at this multiple of the time that it takes to show them
 
 export class ReplayPanel {
@@ -24,11 +24,22 @@ export class ReplayPanel {
     if (!film || this.impossible) return;
     this.next = { film, restart: restart || (this.next?.restart ?? false) };
     if (this.timer) return;
-    const wait = this.replay ? this.quietUntil - performance.now() : patience;
-    this.timer = setTimeout(() => requestAnimationFrame(() => this.take()), Math.max(wait, 0));
+    this.wait(this.replay ? this.quietUntil - performance.now() : patience);
+  }
+
+  wait(milliseconds) {
+    this.timer = setTimeout(() => requestAnimationFrame(() => this.take()), Math.max(milliseconds, 0));
+  }
+
+  /// A result is complete: what waits is shown now.
+  hurry() {
+    if (!this.timer || this.replay) return;
+    clearTimeout(this.timer);
+    this.wait(60);
   }
 
   take() {
+    if (!this.next) return;
     const { film, restart } = this.next;
     this.next = this.timer = null;
     const begun = performance.now();

@@ -38,6 +38,7 @@ export class Results {
   /// The case before it runs. `fresh`: it is another case, not a changed value.
   showCase(checked, fresh) {
     this.replay.show(checked.film, fresh);
+    this.unseen ||= fresh;
     this.title.textContent = checked.title;
     if (fresh) {
       this.counters.show(null);
@@ -59,7 +60,8 @@ export class Results {
   }
 
   begin(run) {
-    this.restart = true;
+    this.restart = this.unseen;
+    this.unseen = false;
     this.finished = null;
     this.counters.show(run);
     this.files.show(null);
@@ -82,6 +84,7 @@ export class Results {
   }
 
   end(run) {
+    this.replay.hurry();
     this.run = run;
     this.counters.show(run);
     if (run.status === "failed") return;

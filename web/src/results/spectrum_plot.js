@@ -64,13 +64,15 @@ export class SpectrumPlot {
     if (curves[0].size === 0) return this.plot.clear();
     const bins = span(curves.filter((curve) => curve.size > 0));
     const xs = bins.map((bin) => 2 ** (bin * octaves));
-    const data = [xs, ...curves.map((curve) => bins.map((bin) => curve.get(bin) ?? 0))];
-    const unit = this.kind === "rate" ? "1/s" : "W";
+    const rate = this.kind === "rate";
+    const data = [xs, ...curves.map((curve) => bins.map((bin) => curve.get(bin) ?? (rate ? null : 0)))];
+    const most = Math.max(...curves.flatMap((curve) => [...curve.values()]));
     const peak = xs[data[1].indexOf(Math.max(...data[1]))];
     this.plot.show({ data,
       x: { label: text.impactEnergy, log: true, values: (at) => scaledText(at, "J") },
-      y: { label: this.kind === "rate" ? text.rateAxis : text.powerPerOctave, wide: 64,
-        values: (at) => (unit === "W" ? scaledText(at, "W") : short(at)) },
+      y: { label: rate ? text.rateAxis : text.powerPerOctave, wide: 64, log: rate,
+        range: rate ? [10 ** Math.floor(Math.log10(2e-4 * most)), 2 ** Math.ceil(Math.log2(1.2 * most))] : null,
+        values: (at) => (rate ? short(at) : scaledText(at, "W")) },
       series: [{ label: kept ? "B" : text.thisRun, colour: "go", steps: true, fill: true },
         ...(kept ? [{ label: "A", colour: "kept", steps: true, dash: [5, 4] }] : [])],
       about: text.spectrumAbout(scaledText(peak, "J")) });

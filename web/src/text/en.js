@@ -12,7 +12,7 @@ const sections = { mill: "Mill", jar: "Jar", balls: "Balls", powder: "Powder", c
   run: "Run" };
 const counters = { collisions: "Collisions computed", simulated: "Time simulated",
   power: "Power dissipated", rate: "Hits above the threshold" };
-const severities = { error: "Error:", warning: "Warning:", note: "Note:" };
+const severities = { invalid: "Outside the validity:", warning: "Warning:", note: "Note:" };
 const verdicts = { apart: "differ", overlap: "may be equal", unknown: "no interval" };
 
 function status(run) {
