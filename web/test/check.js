@@ -39,8 +39,9 @@ export async function runTests(tests, { url, only, origin }) {
   const chosen = Object.entries(tests).filter(([name]) => !only || name.includes(only));
   let failed = 0;
   for (const [name, test] of chosen) {
+    const permissions = url.startsWith("http") ? ["clipboard-read", "clipboard-write"] : [];
     const context = await browser.newContext({ viewport: { width: 1280, height: 800 },
-      acceptDownloads: true, permissions: ["clipboard-read", "clipboard-write"].slice(0, url.startsWith("http") ? 2 : 0) });
+      acceptDownloads: true, permissions });
     context.setDefaultTimeout(limit);
     const faults = [];
     const follow = (page) => {

@@ -49,12 +49,18 @@ async function the_keyboard_suffices({ page, url }) {
 
 async function nothing_is_cut_off({ page, url }) {
   await open(page, url);
+  await page.selectOption(".examples select", "planetary-mill"); // four views of the replay
+  await page.waitForFunction(() => document.body.dataset.run !== "done");
+  await ended(page);
   for (const width of [320, 360, 420, 768, 900, 1280, 1600, 2560]) {
     await page.setViewportSize({ width, height: 800 });
     for (const region of ["case", "result"]) {
       if (width < 900) await page.click(`.regions [data-key="${region}"]`);
       const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       expect(`overflow at ${width}, ${region}`, over <= 0);
+      const cut = await page.evaluate(() => [...document.querySelectorAll("#replay button, .counter")]
+        .filter((each) => each.getBoundingClientRect().right > innerWidth - 8).length);
+      expect(`elements beyond the edge at ${width}, ${region}`, cut, 0);
     }
   }
 }

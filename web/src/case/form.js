@@ -84,10 +84,6 @@ export class Form {
     const name = section.name === "balls" && many
       ? text.ballSet(section.address.split(".").pop()) : text.section(section.name);
     const group = element("fieldset", {}, element("legend", {}, name));
-    if (section.name === "balls" && many)
-      group.append(button(text.removeBalls, () => this.store.setText(
-        removeSection(this.store.text, section.address), "form"), { className: "quiet remove",
-        "aria-label": `${text.removeBalls}: ${name}` }));
     if (section.name === "mill" || section.name === "jar") {
       this.choices[section.name] = this.catalogueChoice(section.name);
       group.append(this.choices[section.name].root);
@@ -98,6 +94,10 @@ export class Form {
       this.fields.set(field.address, made);
       group.append(made.root);
     }
+    if (section.name === "balls" && many)
+      group.append(button(text.removeBalls, () => this.store.setText(
+        removeSection(this.store.text, section.address), "form"), { className: "quiet remove",
+        "aria-label": `${text.removeBalls}: ${name}` }));
     return group;
   }
 
