@@ -103,6 +103,9 @@ async function every_example_is_a_case({ page, url }) {
     await page.waitForFunction(() => document.body.dataset.run !== "done");
     await ended(page);
     expect(`${name} has no fault`, await page.locator(".fault-line:not([hidden])").count(), 0);
+    const title = await page.textContent(".result .title");
+    await page.waitForFunction((shown) => document.querySelector("#replay .scene")
+      ?.getAttribute("aria-label").includes(shown), title, { timeout: 20000 });
     expect(`${name} says what to try`, (await page.textContent(".hint")).includes("ry "));
   }
 }

@@ -118,6 +118,7 @@ async function a_link_from_disk({ page, context, url }) {
 }
 
 async function a_hundred_runs_keep_the_memory({ page, context, url }) {
+  await page.emulateMedia({ reducedMotion: "reduce" }); // drawing in software would take most of the time
   await open(page, url);
   const session = await context.newCDPSession(page);
   const memory = async () => {

@@ -23,8 +23,9 @@ export class ReplayPanel {
   show(film, restart) {
     if (!film || this.impossible) return;
     this.next = { film, restart: restart || (this.next?.restart ?? false) };
-    if (this.timer) return;
-    this.wait(this.replay ? this.quietUntil - performance.now() : patience);
+    if (this.timer && !(restart && this.replay)) return;
+    clearTimeout(this.timer);
+    this.wait(!this.replay ? patience : restart ? 0 : this.quietUntil - performance.now());
   }
 
   wait(milliseconds) {
@@ -43,10 +44,10 @@ export class ReplayPanel {
     const { film, restart } = this.next;
     this.next = this.timer = null;
     const begun = performance.now();
-    if (this.replay) this.renew(film, restart);
-    else this.mount(film);
+    if (!this.replay) return this.mount(film);
+    this.renew(film, restart);
     const now = performance.now();
-    this.quietUntil = now + share * (now - begun);
+    this.quietUntil = now + Math.min(share * (now - begun), patience);
   }
 
   mount(film) {
