@@ -65,9 +65,11 @@ const wallsOf = (isDark) => isDark
 /// Theme of prints: light on white, independent of the theme of the screen.
 export const printTheme = { ...light, box: "#ffffff", ...wallsOf(false), dark: false };
 
-/// The current theme. Variables of the page have precedence over the default colours.
+/// The current theme: that of the page's `data-theme`, otherwise that of the system. Variables of the
+/// page have precedence over the default colours.
 export function themeOf(element) {
-  const isDark = matchMedia("(prefers-color-scheme: dark)").matches;
+  const chosen = document.documentElement.dataset.theme;
+  const isDark = chosen ? chosen === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
   const theme = { ...(isDark ? dark : light), ...wallsOf(isDark), dark: isDark };
   const style = getComputedStyle(element);
   for (const name of Object.keys(light)) {

@@ -39,21 +39,26 @@ const group = (label, ...children) => element("div",
 
 /// A group of buttons; exactly one is pressed.
 function choice(label, options, pick) {
-  const buttons = options.map(({ key, name, about }) => {
+  const box = element("div", { className: "choice" });
+  const offer = (offered) => box.replaceChildren(...offered.map(({ key, name, about }) => {
     const button = textButton(name, about ?? "", () => pick(key));
     button.dataset.key = key;
     return button;
-  });
-  const show = (chosen) => buttons.forEach((button) =>
+  }));
+  const show = (chosen) => [...box.children].forEach((button) =>
     button.setAttribute("aria-pressed", String(button.dataset.key === chosen)));
-  return { group: group(label, element("div", { className: "choice" }, buttons)), show };
+  offer(options);
+  return { group: group(label, box), offer, show };
 }
+
+const pictureLabel = (title) =>
+  `Balls in the moving jar: ${title}. Drag to rotate, shift and drag to pan, ` +
+  "wheel or two fingers to zoom. Keys: space plays or pauses, arrows step, v changes the " +
+  "view, c changes the colours, plus and minus zoom, shift and arrows rotate.";
 
 const pictureOf = (title) => {
   const scene = element("canvas", { className: "scene", tabIndex: 0, role: "img",
-    "aria-label": `Balls in the moving jar: ${title}. Drag to rotate, shift and drag to pan, ` +
-      "wheel or two fingers to zoom. Keys: space plays or pauses, arrows step, v changes the " +
-      "view, c changes the colours, plus and minus zoom, shift and arrows rotate." });
+    "aria-label": pictureLabel(title) });
   const written = element("canvas", { className: "written", "aria-hidden": "true" });
   const print = element("canvas", { className: "print", "aria-hidden": "true" });
   return { scene, written, print };
@@ -66,26 +71,29 @@ function keysHint() {
   return hint;
 }
 
-function playRow(frames, actions) {
+function playRow(actions) {
   const play = iconButton("play", "Play", actions.toggle, "go");
-  const slider = element("input", { type: "range", min: 0, max: Math.max(frames - 1, 0),
+  const slider = element("input", { type: "range", min: 0,
     step: "any", value: 0, "aria-label": "Time", oninput: () => actions.scrub(+slider.value) });
   const clock = element("output", { "aria-label": "Simulated time", "aria-live": "off" });
   const back = iconButton("back", "One frame back", () => actions.step(-1));
   const forward = iconButton("forward", "One frame forward", () => actions.step(1));
-  for (const input of [play, slider, back, forward]) input.disabled = frames < 2;
+  const offer = (frames) => {
+    slider.max = Math.max(frames - 1, 0);
+    for (const input of [play, slider, back, forward]) input.disabled = frames < 2;
+  };
   const row = element("div", { className: "row" }, [play, back, forward, slider, clock]);
-  return { row, play, slider, clock };
+  return { row, play, slider, clock, offer };
 }
 
-function paceGroup(factors, actions) {
+function paceGroup(actions) {
   const pace = element("select", { "aria-label": "Speed of the replay",
     title: "Simulated time per real time", onchange: () => actions.pace(+pace.value) });
-  for (const factor of factors)
-    pace.append(element("option", { value: factor, textContent: `${factor}x` }));
+  const offer = (factors) => pace.replaceChildren(...factors.map((factor) =>
+    element("option", { value: factor, textContent: `${factor}x` })));
   const loop = element("input", { type: "checkbox", onchange: () => actions.loop(loop.checked) });
   const label = element("label", { className: "loop" }, [loop, "Loop"]);
-  return { group: group("Replay speed", pace, label), pace, loop };
+  return { group: group("Replay speed", pace, label), pace, loop, offer };
 }
 
 function saveGroup(videoFault, actions) {
@@ -104,10 +112,10 @@ function saveGroup(videoFault, actions) {
 /// look, pace, loop, png, video.
 export function build(root, options, actions) {
   const picture = pictureOf(options.title);
-  const playing = playRow(options.frames, actions);
+  const playing = playRow(actions);
   const view = choice("View", options.views, actions.view);
   const colour = choice("Colour", options.colours, actions.colour);
-  const pace = paceGroup(options.factors, actions);
+  const pace = paceGroup(actions);
   const camera = group("Camera", element("div", { className: "choice" }, [
     textButton("Start", "Initial view", () => actions.look("start")),
     textButton("Along axis", "View along the jar's axis", () => actions.look("axis")),
@@ -127,6 +135,16 @@ export function build(root, options, actions) {
     ]),
   ]);
   root.append(figure);
+
+  /// Adapts the controls to other data: title, frames, views, factors.
+  function offer({ title, frames, views, factors }) {
+    picture.scene.setAttribute("aria-label", pictureLabel(title));
+    figure.setAttribute("aria-label", `Replay: ${title}`);
+    playing.offer(frames);
+    view.offer(views);
+    pace.offer(factors);
+  }
+  offer(options);
 
   /// Updates the elements to the state of the replay.
   function show(state) {
@@ -149,7 +167,7 @@ export function build(root, options, actions) {
     playing.clock.textContent = time;
   }
 
-  return { ...picture, figure, slider: playing.slider, show, showTime };
+  return { ...picture, figure, slider: playing.slider, offer, show, showTime };
 }
 
 /// Replaces the component by an error message.

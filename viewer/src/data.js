@@ -70,6 +70,11 @@ export function read(text) {
   } catch (error) {
     throw fault(`they are not JSON (${error.message})`);
   }
+  return readObject(json);
+}
+
+/// The same for JSON that is already parsed.
+export function readObject(json) {
   if (json.version !== 1)
     throw fault(`they have version ${json.version}, but this page reads version 1`);
   const times = readTimes(json.times);

@@ -38,7 +38,6 @@ function reachOfBalls({ count, radius, positions, positionScale }) {
 export class Stage {
   /// `context`: a WebGL 2 context of `canvas` that preserves its drawing buffer.
   constructor(canvas, context, data, speedTop) {
-    this.data = data;
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -48,13 +47,28 @@ export class Stage {
     this.scene.add(this.room.add(this.riding));
     this.camera = new PerspectiveCamera(fieldOfView, 1);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.directions = directionsOf(data);
-    this.addBodies(speedTop);
     this.addLight();
+    this.addBodies(data, speedTop);
   }
 
-  addBodies(speedTop) {
-    const { data } = this;
+  /// Replaces everything that the data describe.
+  renew(data, speedTop) {
+    const old = [this.balls.mesh, ...this.bodies.map((body) => body.group)];
+    if (this.carrier) old.push(this.carrier.group);
+    for (const group of old) {
+      group.removeFromParent();
+      group.traverse((part) => {
+        part.geometry?.dispose();
+        part.material?.dispose();
+        part.dispose?.();
+      });
+    }
+    this.addBodies(data, speedTop);
+  }
+
+  addBodies(data, speedTop) {
+    this.data = data;
+    this.directions = directionsOf(data);
     const still = data.meshes.filter((mesh) => !mesh.turn);
     const vessel = still.sort((a, b) => reachOf(b) - reachOf(a))[0];
     const turning = axisOfTurning(data.jarTurn) !== null;
@@ -65,6 +79,14 @@ export class Stage {
     this.carrier = data.carrier ? carrierOf(data) : null;
     if (this.carrier) this.room.add(this.carrier.group);
     this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
+    this.fitShadow(this.key.shadow);
+  }
+
+  fitShadow(shadow) {
+    shadow.normalBias = 0.004 * this.reach;
+    Object.assign(shadow.camera, { left: -this.reach, right: this.reach, bottom: -this.reach,
+      top: this.reach, near: 0.5 * this.reach, far: 6 * this.reach });
+    shadow.camera.updateProjectionMatrix();
   }
 
   addLight() {
@@ -78,10 +100,7 @@ export class Stage {
     const { shadow } = this.key;
     shadow.mapSize.set(2048, 2048);
     shadow.radius = 3;
-    shadow.normalBias = 0.004 * this.reach;
     shadow.bias = -0.0005;
-    Object.assign(shadow.camera, { left: -this.reach, right: this.reach, bottom: -this.reach,
-      top: this.reach, near: 0.5 * this.reach, far: 6 * this.reach });
     this.scene.add(this.sky, this.key, this.key.target);
   }
 

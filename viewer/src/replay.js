@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The replay as a component: plays data inside an element, and takes newer data while it plays.
+
+import { annotate } from "./annotations.js";
+import { printTheme, speedScaleTop, themeOf } from "./colours.js";
+import { apologize, build } from "./controls.js";
+import { frameOf, timeOf, viewsOf } from "./motion.js";
+import { film, savePicture, videoFault } from "./save.js";
+import { Stage } from "./stage.js";
+import { captionOf, clockOf, factorsOf } from "./words.js";
+
+const colours = [
+  { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
+  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
+];
+const orbitKeys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+const next = (options, key) =>
+  options[(options.findIndex((option) => option.key === key) + 1) % options.length].key;
+
+export class Replay {
+  constructor(root, data) {
+    this.root = root;
+    this.take(data);
+    this.seen = true;
+    this.state = { frame: 0, playing: false, factor: this.factors.usual, loop: true,
+      view: this.views[0].key, colour: "speed", recording: null, said: "" };
+    this.elements = build(root, { ...this.offer(), colours, videoFault: videoFault() },
+      this.actions());
+    this.theme = themeOf(root);
+    const context = this.elements.scene.getContext("webgl2",
+      { antialias: true, preserveDrawingBuffer: true, powerPreference: "high-performance" });
+    if (!context) throw Object.assign(new Error("no WebGL 2"), { name: "NoWebGL" });
+    this.stage = new Stage(this.elements.scene, context, data, this.speed.top);
+    this.stage.paint(this.theme);
+    this.fit();
+    this.show();
+    this.listen();
+    if (data.frames > 1 && !this.still()) this.play(true);
+  }
+
+  take(data) {
+    this.data = data;
+    this.views = viewsOf(data);
+    this.clock = clockOf(data.times);
+    this.speed = speedScaleTop(data);
+    this.factors = factorsOf(this.duration());
+  }
+
+  /// What the controls offer for the current data.
+  offer() {
+    const { title, frames } = this.data;
+    return { title, frames, views: this.views, factors: this.factors.offered };
+  }
+
+  /// Shows other data, at the same time, in the same view and from the same direction where the new
+  /// data allow it. `restart`: from the start, as after mounting.
+  renew(data, restart = false) {
+    const { state } = this;
+    const time = timeOf(this.data, state.frame);
+    const resumes = data.frames > 1 && this.data.frames < 2 && !this.still();
+    if (state.recording) this.play(false);
+    this.take(data);
+    const sameView = this.views.some(({ key }) => key === state.view);
+    if (!sameView) state.view = this.views[0].key;
+    if (restart || !this.factors.offered.includes(state.factor)) state.factor = this.factors.usual;
+    state.frame = restart ? 0 : frameOf(data, time);
+    this.elements.offer(this.offer());
+    this.stage.renew(data, this.speed.top);
+    this.stage.paint(this.theme);
+    if (this.size) this.stage.lookFrom(restart || !sameView ? "start" : this.stage.direction(),
+      state.view);
+    if (resumes || (restart && !this.still())) this.play(true);
+    else if (data.frames < 2) this.play(false);
+    else this.show();
+  }
+
+  still() {
+    return matchMedia("(prefers-reduced-motion: reduce)").matches;
+  }
+
+  duration() {
+    return this.data.times[this.data.frames - 1] - this.data.times[0];
+  }
+
+  actions() {
+    return {
+      toggle: () => this.play(!this.state.playing),
+      scrub: (frame) => this.scrub(frame),
+      step: (by) => this.step(by),
+      view: (key) => this.view(key),
+      colour: (key) => this.change({ colour: key }),
+      look: (direction) => this.look(direction),
+      pace: (factor) => this.change({ factor }),
+      loop: (loop) => this.change({ loop }),
+      png: () => this.savePicture(),
+      video: () => (this.state.recording ? this.play(false) : this.record()),
+    };
+  }
+
+  listen() {
+    const { scene } = this.elements;
+    this.stage.controls.addEventListener("change", () => this.want());
+    // The wheel zooms only while the picture has the focus; otherwise it scrolls the page.
+    this.stage.controls.enableZoom = false;
+    scene.addEventListener("pointerdown", () => scene.focus({ preventScroll: true }));
+    scene.addEventListener("focus", () => (this.stage.controls.enableZoom = true));
+    scene.addEventListener("blur", () => (this.stage.controls.enableZoom = false));
+    scene.addEventListener("webglcontextrestored", () => this.want());
+    this.root.addEventListener("keydown", (event) => this.key(event));
+    new ResizeObserver(() => this.fit()).observe(scene);
+    new IntersectionObserver(([{ isIntersecting }]) => this.appear(isIntersecting)).observe(scene);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
+    addEventListener("beforeprint", () => this.print());
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const name = event.target.localName;
+    const orbit = orbitKeys[event.key];
+    if (orbit && event.shiftKey) this.orbit(...orbit);
+    else if (event.key === " " && !["button", "select"].includes(name) &&
+             event.target.type !== "checkbox") this.play(!this.state.playing);
+    else if (orbit?.[0] && name !== "select") this.step(orbit[0]);
+    else if (event.key === "v" && name !== "select") this.view(next(this.views, this.state.view));
+    else if (event.key === "c" && name !== "select")
+      this.change({ colour: next(colours, this.state.colour) });
+    else if (event.key === "+" || event.key === "-") this.nearer(event.key === "+" ? 0.87 : 1.15);
+    else return;
+    event.preventDefault();
+  }
+
+  change(some) {
+    Object.assign(this.state, some);
+    this.show();
+  }
+
+  play(on) {
+    if (on && this.state.frame >= this.data.frames - 1) this.state.frame = 0;
+    if (!on) this.endRecording();
+    this.before = null;
+    this.change({ playing: on && this.data.frames > 1 });
+  }
+
+  scrub(frame) {
+    this.play(false);
+    this.change({ frame });
+  }
+
+  step(by) {
+    const { frame } = this.state;
+    const whole = by > 0 ? Math.floor(frame + 1e-6) + 1 : Math.ceil(frame - 1e-6) - 1;
+    const count = this.data.frames;
+    this.scrub(this.state.loop ? (whole + count) % count
+      : Math.min(Math.max(whole, 0), count - 1));
+  }
+
+  view(key) {
+    this.state.view = key;
+    this.stage.lookFrom(this.stage.direction(), key);
+    this.show();
+  }
+
+  look(direction) {
+    this.stage.lookFrom(direction, this.state.view);
+    this.want();
+  }
+
+  /// Rotates the camera by steps of 7.5 degrees.
+  orbit(right, up) {
+    this.stage.orbit((right * Math.PI) / 24, (up * Math.PI) / 24);
+    this.want();
+  }
+
+  nearer(by) {
+    this.stage.nearer(by);
+    this.want();
+  }
+
+  /// While the component is not visible, nothing is drawn and the replay stands still.
+  appear(seen) {
+    this.seen = seen;
+    this.before = null;
+    this.want();
+  }
+
+  fit() {
+    const { scene, written } = this.elements;
+    const [width, height] = [scene.clientWidth, scene.clientHeight];
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    const old = this.size;
+    if (width === 0 || height === 0) return;
+    if (old && width === old.width && height === old.height && ratio === old.ratio) return;
+    this.size = { width, height, ratio };
+    this.stage.resize(width, height, ratio);
+    written.width = width * ratio;
+    written.height = height * ratio;
+    this.stage.lookFrom(old ? this.stage.direction() : "start", this.state.view);
+    if (old) this.draw(); // immediately, because resizing clears the picture
+    else this.want();
+  }
+
+  repaint() {
+    this.theme = themeOf(this.root);
+    this.stage.paint(this.theme);
+    this.want();
+  }
+
+  /// Updates the elements to the state and requests a picture.
+  show() {
+    const view = this.views.find(({ key }) => key === this.state.view);
+    this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock) });
+    this.want();
+  }
+
+  /// Requests one picture; repeated requests before it is drawn have no effect.
+  want() {
+    this.wanted ??= requestAnimationFrame((now) => {
+      this.wanted = null;
+      if (this.state.playing && (this.seen || this.state.recording)) this.advance(now);
+      this.draw();
+    });
+  }
+
+  advance(now) {
+    const { state, data } = this;
+    const passed = this.before === null ? 0 : (now - this.before) / 1000;
+    this.before = now;
+    const time = timeOf(data, state.frame) + Math.min(passed, 0.25) * state.factor;
+    const over = time - data.times[data.frames - 1];
+    if (over < 0) {
+      state.frame = frameOf(data, time);
+    } else if (state.loop && !state.recording) {
+      state.frame = frameOf(data, data.times[0] + (over % this.duration()));
+    } else {
+      state.frame = data.frames - 1;
+      this.draw();
+      this.play(false);
+      return;
+    }
+    this.want();
+  }
+
+  draw() {
+    const { state, data, elements } = this;
+    if (!this.size) return; // the component is hidden
+    const time = this.clock(timeOf(data, state.frame));
+    this.weight = this.stage.draw(state.frame, state.view, state.colour);
+    const { width, height, ratio } = this.size;
+    const pen = elements.written.getContext("2d");
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    annotate(pen, width, height, this.annotations(this.theme, null));
+    elements.showTime(state.frame, time);
+    if (state.recording) this.compose(state.recording.canvas, this.theme);
+    Object.assign(this.root.dataset, { state: "drawn", frame: Math.round(state.frame),
+      view: state.view, colour: state.colour, playing: state.playing });
+  }
+
+  annotations(theme, title) {
+    const { state, data, speed, weight } = this;
+    return { theme, title, time: this.clock(timeOf(data, state.frame)),
+      factor: `${state.factor}x real time`, colour: state.colour, speed, weight,
+      speciesNames: data.speciesNames };
+  }
+
+  /// Picture and annotations on one canvas, at the current size of the picture.
+  compose(canvas, theme) {
+    const { scene } = this.elements;
+    const { width, height } = this.size;
+    if (canvas.width !== scene.width || canvas.height !== scene.height)
+      Object.assign(canvas, { width: scene.width, height: scene.height });
+    const pen = canvas.getContext("2d");
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.drawImage(scene, 0, 0);
+    pen.setTransform(scene.width / width, 0, 0, scene.height / height, 0, 0);
+    annotate(pen, width, height, this.annotations(theme, this.data.title));
+    return canvas;
+  }
+
+  /// The picture at `ratio` pixels per CSS pixel, in the colours of `theme`.
+  finely(canvas, ratio, theme) {
+    const { width, height } = this.size;
+    this.stage.paint(theme);
+    this.stage.resize(width, height, ratio);
+    this.stage.draw(this.state.frame, this.state.view, this.state.colour);
+    this.compose(canvas, theme);
+    this.stage.paint(this.theme);
+    this.stage.resize(width, height, this.size.ratio);
+    this.draw();
+    return canvas;
+  }
+
+  savePicture() {
+    const canvas = this.finely(document.createElement("canvas"), 2, this.theme);
+    const time = this.clock(timeOf(this.data, this.state.frame));
+    savePicture(canvas, `${this.data.title} ${time}`);
+  }
+
+  print() {
+    this.play(false);
+    if (this.size) this.finely(this.elements.print, 2, printTheme);
+  }
+
+  /// Plays once from the beginning and saves it as a video.
+  record() {
+    const canvas = this.compose(document.createElement("canvas"), this.theme);
+    const failed = (why) => this.change({ said: `The video could not be recorded: ${why}.` });
+    this.play(false);
+    this.state.frame = 0;
+    try {
+      this.state.recording = { canvas, film: film(canvas, this.data.title, failed) };
+    } catch (error) {
+      failed(error.message);
+      return;
+    }
+    const seconds = Math.ceil(this.duration() / this.state.factor);
+    this.state.said = `Recording: the replay plays once, ${seconds} s. Keep this page visible.`;
+    this.play(true);
+  }
+
+  endRecording() {
+    this.state.recording?.film.stop();
+    if (this.state.recording) Object.assign(this.state, { recording: null, said: "" });
+  }
+}
+
+/// Mounts a replay of the data that the function `data` returns below `root`. If it cannot be shown,
+/// `root` shows the reason instead, and the result is null.
+export function mount(root, data) {
+  try {
+    return new Replay(root, data());
+  } catch (error) {
+    const plain = error.name === "NoWebGL";
+    root.dataset.state = plain ? "no-webgl" : "failed";
+    root.dataset.error = error.message;
+    apologize(root, plain
+      ? "The replay needs WebGL 2, which this browser does not support or has disabled. All " +
+        "numbers of this report are complete without the replay."
+      : error.message);
+    return null;
+  }
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What the engine knows, as the form needs it: keys of cases, and entries of the catalogue.
+
+const valueOf = (values, end) => (values[`frequency_${end}`] ?? values[`speed_${end}`])?.value;
+
+/// An entry; `least` and `most` are the range of frequency or speed, `fixed` the keys that it gives.
+const entryOf = ({ name, title, kind, jars = [], values = {} }) => ({ name, title, kind, jars,
+  least: valueOf(values, "least"), most: valueOf(values, "most"), fixed: new Set(Object.keys(values)),
+  unverified: Object.values(values).some(({ unverified }) => unverified) });
+
+export function knownOf({ keys, catalogue }) {
+  const { mills, jars, materials } = catalogue;
+  return { vocabulary: keys, catalogue: { mills: mills.map(entryOf), jars: jars.map(entryOf),
+    materials: materials.map(entryOf) } };
+}

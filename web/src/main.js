@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Start of the page: the first worker, the case of the link or of the first example, the first run.
+
+import "uplot/dist/uPlot.min.css";
+import "../../viewer/src/replay.css";
+import "./style/page.css";
+import "./style/case.css";
+import "./style/result.css";
+import { caseOf } from "./case/share.js";
+import { knownOf } from "./case/known.js";
+import { element } from "./dom.js";
+import { Page } from "./page.js";
+import { EngineWorker } from "./run/engine_worker.js";
+import { text } from "./text/en.js";
+import "./theme.js";
+import cases from "example-cases";
+
+async function linked() {
+  try {
+    return { toml: await caseOf(location.hash) };
+  } catch {
+    return { toml: null, bad: true };
+  }
+}
+
+/// Takes the case of the address, or runs the first example.
+async function begin(page, { toml, bad }) {
+  if (toml !== null) {
+    await page.take(toml, "");
+    page.say(text.fromLink);
+    return;
+  }
+  const [first] = Object.keys(cases);
+  await page.runExample(first);
+  if (bad) page.say(text.badLink);
+}
+
+async function start() {
+  document.body.replaceChildren(element("p", { className: "loading", textContent: text.loading }));
+  const inspector = new EngineWorker();
+  let known;
+  try {
+    const { version } = await inspector.ready;
+    known = { version, vocabulary: await inspector.call("vocabulary") };
+  } catch (error) {
+    document.body.replaceChildren(element("p", { className: "loading", role: "alert",
+      textContent: text.loadFailed(error.message) }));
+    return;
+  }
+  const page = new Page(inspector, cases, knownOf(known.vocabulary));
+  page.showVersion(known.version);
+  addEventListener("hashchange", async () => {
+    const { toml } = await linked();
+    if (toml !== null && toml !== page.store.text) await page.take(toml, "");
+  });
+  await begin(page, await linked());
+}
+
+if ("serviceWorker" in navigator && location.protocol.startsWith("http"))
+  addEventListener("load", () => navigator.serviceWorker.register("sw.js").catch(() => {}));
+
+start();

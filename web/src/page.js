@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The page: connects the case, the runs and what is shown of them.
+
+import { button, download, element, later } from "./dom.js";
+import { CaseStore } from "./case/store.js";
+import { Editor } from "./case/editor.js";
+import { Form } from "./case/form.js";
+import { fragmentOf } from "./case/share.js";
+import { ExampleChoice } from "./example_choice.js";
+import { layOut, showRegion } from "./layout.js";
+import { Results } from "./results/results.js";
+import { SweepPanel } from "./results/sweep_panel.js";
+import { Pool } from "./run/engine_worker.js";
+import { Run } from "./run/run.js";
+import { RunBar } from "./run/run_bar.js";
+import { text } from "./text/en.js";
+
+export class Page {
+  /// `inspector`: the worker that checks and merges. `cases`: texts of the examples.
+  constructor(inspector, cases, known) {
+    Object.assign(this, { inspector, cases });
+    this.pool = new Pool();
+    this.store = new CaseStore(inspector);
+    this.parts = layOut({ share: (said) => this.share(said) });
+    const { parts, store } = this;
+    this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
+      stop: () => this.run?.stop() });
+    this.choice = new ExampleChoice(parts.examples, cases, (name) => this.runExample(name));
+    this.form = new Form(parts.form, store, known);
+    this.editor = new Editor(parts.editor, store);
+    this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
+      restore: (toml) => this.take(toml, "") });
+    this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
+      busy: (on) => this.busy(on) });
+    store.addEventListener("text", () => this.changed());
+    store.addEventListener("checked", ({ detail }) => this.checked(detail));
+    document.addEventListener("keydown", (event) => this.key(event));
+    this.refreshSoon = later(() => this.refresh(), 0);
+    this.showBar();
+  }
+
+  /// Shows a case of an example (`name`), of a link or of A (name ""). Resolves when it is checked.
+  async take(toml, name) {
+    if (this.active()) await this.stopped();
+    this.run = null;
+    this.note = "";
+    this.fresh = true;
+    this.choice.show(name);
+    this.store.setText(toml, "choice");
+    return this.store.check();
+  }
+
+  /// Shows an example and runs it.
+  async runExample(name) {
+    await this.take(this.cases[name], name);
+    return this.start();
+  }
+
+  stopped() {
+    this.run.stop();
+    return this.run.promise;
+  }
+
+  changed() {
+    if (location.hash.startsWith("#case=")) history.replaceState(null, "", "#");
+    this.parts.stale.hidden = !this.run || this.run.toml === this.store.text;
+    this.showBar();
+  }
+
+  checked(checked) {
+    const { faults } = checked;
+    const { faultLine, caseTabs } = this.parts;
+    faultLine.hidden = faults.length === 0;
+    caseTabs.badge("text", faults.length > 0 ? String(faults.length) : "");
+    if (faults.length > 0)
+      faultLine.replaceChildren(`${text.faultCount(faults.length)} ${faults[0].text} `,
+        button(text.showFaults, () => {
+          showRegion("case");
+          caseTabs.choose("text");
+          this.editor.goTo(faults[0]);
+        }, { className: "quiet" }));
+    this.showBar();
+    if (faults.length > 0 || this.active()) return;
+    this.results.showCase(checked, this.fresh);
+    this.fresh = false;
+  }
+
+  active() {
+    return this.run && ["computing", "paused", "stopping", "merging"].includes(this.run.status);
+  }
+
+  ready() {
+    const { checked, revision } = this.store;
+    return !this.sweeping && (checked?.revision !== revision || checked.faults.length === 0);
+  }
+
+  showBar() {
+    this.bar.show(this.run, this.ready(), this.sweeping ? text.sweeping : this.note ?? "");
+  }
+
+  /// Computes the case as it is now.
+  async start() {
+    if (this.active() || this.sweeping) return null;
+    const checked = await this.store.check();
+    if (checked.faults.length > 0 || this.active()) return null;
+    this.note = "";
+    this.parts.stale.hidden = true;
+    this.run = new Run(this.pool, this.inspector,
+      { toml: this.store.text, replicates: checked.replicates }, {
+        progress: () => this.refreshSoon(),
+        picture: (run, film) => this.results.showPicture(run, film),
+        ended: (run) => this.ended(run),
+      });
+    this.run.checked = checked;
+    this.results.begin(this.run);
+    showRegion("result");
+    this.run.promise = this.run.start();
+    this.refresh();
+    return this.run.promise;
+  }
+
+  refresh() {
+    this.showBar();
+    this.results.showProgress(this.run);
+  }
+
+  ended(run) {
+    this.results.end(run);
+    this.parts.stale.hidden = run.toml === this.store.text;
+    this.showBar();
+  }
+
+  pause() {
+    if (this.run?.status === "paused") this.run.resume();
+    else this.run?.pause();
+  }
+
+  busy(on) {
+    this.sweeping = on;
+    this.showBar();
+  }
+
+  key(event) {
+    if ((event.ctrlKey || event.metaKey) && event.key === "Enter") {
+      event.preventDefault();
+      this.start();
+    }
+  }
+
+  async share(said) {
+    history.replaceState(null, "", `#${await fragmentOf(this.store.text)}`);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      said.textContent = text.shared;
+    } catch {
+      said.textContent = text.sharedAddress;
+    }
+    setTimeout(() => (said.textContent = ""), 6000);
+  }
+
+  downloadCase() {
+    download("case.toml", this.store.text, "application/toml");
+  }
+
+  say(note) {
+    this.note = note;
+    this.showBar();
+  }
+
+  showVersion(version) {
+    document.getElementById("version").replaceChildren(element("span", {}, text.version(version)));
+  }
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Everything that is shown of a result, while it is computed and afterwards.
+
+import { text } from "../text/en.js";
+import { About } from "./about.js";
+import { Comparison } from "./comparison.js";
+import { Counters } from "./counters.js";
+import { Files } from "./files.js";
+import { Powder } from "./powder.js";
+import { Quantities } from "./quantities.js";
+import { ReplayPanel } from "./replay_panel.js";
+import { SeriesPlot } from "./series_plot.js";
+import { SpectrumPlot } from "./spectrum_plot.js";
+
+export class Results {
+  /// `actions`: download (the case), caseText, restore (a case).
+  constructor({ title, counters, replay, plots, tabs }, actions) {
+    const { panels } = tabs;
+    this.title = title;
+    this.tabs = tabs;
+    this.counters = new Counters(counters);
+    this.replay = new ReplayPanel(replay);
+    this.spectrum = new SpectrumPlot();
+    this.series = new SeriesPlot();
+    plots.append(this.spectrum.root, this.series.root);
+    this.quantities = new Quantities(panels.quantities);
+    this.comparison = new Comparison(panels.comparison, () => this.finished, () => this.redraw(),
+      actions.restore);
+    this.powder = new Powder(panels.powder);
+    this.about = new About(panels.about, actions.download);
+    this.files = new Files(panels.files, actions.caseText);
+    this.counters.show(null);
+    this.finished = null;
+  }
+
+  /// The case before it runs. `fresh`: it is another case, not a changed value.
+  showCase(checked, fresh) {
+    this.replay.show(checked.film, fresh);
+    this.unseen ||= fresh;
+    this.title.textContent = checked.title;
+    if (fresh) {
+      this.counters.show(null);
+      this.quantities.show(null, false);
+      this.spectrum.show(null);
+      this.series.show(null);
+      this.powder.show(null, null);
+      this.files.show(null);
+      this.finished = null;
+    }
+    this.showAbout(checked, checked.notices);
+    if (fresh) this.comparison.show(null);
+  }
+
+  showAbout(checked, notices) {
+    this.about.show(checked, notices);
+    const warnings = notices.filter(({ severity }) => severity !== "note").length;
+    this.tabs.badge("about", warnings > 0 ? String(warnings) : "", text.severity("warning"));
+  }
+
+  begin(run) {
+    this.restart = this.unseen;
+    this.unseen = false;
+    this.finished = null;
+    this.counters.show(run);
+    this.files.show(null);
+    this.showAbout(run.checked, run.checked.notices);
+    this.comparison.show(null);
+  }
+
+  showProgress(run) {
+    if (run) this.counters.show(run);
+  }
+
+  showPicture(run, film) {
+    if (film) {
+      this.replay.show(film, this.restart);
+      this.restart = false;
+    }
+    this.quantities.show(run.quantities(), true);
+    this.spectrum.show(run.spectrum(), this.comparison.kept?.spectrum);
+    this.series.show(run.table("timeseries"));
+  }
+
+  end(run) {
+    this.replay.hurry();
+    this.run = run;
+    this.counters.show(run);
+    if (run.status === "failed") return;
+    const { summary, toml } = run;
+    this.finished = { title: summary._about.title, toml, summary, spectrum: run.spectrum() };
+    this.showAbout(run.checked, summary._about.notices ?? []);
+    this.files.show(run.files);
+    this.powder.show(run.table("size_distribution"), run.table("grinding"));
+    this.comparison.show(this.comparison.kept ? this.finished : null);
+    this.redraw();
+  }
+
+  redraw() {
+    if (!this.finished) return;
+    this.quantities.show(this.finished.summary, false);
+    const { kept } = this.comparison;
+    const same = kept === this.finished;
+    this.spectrum.show(this.finished.spectrum, same ? null : kept?.spectrum);
+    this.series.show(this.run.table("timeseries"));
+  }
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// All words of the page, in English. Another language is another module of the same shape.
+
+import { labels, quantities, words } from "./en_names.js";
+
+const plain = (key) => key.replaceAll(/[_-]/g, " ");
+const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
+
+const sections = { mill: "Mill", jar: "Jar", balls: "Balls", powder: "Powder", contact: "Contact",
+  run: "Run" };
+const counters = { collisions: "Collisions computed", simulated: "Time simulated",
+  power: "Power dissipated", rate: "Hits above the threshold" };
+const severities = { invalid: "Outside the validity:", warning: "Warning:", note: "Note:" };
+const verdicts = { apart: "differ", overlap: "may be equal", unknown: "no interval" };
+
+function status(run) {
+  if (!run) return "Ready.";
+  const sum = seconds(run.sum("simulated") || 0);
+  const of = run.replicates.length === 1 ? "" : ` in ${run.replicates.length} replicates`;
+  if (run.status === "done") return `Done: ${sum} simulated${of}, computed in ${seconds(run.seconds)}.`;
+  if (run.status === "stopped") return `Stopped: ${sum} simulated, the result holds what was computed.`;
+  if (run.status === "failed") return `The run failed: ${run.message}`;
+  const percent = `${Math.floor(100 * run.share())} %`;
+  if (run.status === "paused") return `Paused at ${percent}.`;
+  if (run.status === "stopping") return "Stopping …";
+  if (run.status === "merging") return "Merging the replicates …";
+  return `Computing${of}: ${percent}, ${sum} simulated.`;
+}
+
+export const text = {
+  language: "en",
+  name: "Mahlwerk",
+  tagline: "What happens inside a ball mill",
+  skip: "Skip to the results",
+  loading: "Loading the simulator …",
+  loadFailed: (why) => `The simulator could not be loaded: ${why}`,
+  version: (version) => `Mahlwerk ${version}`,
+  footer: "Everything is computed on this device; nothing is sent. Free software, Apache License 2.0.",
+  licences: "Licences",
+  toDark: "Dark",
+  toLight: "Light",
+  themeAbout: "Switch between dark and light",
+
+  examples: "Examples",
+  example: "Start from",
+  ownCase: "Your own case",
+  caseHeading: "Case",
+  form: "Form",
+  caseText: "Case as text (TOML)",
+  caseTab: "Text",
+  resultHeading: "Result",
+  runHeading: "Run",
+  regions: "Shown part",
+  replay: "Balls in the moving jar",
+  section: (name) => sections[name] ?? plain(name),
+  ballSet: (number) => `Balls, set ${number}`,
+  addBalls: "Add a set of balls",
+  removeBalls: "Remove",
+  label: (key) => labels[key] ?? plain(key)[0].toUpperCase() + plain(key).slice(1),
+  word: (word) => words[word] ?? plain(word),
+  kind: (kind) => words[kind] ?? plain(kind),
+  model: (where) => (where === "mill" ? "Mill" : "Jar"),
+  byItsNumbers: "By its numbers",
+  fromCatalogue: "From the catalogue",
+  containsUnverified: "contains unverified values",
+  unitOf: (label) => `Unit: ${label}`,
+  sliderOf: (label) => `Slider: ${label}`,
+  lineNumber: (line) => `Line ${line}`,
+  remedy: (remedy) => `Remedy: ${remedy}`,
+  faultsFirst: "The case has a fault; mend it first.",
+  faultCount: (count) => (count === 1 ? "The case has a fault:" : `The case has ${count} faults. The first:`),
+  showFaults: "Show",
+
+  run: "Run",
+  pause: "Pause",
+  resume: "Continue",
+  stop: "Stop",
+  progress: "Progress of the run",
+  status,
+  changed: "The case has changed since this result.",
+  sweeping: "A sweep is being computed.",
+  counter: (key) => counters[key],
+
+  share: "Share",
+  shareAbout: "Copy a link that contains the whole case",
+  shared: "Link copied. It contains the whole case; nothing was sent.",
+  sharedAddress: "The address of this page now contains the whole case: copy it from there.",
+  badLink: "This link holds no readable case; the first example is shown instead.",
+  fromLink: "This case came with the link. Press Run to compute it.",
+
+  spectrum: "Spectrum of impacts",
+  spectrumOf: "Spectrum of",
+  rate: "Rate",
+  power: "Power",
+  spectrumRateAbout: "Collisions per second over their impact energy",
+  spectrumPowerAbout: "Impact power over impact energy",
+  spectrumAbout: (peak) => `It is highest near ${peak}.`,
+  impactEnergy: "Impact energy of the normal motion",
+  rateAxis: "Rate per octave, 1/s",
+  powerPerOctave: "Power per octave",
+  powerAxis: "Power",
+  thisRun: "this run",
+  powerOverTime: "Power over time",
+  timeAxis: "Simulated time, s",
+  dissipated: "dissipated",
+  meanSoFar: "mean so far",
+  at: "at",
+  seriesAbout: (count) => `${count} points; the numbers are in timeseries.csv.`,
+
+  details: "Details of the result",
+  quantities: "Quantities",
+  quantityColumns: ["Quantity", "Value ± 95 % interval", "Meaning"],
+  quantity: (key) => quantities[key] ?? plain(key),
+  allQuantities: "Show all quantities",
+  fewQuantities: "Show the main quantities",
+  preliminary: "Preliminary: the run is being computed, and the intervals still shrink.",
+  noResult: "No result yet: press Run.",
+  noCurve: "Nothing to draw yet.",
+
+  comparison: "Compare",
+  keepAsA: "Keep this result as A",
+  forgetA: "Forget A",
+  restoreA: "Back to the case of A",
+  compareHint: "Keep a result as A, change the case, and run again: both stand side by side here.",
+  compareRunB: (title) => `A is "${title}". Now change the case and run it: the next result is B.`,
+  compareAbout: (a, b) => `A is "${a}", B is "${b}". "Differ" means that the 95 % intervals do not ` +
+    "overlap.",
+  differences: (list) => (list.length === 0 ? " Both cases are the same."
+    : ` Changed: ${list.map(([key, a, b]) => `${key} from ${a ?? "its default"} to ${b ?? "its default"}`)
+      .join(", ")}.`),
+  compareColumns: ["Quantity", "A", "B", "Change", "Intervals"],
+  verdict: (verdict) => verdicts[verdict],
+
+  sweep: "Sweep",
+  sweepAbout: "Runs the case at several values of one key, one after another.",
+  sweepKey: "Key",
+  sweepFrom: "From",
+  sweepTo: "To",
+  sweepCount: "Number of values",
+  sweepSpacing: "Spacing",
+  spacings: [["lin", "equal steps"], ["log", "equal ratios"]],
+  sweepQuantity: "Quantity",
+  sweepCurve: "Curve of the sweep",
+  runSweep: "Run the sweep",
+  saveSweep: "Download sweep.csv",
+  sweepFault: "From and to must be numbers; with equal ratios both above 0.",
+  sweepStatus: (state, at, count) => state === "done" ? `Done: ${count} values.`
+    : state === "stopped" ? `Stopped after ${at} of ${count} values.`
+      : `Computing value ${Math.min(at + 1, count)} of ${count}.`,
+
+  powder: "Powder",
+  powderHint: "Sizes of the powder need [powder], [capture], [breakage], [fragments] and [grinding] in " +
+    "the case: see the example \"How fine quartz gets\".",
+  passing: "Mass finer than a size",
+  passingAxis: "Mass that is finer",
+  passingAbout: (times) => `One curve each after ${times.join(", ")} of milling.`,
+  grainSize: "Grain size",
+  sizesOverTime: "Sizes over milling time",
+  sizesAbout: "D10, D50 and D90: 10, 50 and 90 % of the mass are finer.",
+  millingTime: "Milling time, min",
+
+  about: "About these numbers",
+  trust: "The intervals contain only the scatter of the simulation: a longer run makes them narrower. " +
+    "They do not contain errors of the model, nor of values that nobody measured. Differences between " +
+    "two settings of one mill are more reliable than absolute numbers.",
+  noNotices: "The program has no notices about this case.",
+  severity: (severity) => severities[severity] ?? `${severity}:`,
+  guessed: "Assumed and not calibrated:",
+  assumed: "Assumed values",
+  assumedAbout: "The case does not state these values; the program took its defaults.",
+  unverified: "Unverified values",
+  unverifiedAbout: "Values of the catalogue whose source is weak or that nobody has checked.",
+  originColumns: ["Key", "Value", "Source"],
+  repeat: "Repeat this run with the program",
+  repeatAbout: "Save the case as case.toml. The same version of the program gives the same numbers:",
+  copy: "Copy",
+  copied: "Copied",
+  downloadCase: "Download case.toml",
+
+  files: "Files",
+  filesAbout: "Files of this result.",
+  filesHint: "The files of a result appear here when a run has ended.",
+  report: "Report",
+  openReport: "Open the report",
+  close: "Close",
+};

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// English names of keys, words and quantities, and the sentences of the examples.
+
+export const labels = {
+  frequency: "Frequency", speed: "Speed", amplitude: "Amplitude", ratio: "Speed ratio",
+  orbit_radius: "Orbit radius", arm: "Length of the arm", swing: "Swing to either side",
+  diameter: "Diameter", height: "Height", volume: "Volume", count: "Number of balls",
+  filling: "Filling", material: "Material", density: "Density", mass: "Mass", size: "Grain size",
+  restitution: "Restitution", tangential_restitution: "Tangential restitution", friction: "Friction",
+  rolling_friction: "Rolling friction", time: "Simulated time", settle: "Settling, not counted",
+  replicates: "Replicates", engine: "Engine", distribution: "Distribution",
+  law: "Contact law", jars_carried: "Jars carried", jar_axis: "Axis of the jar",
+};
+
+export const words = {
+  auto: "chosen by the program", event: "event engine", soft: "soft engine (contact forces)",
+  still: "At rest", vibration: "Vibrating vial", planetary: "Planetary mill", tumbling: "Tumbling drum",
+  "arc-shaker": "Mixer mill (arc)", "figure-eight": "Shaker mill (figure of eight)",
+  circular: "Circular motion", capsule: "Capsule (half spheres)", cylinder: "Cylinder",
+  "rounded-cylinder": "Rounded cylinder", sphere: "Sphere", box: "Box",
+};
+
+export const quantities = {
+  dissipated_power: "Power dissipated",
+  drawn_power: "Power drawn",
+  collision_rate: "Collision rate",
+  collision_rate_above_threshold: "Collision rate above the threshold",
+  energy_normal_mean_above_threshold: "Mean normal energy above the threshold",
+  impact_speed_normal_mean_above_threshold: "Mean normal speed above the threshold",
+  impact_angle_mean_above_threshold: "Mean angle of impact above the threshold",
+  tangential_impact_power: "Tangential impact power",
+  contact_time_share: "Share of time in contact",
+  d10: "D10", d50: "D50", d90: "D90",
+  specific_surface: "Specific surface",
+  specific_energy_dose_rate: "Dose rate",
+  stress_energy: "Stress energy",
+  stress_number_rate: "Stress number per second",
+};
+
+export const examples = {
+  "vibrating-vial": { name: "Vibrating vial (paper A)",
+    hint: "One ball bounces in a shaken capsule. Try a frequency of 14 Hz: does the power grow as its " +
+      "cube?" },
+  "mixer-mill": { name: "Retsch MM 400",
+    hint: "Two balls in a jar that swings in an arc. Try one ball instead of two, and compare the " +
+      "spectra." },
+  "planetary-mill": { name: "Fritsch Pulverisette 7 (planetary)",
+    hint: "Seven balls in a planetary mill. Try a sweep of the speed from 200 to 800 rpm." },
+  "tumbling-drum": { name: "Tumbling drum",
+    hint: "Balls climb the wall and fall. Try 100 % of the critical speed, and watch the balls stay on " +
+      "the wall." },
+  "shaker-mill": { name: "SPEX 8000M",
+    hint: "Large and small balls in a figure of eight. Try it without the small balls: which hits " +
+      "vanish?" },
+  quartz: { name: "How fine quartz gets",
+    hint: "From impacts to grain sizes, after an hour of milling. Try 300 rpm, and look at the tab " +
+      "Powder." },
+};

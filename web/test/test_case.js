@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the case: form, text, faults, examples, links.
+
+import { caseText, ended, expect, limit, tab, writeCase } from "./check.js";
+
+const open = async (page, url) => {
+  await page.goto(url);
+  await ended(page);
+};
+
+const frequency = '.field[data-address="mill.frequency"]';
+
+async function runs_the_first_example_at_once({ page, url }) {
+  const begun = Date.now();
+  await page.goto(url);
+  await page.waitForSelector("body[data-run]");
+  await page.waitForFunction(() => ["computing", "merging", "done"].includes(document.body.dataset.run));
+  console.log(`  computing after ${Date.now() - begun} ms`);
+  await ended(page);
+  console.log(`  first result after ${Date.now() - begun} ms`);
+  expect("collisions", Number((await page.textContent('.counter[data-key="collisions"] .value'))
+    .replace(/\D/g, "")) > 0);
+  await page.waitForSelector('#replay[data-state="drawn"]');
+}
+
+async function a_changed_value_reaches_the_text_and_keeps_comments({ page, url }) {
+  await open(page, url);
+  await page.fill('.field[data-address="mill.amplitude"] input[type="number"]', "20");
+  expect("text", (await caseText(page)).includes('amplitude = "20 mm"              # half the stroke'));
+  await page.locator(`${frequency} input[type="range"]`).focus();
+  await page.keyboard.press("End");
+  expect("the end of the slider", (await caseText(page)).includes('frequency = "60 Hz"'));
+  expect("the number beside it", await page.inputValue(`${frequency} input[type="number"]`), "60");
+  await page.waitForSelector(".stale:not([hidden])");
+  await page.selectOption(`${frequency} .number select`, "rpm");
+  expect("another unit", (await caseText(page)).includes('frequency = "3600 rpm"'));
+}
+
+async function a_changed_text_reaches_the_form({ page, url }) {
+  await open(page, url);
+  const text = (await caseText(page)).replace('"10 Hz"', '"12.5 Hz"');
+  await writeCase(page, text);
+  await tab(page, "form");
+  expect("the number", await page.inputValue(`${frequency} input[type="number"]`), "12.5");
+}
+
+async function faults_are_shown_at_their_line({ page, url }) {
+  await open(page, url);
+  const text = await caseText(page);
+  await writeCase(page, text.replace("[jar]\n", "[jar]\nshape = 3\n"));
+  const line = text.split("\n").indexOf("[jar]") + 2;
+  await page.waitForSelector(".faults li");
+  expect("the place", await page.textContent(".faults .place"), `Line ${line}`);
+  expect("the fault", (await page.textContent(".faults li")).includes("shape"));
+  expect("a remedy", (await page.textContent(".faults .remedy")).startsWith("Remedy:"));
+  expect("the line is marked", (await page.textContent(".editor .faulty")).trim(), "shape = 3");
+  expect("run is not possible", await page.isDisabled("#run"));
+  await page.click(".faults .place");
+  expect("the caret is there", await page.evaluate(() => {
+    const area = document.activeElement;
+    return area.value.slice(area.selectionStart, area.selectionEnd);
+  }), "shape = 3");
+  await writeCase(page, text);
+  expect("mended", await page.locator(".faults li").count(), 0);
+  expect("run is possible", await page.isDisabled("#run"), false);
+}
+
+async function broken_text_does_no_harm({ page, url }) {
+  await open(page, url);
+  for (const text of ["", "[", "a = \"", "[mill]\nfrequency =", "\u0000", "x".repeat(50000)]) {
+    await writeCase(page, text);
+    await page.waitForSelector(".faults li");
+  }
+}
+
+async function a_title_with_markup_does_no_harm({ page, url }) {
+  await open(page, url);
+  const title = "</script><script>window.harm = 1</script><img src=x onerror='window.harm = 1'>";
+  await writeCase(page, (await caseText(page)).replace(/^title = .*/, `title = ${JSON.stringify(title)}`));
+  await page.click("#run");
+  await page.waitForFunction(() => document.body.dataset.run !== "done");
+  await ended(page);
+  expect("the title is text", await page.textContent(".result .title"), title);
+  await tab(page, "files");
+  await page.click("text=Open the report");
+  const report = page.frameLocator("iframe");
+  await report.locator("h1").first().waitFor({ timeout: limit });
+  await page.waitForTimeout(500);
+  expect("nothing ran", await page.evaluate(() => window.harm ?? 0), 0);
+  const frame = page.frames().find((each) => each.url().includes("report_frame"));
+  expect("nothing ran in the report", await frame.evaluate(() => window.harm ?? 0), 0);
+}
+
+async function every_example_is_a_case({ page, url }) {
+  await open(page, url);
+  const names = await page.locator(".examples option").evaluateAll((all) =>
+    all.map((option) => option.value).filter(Boolean));
+  expect("number of examples", names.length, 6);
+  for (const name of [...names.slice(1), names[0]]) {
+    await page.selectOption(".examples select", name);
+    await page.waitForFunction(() => document.body.dataset.run !== "done");
+    await ended(page);
+    expect(`${name} has no fault`, await page.locator(".fault-line:not([hidden])").count(), 0);
+    const title = await page.textContent(".result .title");
+    await page.waitForFunction((shown) => document.querySelector("#replay .scene")
+      ?.getAttribute("aria-label").includes(shown), title, { timeout: 20000 });
+    expect(`${name} says what to try`, (await page.textContent(".hint")).includes("ry "));
+  }
+}
+
+async function mills_and_jars_can_be_chosen({ page, url }) {
+  await open(page, url);
+  const [mill, jar] = [page.locator("fieldset select").first(), "model fritsch-45ml-steel"];
+  await mill.selectOption("model fritsch-p7-classic");
+  expect("the text", /model = "fritsch-p7-classic"[^]*speed = "400 rpm"/.test(await caseText(page)));
+  expect("a fitting jar", await page.locator("fieldset").nth(1).locator("select").first().inputValue(), jar);
+  await page.waitForTimeout(800);
+  expect("no fault", await page.locator(".fault-line:not([hidden])").count(), 0);
+  await page.click("text=Add a set of balls");
+  expect("two sets", (await caseText(page)).match(/\[\[balls\]\]/g).length, 2);
+  await page.click('fieldset .remove >> nth=1');
+  expect("one set", (await caseText(page)).match(/\[\[balls\]\]/g).length, 1);
+}
+
+async function a_link_holds_the_whole_case({ page, context, url }) {
+  await open(page, url);
+  const text = `${(await caseText(page)).replace("10 Hz", "14 Hz")}\n# Größe: µm, 中\n`;
+  await writeCase(page, text);
+  await page.click("#share");
+  await page.waitForFunction(() => location.hash.startsWith("#case="));
+  const other = await context.newPage();
+  await other.goto(await page.evaluate(() => location.href));
+  await other.waitForSelector("#case-text", { state: "attached" });
+  await other.waitForFunction(() => document.querySelector("#case-text").value !== "");
+  expect("the same case", await caseText(other), text);
+  await other.waitForFunction(() => !document.querySelector("#run").disabled);
+  await other.click("#run");
+  await ended(other);
+}
+
+async function a_damaged_link_is_no_fault({ page, url }) {
+  await page.goto(`${url}#case=AAAA%%`);
+  await ended(page);
+  expect("the first example", (await caseText(page)).includes("vibration"));
+}
+
+export const caseTests = { runs_the_first_example_at_once,
+  a_changed_value_reaches_the_text_and_keeps_comments, a_changed_text_reaches_the_form,
+  faults_are_shown_at_their_line, broken_text_does_no_harm, a_title_with_markup_does_no_harm,
+  every_example_is_a_case, mills_and_jars_can_be_chosen, a_link_holds_the_whole_case,
+  a_damaged_link_is_no_fault };

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of runs and results: pause, stop, plots, comparison, sweep, files.
+
+import { readFileSync } from "node:fs";
+import { caseText, ended, expect, limit, tab, writeCase } from "./check.js";
+
+const open = async (page, url) => {
+  await page.goto(url);
+  await ended(page);
+};
+
+/// Sets a case that computes for a while: many replicates and a long time.
+const longCase = async (page) => writeCase(page, (await caseText(page))
+  .replace("replicates = 5", "replicates = 12").replace('time = "60 s"', 'time = "20000 s"'));
+
+const share = (page) => page.evaluate(() => document.querySelector(".run-bar progress").value);
+
+async function pauses_continues_and_stops({ page, url }) {
+  await open(page, url);
+  await longCase(page);
+  await page.click("#run");
+  await page.waitForFunction(() => document.querySelector(".run-bar progress").value > 0.02);
+  await page.click("#pause");
+  await ended(page, "paused");
+  await page.waitForTimeout(300);
+  const at = await share(page);
+  await page.waitForTimeout(700);
+  expect("it stands still", await share(page), at);
+  await page.click("#pause");
+  await page.waitForFunction((before) => document.querySelector(".run-bar progress").value > before, at);
+  await page.click("#stop");
+  await ended(page, "stopped");
+  expect("not all was simulated", (await share(page)) < 1);
+  await page.click("#run");
+  await ended(page, "computing");
+  await page.click("#stop");
+  await ended(page, "stopped");
+}
+
+async function live_results_appear_while_computing({ page, url }) {
+  await open(page, url);
+  await longCase(page);
+  await page.click("#run");
+  await page.waitForSelector(".panel-quantities .note:not([hidden])", { timeout: limit });
+  await page.waitForFunction(() => document.body.dataset.run === "computing" &&
+    /\d/.test(document.querySelector('.counter[data-key="power"] .value').textContent));
+  expect("a spectrum", await page.locator(".plots canvas").count() > 0);
+  await page.click("#stop");
+  await ended(page, "stopped");
+}
+
+async function quantities_have_intervals({ page, url }) {
+  await open(page, url);
+  const rows = page.locator(".quantities tbody tr");
+  const few = await rows.count();
+  expect("an interval", /\d.* ± \d.*W$/.test(await page.locator(".quantities .figure").first().textContent()));
+  await page.click("text=Show all quantities");
+  expect("more rows", (await rows.count()) > few);
+}
+
+async function two_settings_are_compared({ page, url }) {
+  await open(page, url);
+  await tab(page, "comparison");
+  await page.click("text=Keep this result as A");
+  await page.fill('.field[data-address="mill.frequency"] input[type="number"]', "16");
+  await page.click("#run");
+  await page.waitForFunction(() => document.body.dataset.run !== "done");
+  await ended(page);
+  const power = page.locator(".comparison tbody tr").first();
+  expect("the power differs", await power.locator(".verdict").textContent(), "differ");
+  const cells = await power.locator("td").allTextContents();
+  const [a, b] = cells.map((cell) => Number.parseFloat(cell));
+  expect("the change", Math.abs(Number.parseFloat(cells[2]) / (100 * (b / a - 1)) - 1) < 0.05);
+  expect("what changed", (await page.textContent(".panel-comparison .note"))
+    .includes("mill.frequency from 10 Hz to 16 Hz"));
+  await page.click("text=Back to the case of A");
+  await page.waitForFunction(() => document.querySelector("#case-text").value.includes('"10 Hz"'));
+}
+
+async function a_sweep_gives_a_curve({ page, url, folder }) {
+  await open(page, url);
+  await writeCase(page, (await caseText(page)).replace("replicates = 5", "replicates = 2")
+    .replace('time = "60 s"', 'time = "5 s"'));
+  await tab(page, "sweep");
+  const fields = page.locator(".panel-sweep .fields");
+  await fields.locator("select").first().selectOption("mill.frequency");
+  const numbers = fields.locator('input[type="number"]');
+  await numbers.nth(0).fill("8");
+  await numbers.nth(1).fill("12");
+  await numbers.nth(2).fill("3");
+  await page.click("text=Run the sweep");
+  await page.waitForFunction(() => document.querySelectorAll(".panel-sweep .scroll tbody tr").length === 3, null,
+    { timeout: limit });
+  expect("the values", await page.locator(".panel-sweep .scroll tbody th").allTextContents(),
+    ["8 Hz", "10 Hz", "12 Hz"]);
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click("text=Download sweep.csv")]);
+  await file.saveAs(`${folder}/sweep.csv`);
+  expect("rows of the table", readFileSync(`${folder}/sweep.csv`, "utf8").trim().split("\n").length, 4);
+  await page.waitForFunction(() => !document.querySelector("#run").disabled);
+}
+
+async function files_can_be_saved({ page, url, folder }) {
+  await open(page, url);
+  await tab(page, "files");
+  const save = async (name) => {
+    const [file] = await Promise.all([page.waitForEvent("download"),
+      page.click(`.file:text-is("${name}")`)]);
+    expect("name", file.suggestedFilename(), name);
+    await file.saveAs(`${folder}/${name}`);
+    return readFileSync(`${folder}/${name}`, "utf8");
+  };
+  expect("the case", await save("case.toml"), await caseText(page));
+  expect("the summary", JSON.parse(await save("summary.json")).dissipated_power.unit, "W");
+  expect("a table", (await save("spectrum.csv")).startsWith("energy_low_J,"));
+  expect("the report", (await save("report.html")).startsWith("<!"));
+}
+
+async function the_report_opens({ page, url }) {
+  await open(page, url);
+  await tab(page, "files");
+  await page.click("text=Open the report");
+  const report = page.frameLocator("iframe");
+  await report.locator("h1").first().waitFor({ timeout: limit });
+  expect("the title", (await report.locator("h1").first().textContent()).includes("One ball"));
+  expect("its styles apply", await report.locator("html").evaluate(() => document.styleSheets.length > 0));
+  expect("it has no origin", await report.locator("html").evaluate(() => origin), "null");
+  await page.keyboard.press("Escape");
+  await page.waitForSelector("dialog", { state: "detached" });
+}
+
+async function about_these_numbers({ page, url }) {
+  await open(page, url);
+  await tab(page, "about");
+  const text = await page.textContent(".panel-about");
+  for (const part of ["mahlwerk run case.toml", "Assumed values", "gravity", "9.81 m/s2"])
+    expect(part, text.includes(part));
+}
+
+export const resultTests = { pauses_continues_and_stops, live_results_appear_while_computing,
+  quantities_have_intervals, two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
+  the_report_opens, about_these_numbers };

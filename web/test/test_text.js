@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Tests of the modules that need no browser: TOML text, quantities, numbers.
+
+import { readFileSync } from "node:fs";
+import { withJar, withKind, withMill } from "../src/case/mill_choice.js";
+import { knownOf } from "../src/case/known.js";
+import { convert, split } from "../src/case/quantity.js";
+import { differences, parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
+import { mergedSpectrum } from "../src/run/merge.js";
+import { valuesBetween } from "../src/run/sweep_values.js";
+import { quantityText } from "../src/format.js";
+import { verdictOf } from "../src/results/verdict.js";
+import { expect } from "./check.js";
+
+const file = (path) => readFileSync(new URL(path, import.meta.url), "utf8");
+
+const sample = `title = "a # b"
+[mill]
+kind = "vibration"
+frequency = "10 Hz"    # comment
+list = [1, # one
+  2]
+last = true
+[[balls]]
+count = 1
+[[balls]]
+count = 2 # two`;
+
+function testText() {
+  expect("a value with a number sign", read(sample, "title"), "a # b");
+  expect("a value with a comment", read(sample, "mill.frequency"), "10 Hz");
+  expect("a key after a list", read(sample, "mill.last"), true);
+  expect("a second section", read(sample, "balls.2.count"), 2);
+  expect("the line of a key", parse(sample)[1].keys.get("last").line, 7);
+  const changed = write(sample, "mill.frequency", "100 Hz");
+  expect("the comment keeps its column", changed.split("\n")[3], 'frequency = "100 Hz"   # comment');
+  expect("only this line changes", write(changed, "mill.frequency", "10 Hz"), sample);
+  expect("a new key", read(write(sample, "balls.1.diameter", "5 mm"), "balls.1.diameter"), "5 mm");
+  expect("a new section", read(write(sample, "run.time", "1 s"), "run.time"), "1 s");
+  expect("a new key at the top of an empty case", write("", "seed", 2).trim(), "seed = 2");
+  expect("a removed key", read(remove(sample, "mill.kind"), "mill.kind"), undefined);
+  expect("a removed section", read(removeSection(sample, "balls.1"), "balls.1.count"), 2);
+  expect("differences", differences(sample, write(sample, "balls.2.count", 3)), [["balls.2.count", 2, 3]]);
+  expect("a value with quotes", read(write(sample, "title", 'x"\\y'), "title"), 'x"\\y');
+}
+
+function testChoice() {
+  const { catalogue } = knownOf({ keys: [], catalogue: JSON.parse(file("data/catalogue.json")) });
+  const vial = file("../examples/vibrating-vial.toml");
+  const mill = withMill(vial, catalogue, "fritsch-p7-classic");
+  expect("the mill of the catalogue", [read(mill, "mill.model"), read(mill, "mill.speed"),
+    read(mill, "mill.kind"), read(mill, "mill.frequency")], ["fritsch-p7-classic", "400 rpm", null, null]
+    .map((value) => value ?? undefined));
+  expect("a jar that the mill carries", read(mill, "jar.model"), "fritsch-45ml-steel");
+  expect("a jar of a kind", read(withKind(mill, "jar", "sphere"), "jar.diameter"), "40 mm");
+  expect("a jar of the catalogue", read(withJar(vial, "spex-vial-62ml"), "jar.diameter"), undefined);
+}
+
+function testNumbers() {
+  expect("a quantity", split("1e-3 kg/m3"), { number: 1e-3, unit: "kg/m3" });
+  expect("rpm to Hz", convert(600, "rpm", "Hz"), 10);
+  expect("no conversion", convert(1, "rpm", "%"), null);
+  expect("values of a sweep", valuesBetween(1, 100, 3, true), [1, 10, 100]);
+  expect("a power", quantityText({ value: 0.24321, ci95: 0.0161, unit: "W" }), "243 ± 16\u00a0mW");
+  expect("intervals apart", verdictOf({ value: 1, ci95: 0.1 }, { value: 2, ci95: 0.1 }), "apart");
+  expect("intervals that overlap", verdictOf({ value: 1, ci95: 0.6 }, { value: 2, ci95: 0.6 }), "overlap");
+  expect("no interval", verdictOf({ value: 1, ci95: null }, { value: 2, ci95: 0.6 }), "unknown");
+  const names = ["low", "high", "rate"];
+  expect("merged spectra", mergedSpectrum([{ names, rows: [[1, 2, 4]] },
+    { names, rows: [[1, 2, 2], [2, 4, 2]] }]).rows, [[1, 2, 3], [2, 4, 1]]);
+}
+
+export function textTests() {
+  testText();
+  testChoice();
+  testNumbers();
+  console.log("fine: texts, choices and numbers");
+}
