@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -75,6 +76,17 @@ TEST(VibratingPlate, flights_alternate_above_the_first_bifurcation) {
   EXPECT_GT(std::abs(one - other), 0.01 * period) << "they differ";
 }
 
+/// A ball that rests on the plate at the start.
+std::unique_ptr<scene::Engine> resting(double amplitude, double restitution) {
+  scene::Ball ball = ball_a();
+  ball.position.z = -0.5 * lid + radius;
+  const scene::Chamber plate{
+      geometry::Box{1, 1, lid}, shaken(frequency, amplitude), {}, {0, 0, -gravity}};
+  event::Rules rules;
+  rules.bounce = {restitution, 1, 0};
+  return event::one_ball(plate, ball, rules);
+}
+
 /// A ball that rests on the plate leaves it where A w^2 sin(w t) = g, and falls back on it. For a
 /// fast mill the plate comes and goes within a step that only the motion of the ball would allow.
 TEST(VibratingPlate, a_ball_at_rest_is_lifted_where_the_plate_falls_faster) {
@@ -92,13 +104,7 @@ TEST(VibratingPlate, a_ball_at_rest_is_lifted_where_the_plate_falls_faster) {
       const double middle = 0.5 * (before + after);
       (gap(middle) > 0 ? before : after) = middle;
     }
-    scene::Ball ball = ball_a();
-    ball.position.z = -0.5 * lid + radius;
-    const scene::Chamber plate{
-        geometry::Box{1, 1, lid}, shaken(frequency, amplitude), {}, {0, 0, -gravity}};
-    event::Rules rules;
-    rules.bounce = {e, 1, 0};
-    const auto engine = event::one_ball(plate, ball, rules);
+    const auto engine = resting(amplitude, e);
     Recorder recorder;
     engine->advance(20 * period, recorder);
     const auto first = std::ranges::find_if(
@@ -120,13 +126,7 @@ TEST(VibratingPlate, a_ball_that_is_hardly_lifted_stays_on_the_plate) {
     double steps = 0, residual = 0;
     for (int digits = 3; digits <= 14; ++digits) {
       const double amplitude = (1 + std::pow(10, -digits)) * gravity / (omega * omega);
-      scene::Ball ball = ball_a();
-      ball.position.z = -0.5 * lid + radius;
-      const scene::Chamber plate{
-          geometry::Box{1, 1, lid}, shaken(frequency, amplitude), {}, {0, 0, -gravity}};
-      event::Rules rules;
-      rules.bounce = {restitution, 1, 0};
-      const auto engine = event::one_ball(plate, ball, rules);
+      const auto engine = resting(amplitude, restitution);
       Recorder recorder;
       ASSERT_NO_THROW(engine->advance(20 * period, recorder)) << restitution << ", " << digits;
       const scene::EnergyBalance b = engine->energy_balance();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mahlwerk/event/collapse.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/sustained_contact_integrator.hpp"
@@ -25,7 +26,7 @@ class OneBall final : public scene::Engine {
       : jar_(jar),
         body_{ball.radius, ball.mass(), ball.inertia()},
         rules_(rules),
-        tolerance_(tolerance(jar_, ball.radius)),
+        tolerance_(touch_tolerance(jar_, ball.radius)),
         integrator_(jar_, body_, rules, tolerance_),
         spin_(ball.spin),
         pressing_acceleration_(kinematics::strongest_field(
@@ -117,15 +118,6 @@ class OneBall final : public scene::Engine {
 
  private:
   static constexpr std::size_t max_records = 256;
-
-  static TouchTolerance tolerance(const TypedChamber<S, M>& jar, double radius) {
-    const auto& bounds = jar.motion_bounds();
-    const double scale =
-        jar.shape().reach() + norm(jar.motion().frame_motion(0).centre) +
-        (bounds.jerk > 0 ? bounds.speed * bounds.speed / (norm(bounds.acceleration) + 1e-300)
-                         : 0.0);
-    return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
-  }
 
   double kinetic(const Vec3& lab_velocity) const {
     return 0.5 * body_.mass * squared(lab_velocity) +
@@ -229,24 +221,17 @@ class OneBall final : public scene::Engine {
                          .lost_tangential = loss.tangential});
   }
 
-  /// Whether the coming bounces, an infinite series, end before the normal force can halve
-  /// (inelastic collapse), or are lower than the search resolves. Then a sustained contact begins
-  /// (evt.19).
+  /// Whether the coming bounces on `face` collapse into a sustained contact (evt.19).
   bool collapses(int face) const {
     if (rules_.sustained_mode != SustainedContactMode::roll || rebound_ >= rules_.sustained_speed)
       return false;
     const BallState& p = now_.ball;
-    const double normal_acceleration =
+    const double pressing =
         integrator_.contact().normal_acceleration(face, now_.time, p.position, p.velocity);
-    if (normal_acceleration <= 0) return false;
-    const double e = rules_.wall(face).restitution.at(rebound_);
-    const double collapse_time = 2 * rebound_ / (normal_acceleration * (1 - e));  // [s]
-    const double rate_bound = jar_.motion_bounds().jerk +
-                              jar_.motion_bounds().spin * normal_acceleration +
-                              normal_acceleration * norm(p.velocity) / body_.radius;
-    const double height = rebound_ * rebound_ / (2 * normal_acceleration);  // [m] of the flight
-    return (e < 1 && height < tolerance_.grazing_depth()) ||
-           collapse_time * rate_bound < 0.5 * normal_acceleration;
+    const double rate = jar_.motion_bounds().jerk + jar_.motion_bounds().spin * pressing +
+                        pressing * norm(p.velocity) / body_.radius;
+    return bounces_collapse(rebound_, rules_.wall(face).restitution.at(rebound_), pressing, rate,
+                            tolerance_.grazing_depth());
   }
 
   /// Begins a sustained contact; the remaining normal speed is lost.

@@ -45,6 +45,16 @@ struct TouchTolerance {
   double longest_min_step() const { return min_step(0); }
 };
 
+/// The tolerance of the touch search in `jar` (evt.5).
+template <class S, class M>
+TouchTolerance touch_tolerance(const TypedChamber<S, M>& jar, double radius) {
+  const auto& bounds = jar.motion_bounds();
+  const double path =
+      bounds.jerk > 0 ? bounds.speed * bounds.speed / (norm(bounds.acceleration) + 1e-300) : 0.0;
+  const double scale = jar.shape().reach() + norm(jar.motion().frame_motion(0).centre) + path;
+  return {radius, std::max(1e-12 * radius, 64 * 0x1p-52 * scale)};
+}
+
 /// State at an instant: the clock, the jar's frame motion, and the ball in the jar frame.
 struct Instant {
   double time = 0;  ///< [s] on the clock of the search

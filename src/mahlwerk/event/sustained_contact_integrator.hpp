@@ -3,10 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "mahlwerk/base/index.hpp"
+#include "mahlwerk/event/lift_limit.hpp"
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/sustained_contact.hpp"
 
@@ -98,8 +97,9 @@ class SustainedContactIntegrator {
     if (release_pulling_faces(t)) return Status::released;
 
     const double curvature_jump_time = time_to_curvature_jump(t);
-    const double wanted = lift_limit(
-        t, std::min({step_, slide_limit(), safe_time_of_others(t), curvature_jump_time}));
+    const double wanted =
+        lift_limit(*jar_, support_, forces_, state_.position, ball_.radius, t,
+                   std::min({step_, slide_limit(), safe_time_of_others(t), curvature_jump_time}));
     double h = wanted;
     IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     while (!(s.error <= 1)) {
@@ -176,46 +176,6 @@ class SustainedContactIntegrator {
     const double slowing =
         3.5 * dot(forces_.sticking_friction - forces_.friction, forces_.slip) / speed;  // [m/s2]
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
-  }
-
-  /// Longest step [s], at most `wanted`, in which the acceleration of the jar's centre cannot lift
-  /// the ball off and press it back: the normal force would be checked at the end only.
-  double lift_limit(double t, double wanted) const {
-    constexpr double unseen = 1e-5;  // [s] a shorter flight does not matter
-    const double jerk = jar_->motion_bounds().jerk;
-    if (!(jerk > 0)) return wanted;
-    const double certain =
-        unseen + std::max(forces_.normal_force[forces_.least(support_)], 0.0) / jerk;
-    if (wanted <= certain) return wanted;
-    wanted = std::max(certain, std::min(wanted, jar_->motion().period() / 4));
-    while (wanted > certain && may_be_lifted(t, wanted)) wanted = std::max(certain, 0.5 * wanted);
-    return wanted;
-  }
-
-  /// Whether the acceleration of the jar's centre may pull a face from the ball within `h` [s] of
-  /// `t`, by samples of the acceleration. Between two samples it falls by half of what the jerk
-  /// allows, or, in a periodic motion, by a quarter of their second difference: twice the error of
-  /// linear interpolation.
-  bool may_be_lifted(double t, double h) const {
-    constexpr int samples = 16;  // in a quarter of a period or less
-    const auto acceleration = [&](int k) {
-      return jar_->motion().frame_motion(t + h * k / samples).acceleration;
-    };
-    std::array<Vec3, samples + 1> at;
-    for (int k = 0; k <= samples; ++k) at[as_index(k)] = acceleration(k);
-    const bool periodic = std::isfinite(jar_->motion().period());
-    for (std::size_t i = 0; i < support_.count; ++i) {
-      const Vec3 n = jar_->wall(support_.face[i], state_.position, t, ball_.radius).inward;
-      double least = 0, bend = 0;
-      for (int k = 1; k <= samples; ++k) least = std::min(least, dot(n, at[as_index(k)] - at[0]));
-      for (int k = 1; k < samples; ++k)
-        bend = std::max(bend, std::abs(dot(n, at[as_index(k - 1)] - 2 * at[as_index(k)] +
-                                                  at[as_index(k + 1)])));
-      double between = 0.5 * jar_->motion_bounds().jerk * h / samples;
-      if (periodic) between = std::min(between, 0.25 * bend);
-      if (forces_.normal_force[i] + least < between) return true;
-    }
-    return false;
   }
 
   /// Longest step [s] up to a jump of the wall's curvature, which no Runge-Kutta step should
