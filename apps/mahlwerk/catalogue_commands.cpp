@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <string>
 
+#include "catalogue_json.hpp"
 #include "command.hpp"
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
@@ -50,20 +51,6 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
       near.empty() ? "see 'mahlwerk list' for the catalogue and 'mahlwerk list keys' for the keys"
                    : "did you mean '" + near + "'?",
       "unknown-name"});
-}
-
-Json as_json(const cases::CatalogueEntry& entry) {
-  Json values;
-  for (const auto& [key, value] : entry.values)
-    values[key] = Json::object(
-        {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}});
-  Json made =
-      Json::object({{"room", entry.category}, {"name", entry.name}, {"title", entry.title}});
-  if (!entry.kind.empty()) made["kind"] = entry.kind;
-  made["about"] = entry.about;
-  made["values"] = values;
-  if (!entry.jars.empty()) made["jars"] = entry.jars;
-  return made;
 }
 
 int list(const Request& request) {
@@ -133,7 +120,7 @@ int describe(const Request& request) {
   const std::vector<cases::CatalogueEntry> entries = entries_named(request.target);
   if (sections.empty() && entries.empty()) report_unknown(request.target);
   if (request.json) {
-    json_to_stdout(sections.empty() ? as_json(entries.front()) : keys_as_json(sections));
+    json_to_stdout(sections.empty() ? entry_json(entries.front()) : keys_as_json(sections));
     return success;
   }
   if (!sections.empty()) print(sections, request.target);

@@ -119,7 +119,7 @@ const char* mahlwerk_summary() {
 /// A table of the open replicate so far as CSV; empty if there is none of this name.
 const char* mahlwerk_table(const char* name) {
   return answer_of([&]() -> std::string {
-    for (const results::NamedTable& one : results::tables(session.value().outcome_so_far()))
+    for (const results::NamedTable& one : session.value().tables_so_far())
       if (one.name == name) return results::csv(one.table);
     return "";
   });

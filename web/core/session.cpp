@@ -128,6 +128,8 @@ Json Session::advance(double milliseconds) {
   const auto spent = [&] {
     return std::chrono::duration<double, std::milli>(Clock::now() - began).count();
   };
+  so_far_.reset();
+  tables_.clear();
   while (!replica_.done()) {
     replica_.run_slice();
     if (spent() >= milliseconds) break;
@@ -142,12 +144,18 @@ Json Session::advance(double milliseconds) {
                        {"stop_reason", replica_.stop_reason()}});
 }
 
-results::Outcome Session::outcome_so_far() const {
-  results::Outcome outcome{.mill_case = mill_case_, .replicates = {replica_.result()}};
-  outcome.engine = choice_.engine;
-  outcome.interrupted = !replica_.done();
-  outcome.summary = results::summarise(outcome);
-  return outcome;
+const results::Outcome& Session::outcome_so_far() {
+  if (so_far_) return *so_far_;
+  so_far_.emplace(results::Outcome{.mill_case = mill_case_, .replicates = {replica_.result()}});
+  so_far_->engine = choice_.engine;
+  so_far_->interrupted = !replica_.done();
+  so_far_->summary = results::summarise(*so_far_);
+  return *so_far_;
+}
+
+const std::vector<results::NamedTable>& Session::tables_so_far() {
+  if (tables_.empty()) tables_ = results::tables(outcome_so_far());
+  return tables_;
 }
 
 std::string Session::film() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
 
 // What a page asks of the simulator: to check a case, to compute one replicate in slices, and to
 // merge the replicates that several workers computed.
@@ -43,7 +45,10 @@ class Session {
 
   /// Computes for about `milliseconds`; at least one slice. Returns how far the replicate is.
   results::Json advance(double milliseconds);
-  results::Outcome outcome_so_far() const;
+  /// The result of the open replicate so far; made once until the next advance().
+  const results::Outcome& outcome_so_far();
+  /// Its tables, likewise.
+  const std::vector<results::NamedTable>& tables_so_far();
   /// The data of the replay; "null" with less than two frames.
   std::string film() const;
   std::string state();
@@ -53,6 +58,8 @@ class Session {
   campaign::EngineChoice choice_;
   cases::Case decided_;  // with the chosen engine
   campaign::ReplicateRun replica_;
+  std::optional<results::Outcome> so_far_;
+  std::vector<results::NamedTable> tables_;  // of so_far_; empty if not made
 };
 
 /// The outcome of the case from the states of all its replicates, in order, as `mahlwerk run` makes

@@ -5,40 +5,23 @@
 #include <string>
 #include <utility>
 
+#include "catalogue_json.hpp"
 #include "key_pages.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
 #include "session.hpp"
 
 namespace mahlwerk::web {
-namespace {
 
-using results::Json;
-
-Json entry_json(const cases::CatalogueEntry& entry) {
-  Json values = Json::object();
-  for (const auto& [key, value] : entry.values)
-    values[key] = Json::object(
-        {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}});
-  return Json::object({{"name", entry.name},
-                       {"title", entry.title},
-                       {"kind", entry.kind},
-                       {"about", entry.about},
-                       {"jars", entry.jars},
-                       {"values", std::move(values)}});
-}
-
-}  // namespace
-
-Json vocabulary() {
+results::Json vocabulary() {
   const cases::Catalogue& known = catalogue();
-  Json entries = Json::object();
+  results::Json entries = results::Json::object();
   for (const std::string_view category : cases::Catalogue::categories) {
-    Json list = Json::array();
+    results::Json list = results::Json::array();
     for (const std::string& name : known.names(category))
-      list.push_back(entry_json(known.find(category, name)));
+      list.push_back(app::entry_json(known.find(category, name)));
     entries[category] = std::move(list);
   }
-  return Json::object(
+  return results::Json::object(
       {{"keys", app::keys_as_json(app::all_sections())}, {"catalogue", std::move(entries)}});
 }
 

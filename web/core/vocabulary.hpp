@@ -7,7 +7,7 @@
 namespace mahlwerk::web {
 
 /// The keys of a case as `mahlwerk list keys --json` prints them, under "keys", and the entries of
-/// the catalogue under "catalogue": for each category name, title, kind, about, jars and values.
+/// the catalogue as `mahlwerk list --json` does, by category, under "catalogue".
 results::Json vocabulary();
 
 }  // namespace mahlwerk::web

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue_json.hpp"
+
+namespace mahlwerk::app {
+
+results::Json entry_json(const cases::CatalogueEntry& entry) {
+  results::Json values;
+  for (const auto& [key, value] : entry.values)
+    values[key] = results::Json::object(
+        {{"value", value.text}, {"source", value.source}, {"unverified", value.unverified}});
+  results::Json made = results::Json::object(
+      {{"room", entry.category}, {"name", entry.name}, {"title", entry.title}});
+  if (!entry.kind.empty()) made["kind"] = entry.kind;
+  made["about"] = entry.about;
+  made["values"] = values;
+  if (!entry.jars.empty()) made["jars"] = entry.jars;
+  return made;
+}
+
+}  // namespace mahlwerk::app
