@@ -29,7 +29,7 @@ double density(double z) {
   return math::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
 }
 double between(double a, double b) {
-  return 0.5 * (std::erf(b / std::numbers::sqrt2) - std::erf(a / std::numbers::sqrt2));
+  return 0.5 * (math::erf(b / std::numbers::sqrt2) - math::erf(a / std::numbers::sqrt2));
 }
 
 Moments of_normal(const Distribution& d, double low, double high) {  // (chg.2)

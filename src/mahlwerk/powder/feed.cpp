@@ -30,7 +30,7 @@ double sieve_of(const std::vector<std::array<double, 2>>& rows, double share) {
 }
 
 double normal_cdf(double z) {
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  return 0.5 * math::erfc(-z / std::numbers::sqrt2);
 }
 
 /// Quantile of the standard normal distribution for a share in (0, 1).

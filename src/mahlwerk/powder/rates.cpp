@@ -177,7 +177,7 @@ StrengthLevels strength_levels(const AnyBreakage& breakage, int count) {
   const double low = math::log(model->relative_strength(-deviations) / weakest);
   const double apart = (high - low) / (count - 1);
   const auto finer = [&](double log_strength) {
-    return 0.5 * std::erfc(-model->deviations(math::exp(log_strength)) / std::numbers::sqrt2);
+    return 0.5 * math::erfc(-model->deviations(math::exp(log_strength)) / std::numbers::sqrt2);
   };
   StrengthLevels made{{}, {}};
   double above = 1;

@@ -60,7 +60,7 @@ struct Tavares {
   }
   /// [1] Probability that a hit of `energy` [J/kg] breaks a fresh grain (brk.5).
   double breakage_probability(double size, double energy) const {
-    return 0.5 * std::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
+    return 0.5 * math::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
   }
   /// [1] Damage D, the relative loss of strength by a hit that does not break. `load`, 0 to 1, is
   /// the hit's energy over that strength (brk.6).
