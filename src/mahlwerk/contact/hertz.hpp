@@ -27,7 +27,7 @@ inline double hertz_overlap(const EffectivePair& t, double speed) {
 /// Duration of an elastic collision [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 times
 /// largest overlap over speed.
 inline double hertz_time(const EffectivePair& t, double speed) {
-  constexpr double ratio = 2.943275184324706;  // 2 sqrt(pi) Gamma(7/5) / Gamma(9/10)
+  constexpr double ratio = 2.9432751843247047;  // 2 sqrt(pi) Gamma(7/5) / Gamma(9/10)
   return ratio * hertz_overlap(t, speed) / speed;
 }
 /// Elastic energy [J] at `overlap` [m].
