@@ -4,23 +4,22 @@
 
 from __future__ import annotations
 
-import contextlib
 import html
 import os
-import re
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _core, toml
-from .changes import checked_threads, cited, merged, plain
+from .case_source import CaseSource, Changes, Place
+from .changes import checked_threads
 from .check import Check, Origin
 from .commands import command
 from .errors import InputError, Interrupted, RunError
-from .files import kept, named_folder, read_text, temporary
+from .files import named_folder
 from .pages import table_html
-from .records import observer
 from .progress import Progress, shown
+from .records import observer
 
 if TYPE_CHECKING:
     from .campaign import Campaign
@@ -28,9 +27,6 @@ if TYPE_CHECKING:
     from .searches import Comparison, Fit, Match, Optimum
 
 __all__ = ["Case"]
-
-Place = Union[str, "os.PathLike[str]"]
-Changes = Mapping[str, Any]
 
 
 class Case:
@@ -50,26 +46,17 @@ class Case:
     """
 
     def __init__(self, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes] = None):
-        if isinstance(source, Mapping):
-            text, file, in_file = toml.case_text(source), Path.cwd() / "case", False
-            shown_file = "case"
-        else:
-            files = _core.case_files(os.fspath(source))
-            if len(files) > 1:
-                raise InputError([_core.Fault(
-                    os.fspath(source), f"the folder contains {len(files)} cases, Case takes one",
-                    "name one of its files", "one-case")])
-            file, in_file, shown_file = Path(files[0]).absolute(), True, os.fspath(files[0])
-            text = read_text(file)
-        self._shown = shown_file
-        self._set(text, file, in_file, merged({}, changes or {}))
+        self._set(CaseSource.of(source, changes))
 
     @classmethod
     def from_text(cls, text: str, folder: Optional[Place] = None) -> Case:
         """A case from the text of a case file; files that it names are relative to `folder`."""
+        return cls._of(CaseSource.of_text(text, folder))
+
+    @classmethod
+    def _of(cls, source: CaseSource) -> Case:
         made = cls.__new__(cls)
-        made._shown = "case"
-        made._set(text, Path(folder or "").absolute() / "case", False, {})
+        made._set(source)
         return made
 
     @classmethod
@@ -89,28 +76,17 @@ class Case:
                     jar_kind=jar_kind, balls=balls)
             return cls.from_text(file.read_text(encoding="utf-8"))
 
-    def _set(self, text: str, file: Path, in_file: bool, changes: dict[str, str]) -> None:
-        # Faults cite the name that was given; files that the case names are relative to its folder.
-        content = text.encode("utf-8", "surrogateescape")
-        resolved = cited(file, self._shown, lambda: _core.read_case(
-            content, os.fspath(file), list(changes.items())))
-        self._text, self._file, self._in_file = text, file, in_file
-        self._changes, self._resolved = changes, resolved
+    def _set(self, source: CaseSource) -> None:
+        self._resolved = source.resolved()
+        self._source = source
 
     def replace(self, changes: Changes) -> Case:
         """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`."""
-        made = self._blank()
-        made._set(self._text, self._file, self._in_file, merged(self._changes, changes))
-        return made
-
-    def _blank(self) -> Case:
-        made = type(self).__new__(type(self))
-        made._shown = self._shown
-        return made
+        return self._of(self._source.changed(changes))
 
     def update(self, changes: Changes) -> None:
         """Changes several values together."""
-        self._set(self._text, self._file, self._in_file, merged(self._changes, changes))
+        self._set(self._source.changed(changes))
 
     # Values
 
@@ -147,7 +123,7 @@ class Case:
     @property
     def file(self) -> Optional[Path]:
         """The case file, or None for a case built in Python."""
-        return self._file if self._in_file else None
+        return self._source.file if self._source.in_file else None
 
     @property
     def text(self) -> str:
@@ -164,11 +140,10 @@ class Case:
     __iter__ = None  # a case is no sequence
 
     def __reduce__(self) -> Any:
-        return restored, (type(self), self._text, self._file, self._in_file, self._changes,
-                          self._shown)
+        return self._of, (self._source,)
 
     def __repr__(self) -> str:
-        return f"<Case {self.title!r}{f' from {self._file}' if self._in_file else ''}>"
+        return f"<Case {self.title!r}{f' from {self.file}' if self.file else ''}>"
 
     def _repr_html_(self) -> str:
         rows = [(one.key, one.value, one.source) for one in self.origins]
@@ -185,8 +160,8 @@ class Case:
         """What follows from the case, as `mahlwerk check`. Raises InputError if no engine can run it."""
         from .result import Quantity
 
-        with self._as_file() as target:
-            said = command(["check"], target=target, changes=self._changes,
+        with self._source.as_file() as target:
+            said = command(["check"], target=target, changes=self._source.changes,
                            refusal_is_result=True)[0]
             if not said["runs"]:
                 raise InputError([_core.Fault(**fault) for fault in said["faults"]])
@@ -224,7 +199,7 @@ class Case:
         with shown(progress) as show:
             ran, interrupted = _core.run(self._resolved, folder, force, checked_threads(threads),
                                          bool(collisions), called, show)
-        result = Result.of_run(ran, folder, self._file.parent)
+        result = Result.of_run(ran, folder, self._source.file.parent)
         if ran.failure:
             raise RunError(ran.failure, result)
         if interrupted:
@@ -239,9 +214,10 @@ class Case:
         is the campaign so far."""
         from .campaign import Campaign
 
-        case, place = self._with_section("sweep", over), self._place(out, "")
+        case = self._with_section("sweep", over)
+        place = self._source.result_folder(out, "")
         try:
-            with case._as_file(place, force) as target:
+            with case._source.as_file(place, force) as target:
                 command(["sweep"], target=target, changes=case._titled(), out=place, force=force,
                         threads=threads, progress=progress)
         except (Interrupted, RunError) as error:
@@ -266,8 +242,8 @@ class Case:
         """Fits the parameters in [fit] to the measurements in the CSV file `data`, as `mahlwerk fit`."""
         from .searches import Fit
 
-        place = self._place(out, "-fit")
-        with self._as_file() as target:
+        place = self._source.result_folder(out, "-fit")
+        with self._source.as_file() as target:
             command(["fit"], target=target, data=os.fspath(data), changes=self._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Fit(place)
@@ -278,8 +254,9 @@ class Case:
         as a dict, if the case has none."""
         from .searches import Optimum
 
-        case, place = self._with_section("optimise", settings), self._place(out, "-optimise")
-        with case._as_file() as target:
+        case = self._with_section("optimise", settings)
+        place = self._source.result_folder(out, "-optimise")
+        with case._source.as_file() as target:
             command(["optimise"], target=target, changes=case._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Optimum(place)
@@ -290,8 +267,9 @@ class Case:
         `mahlwerk match LIKE --in THIS`."""
         from .searches import Match
 
-        case, place = self._with_section("match", settings), self._place(out, "-match")
-        with like._as_file(resolved=True) as target, case._as_file() as data:
+        case = self._with_section("match", settings)
+        place = self._source.result_folder(out, "-match")
+        with like._source.as_resolved_file(like.text) as target, case._source.as_file() as data:
             command(["match"], target=target, data=data, changes=case._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Match(place)
@@ -301,73 +279,24 @@ class Case:
         """Runs the case with both engines, as `mahlwerk compare`."""
         from .searches import Comparison
 
-        place = self._place(out, "-compare")
-        with self._as_file() as target:
+        place = self._source.result_folder(out, "-compare")
+        with self._source.as_file() as target:
             command(["compare"], target=target, changes=self._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Comparison(place)
 
     # Helpers
 
+    def _with_section(self, name: str, content: Optional[Changes]) -> Case:
+        return self if content is None else self._of(self._source.with_section(name, content))
+
     def _value(self, key: str) -> Optional[str]:
         return next((one.value for one in self.origins if one.key == key), None)
 
-    def _with_section(self, name: str, content: Optional[Changes]) -> Case:
-        """This case, with a section added to its text."""
-        if content is None:
-            return self
-        if re.search(rf"^\s*\[\s*{name}\s*[].]", self._text, re.MULTILINE):
-            raise InputError([_core.Fault(self._shown, f"the case has a [{name}] already",
-                                          "call without it, or start from a case without [" + name
-                                          + "]", "bad-override")])
-        made = self._blank()
-        text = self._text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
-        varied = {plain(key) for key in content.get("over", content)}
-        changes = {k: v for k, v in self._changes.items() if plain(k) not in varied}
-        made._set(text, self._file, self._in_file, changes)
-        made._in_file = False  # the file does not have the section
-        return made
-
-    def _place(self, out: Optional[Place], suffix: str) -> Path:
-        """The result folder: `out`, or the one that the command line takes."""
-        if out is not None:
-            return named_folder(out)
-        if not self._in_file:
-            raise InputError([_core.Fault(
-                "", "no folder is given for the results",
-                'give a folder, for instance out="results/name"', "no-folder")])
-        file = self._file.resolve()
-        name = file.parent.name if file.stem == "case" else file.stem
-        return Path("results") / (name + suffix)
-
-    def _titled(self) -> dict[str, str]:
+    def _titled(self) -> Mapping[str, str]:
         """The changes, with the title of a case that has none: else the name of a file would be it."""
+        changes = self._source.changes
         given = next((one for one in self.origins if one.key == "title"), None)
-        if self._in_file or "title" in self._changes or (given and not given.source.startswith("d")):
-            return self._changes
-        return {**self._changes, "title": self.title}
-
-    def _as_file(self, place: Optional[Path] = None, force: bool = False,
-                 resolved: bool = False) -> contextlib.AbstractContextManager[str]:
-        """Path of a case file with the text of this case: its own file if that is unchanged, a file
-        that stays beside the results in `place`, or a temporary one. `resolved`: the changes are in
-        it, too."""
-        if self._in_file and not (resolved and self._changes) and self._unchanged():
-            return contextlib.nullcontext(os.fspath(self._file))
-        if place is not None:
-            return kept(self._text, place.parent / (place.name + ".case.toml"), force)
-        return temporary(self.text if resolved else self._text, self._file, self._shown)
-
-    def _unchanged(self) -> bool:
-        try:
-            return read_text(self._file) == self._text
-        except InputError:
-            return False
-
-
-def restored(kind: type[Case], text: str, file: Path, in_file: bool, changes: dict[str, str],
-             shown_file: str) -> Case:
-    made = kind.__new__(kind)
-    made._shown = shown_file
-    made._set(text, file, in_file, changes)
-    return made
+        if self._source.in_file or "title" in changes or (given and not given.source.startswith("d")):
+            return changes
+        return {**changes, "title": self.title}

@@ -105,7 +105,7 @@ def test_a_new_case_of_every_mill_of_the_catalogue_is_valid_and_commented(capfd)
         case = mahlwerk.Case.new(mill=one["name"])
         assert case["mill.model"].strip('"') == one["name"]
     case = mahlwerk.Case.new(kind="vibration", jar_kind="capsule")
-    assert "ASSUMED" in case._text and case.check().derived
+    assert "ASSUMED" in case._source.text and case.check().derived
     with pytest.raises(mahlwerk.InputError, match="no mill is given"):
         mahlwerk.Case.new()
     with pytest.raises(mahlwerk.InputError, match="did you mean"):

@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk {
 
 double Random::uniform() {
@@ -22,7 +24,7 @@ double Random::uniform() {
 Vec3 Random::direction() {
   const double z = uniform(-1, 1), angle = uniform(0, 2 * std::numbers::pi);
   const double r = std::sqrt(1 - z * z);
-  return {r * std::cos(angle), r * std::sin(angle), z};
+  return {r * math::cos(angle), r * math::sin(angle), z};
 }
 
 }  // namespace mahlwerk

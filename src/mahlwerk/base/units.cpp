@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/unit_table.hpp"
 
@@ -213,8 +214,8 @@ int readability_cost(double value) {
   const double size = std::abs(value);
   if (size == 0) return 0;
   if (!std::isfinite(size)) return unreadable;
-  if (size < 0.1) return static_cast<int>(std::ceil(-1 - std::log10(size)));
-  return size < 1000 ? 0 : static_cast<int>(std::floor(std::log10(size))) - 2;
+  if (size < 0.1) return static_cast<int>(std::ceil(-1 - math::log10(size)));
+  return size < 1000 ? 0 : static_cast<int>(std::floor(math::log10(size))) - 2;
 }
 
 /// A candidate text of a value.

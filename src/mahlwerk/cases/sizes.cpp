@@ -9,6 +9,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 
@@ -25,10 +26,10 @@ struct Moments {
 
 /// Standard normal distribution: the density, and the probability between two bounds.
 double density(double z) {
-  return std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
+  return math::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
 }
 double between(double a, double b) {
-  return 0.5 * (std::erf(b / std::numbers::sqrt2) - std::erf(a / std::numbers::sqrt2));
+  return 0.5 * (math::erf(b / std::numbers::sqrt2) - math::erf(a / std::numbers::sqrt2));
 }
 
 Moments of_normal(const Distribution& d, double low, double high) {  // (chg.2)
@@ -41,14 +42,14 @@ Moments of_normal(const Distribution& d, double low, double high) {  // (chg.2)
 }
 
 Moments of_lognormal(const Distribution& d, double low, double high) {  // (chg.3)
-  const double s = std::log(d.spread);
-  const double a = std::log(low / d.diameter) / s, b = std::log(high / d.diameter) / s;
+  const double s = math::log(d.spread);
+  const double a = math::log(low / d.diameter) / s, b = math::log(high / d.diameter) / s;
   return {between(a, b),
-          std::pow(d.diameter, 3) * std::exp(4.5 * s * s) * between(a - 3 * s, b - 3 * s)};
+          math::pow(d.diameter, 3) * math::exp(4.5 * s * s) * between(a - 3 * s, b - 3 * s)};
 }
 
 Moments of_uniform(double low, double high) {  // (chg.4)
-  return {high - low, 0.25 * (std::pow(high, 4) - std::pow(low, 4))};
+  return {high - low, 0.25 * (math::pow(high, 4) - math::pow(low, 4))};
 }
 
 /// Bounds of `parts` classes with linear or logarithmic (`ratios`) spacing.
@@ -56,7 +57,7 @@ std::vector<double> edges(double low, double high, std::int64_t parts, bool rati
   std::vector<double> found{low};
   for (std::int64_t i = 1; i < parts; ++i) {
     const double t = static_cast<double>(i) / static_cast<double>(parts);
-    found.push_back(ratios ? low * std::pow(high / low, t) : low + t * (high - low));
+    found.push_back(ratios ? low * math::pow(high / low, t) : low + t * (high - low));
   }
   found.push_back(high);
   return found;
@@ -77,8 +78,8 @@ std::vector<SizeShare> of_sieves(const Distribution& d) {  // (chg.5, chg.6)
     const double mass = above - below;
     if (!(mass > 0)) continue;
     const double volume =
-        3 * std::log(high / low) / (1 / (low * low * low) - 1 / (high * high * high));
-    found.push_back({low, high, std::cbrt(volume), mass / volume});
+        3 * math::log(high / low) / (1 / (low * low * low) - 1 / (high * high * high));
+    found.push_back({low, high, math::cbrt(volume), mass / volume});
   }
   return normalised(std::move(found));
 }
@@ -87,7 +88,7 @@ std::vector<SizeShare> of_sieves(const Distribution& d) {  // (chg.5, chg.6)
 
 std::vector<SizeShare> size_shares(const Distribution& of) {
   if (of.law == SizeLaw::sieves) return of_sieves(of);
-  const double log_spread = of.law == SizeLaw::lognormal ? std::pow(of.spread, cut_off) : 1;
+  const double log_spread = of.law == SizeLaw::lognormal ? math::pow(of.spread, cut_off) : 1;
   const double wide = cut_off * of.spread;
   const double low = of.law == SizeLaw::normal      ? of.diameter * (1 - wide)
                      : of.law == SizeLaw::lognormal ? of.diameter / log_spread
@@ -102,7 +103,7 @@ std::vector<SizeShare> size_shares(const Distribution& of) {
     const Moments m = of.law == SizeLaw::normal      ? of_normal(of, a, b)
                       : of.law == SizeLaw::lognormal ? of_lognormal(of, a, b)
                                                      : of_uniform(a, b);
-    found.push_back({a, b, std::cbrt(m.cube / m.number), m.number});  // (chg.1)
+    found.push_back({a, b, math::cbrt(m.cube / m.number), m.number});  // (chg.1)
   }
   return normalised(std::move(found));
 }
@@ -110,7 +111,7 @@ std::vector<SizeShare> size_shares(const Distribution& of) {
 double mean_volume_diameter(const std::vector<SizeShare>& shares) {
   double cube = 0;
   for (const SizeShare& s : shares) cube += s.share * s.diameter * s.diameter * s.diameter;
-  return std::cbrt(cube);  // (chg.7)
+  return math::cbrt(cube);  // (chg.7)
 }
 
 double mean_volume_diameter(const std::vector<SizeClass>& classes) {
@@ -119,7 +120,7 @@ double mean_volume_diameter(const std::vector<SizeClass>& classes) {
     cube += static_cast<double>(c.count) * c.diameter * c.diameter * c.diameter;
     count += static_cast<double>(c.count);
   }
-  return std::cbrt(cube / count);  // (chg.7)
+  return math::cbrt(cube / count);  // (chg.7)
 }
 
 std::vector<std::int64_t> apportion(std::int64_t count, const std::vector<SizeShare>& shares) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/law.hpp"
 
 // Hertz contact of elastic spheres (Hertz 1881): common parts of the laws built on it.
@@ -21,12 +22,12 @@ inline double mindlin_stiffness_ratio(const EffectivePair& t) {
 }
 /// Largest overlap of an elastic collision at `speed` [m/s], in m (dem.8).
 inline double hertz_overlap(const EffectivePair& t, double speed) {
-  return std::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
+  return math::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
 /// Duration of an elastic collision [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 times
 /// largest overlap over speed.
 inline double hertz_time(const EffectivePair& t, double speed) {
-  const double ratio = 2 * std::sqrt(std::numbers::pi) * std::tgamma(1.4) / std::tgamma(0.9);
+  constexpr double ratio = 2.9432751843247047;  // 2 sqrt(pi) Gamma(7/5) / Gamma(9/10)
   return ratio * hertz_overlap(t, speed) / speed;
 }
 /// Elastic energy [J] at `overlap` [m].

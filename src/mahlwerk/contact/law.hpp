@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/contact/adhesion.hpp"
 #include "mahlwerk/contact/law_field.hpp"
@@ -120,8 +121,8 @@ constexpr double min_restitution = 0.01;
 /// b = ln e / sqrt(ln^2 e + pi^2) (dem.7); 0 at e = 1, -1 at e = 0.
 inline double damping_ratio(double e) {
   if (e <= 0) return -1;
-  const double ln = std::log(e);
-  return ln / std::hypot(ln, std::numbers::pi);
+  const double ln = math::log(e);
+  return ln / math::hypot(ln, std::numbers::pi);
 }
 
 }  // namespace mahlwerk::contact

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::contact {
 namespace {
 
@@ -39,7 +41,7 @@ Restitution Restitution::viscoelastic(double value, double at_speed) {
   Restitution made(value);
   made.law_ = Law::viscoelastic;
   made.speed_ = at_speed;
-  made.scale_ = value < 1 ? damping_for(value) / std::pow(at_speed, 0.2) : 0.0;
+  made.scale_ = value < 1 ? damping_for(value) / math::pow(at_speed, 0.2) : 0.0;
   return made;
 }
 
@@ -59,13 +61,13 @@ Restitution Restitution::tabulated(Points speed_and_value) {
 
 double Restitution::speed_dependent(double approach) const {
   if (law_ == Law::viscoelastic)
-    return viscoelastic_e(scale_ * std::pow(std::max(approach, 0.0), 0.2));
+    return viscoelastic_e(scale_ * math::pow(std::max(approach, 0.0), 0.2));
   if (!(approach > points_.front().first)) return points_.front().second;
   const auto above = std::ranges::upper_bound(points_, approach, {}, &Points::value_type::first);
   if (above == points_.end()) return points_.back().second;
   const auto& [v0, e0] = *std::prev(above);
   const auto& [v1, e1] = *above;
-  return e0 + (e1 - e0) * std::log(approach / v0) / std::log(v1 / v0);  // (evt.21)
+  return e0 + (e1 - e0) * math::log(approach / v0) / math::log(v1 / v0);  // (evt.21)
 }
 
 }  // namespace mahlwerk::contact

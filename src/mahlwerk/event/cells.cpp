@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/index.hpp"
 
 namespace mahlwerk::event {
@@ -20,7 +21,7 @@ Cells::Cells(const Vec3& low, const Vec3& size, bool periodic, double side, doub
              double most)
     : low_(low), slack_(slack), periodic_(periodic) {
   const double volume = size.x * size.y * size.z;
-  const double wide = std::max(side, std::cbrt(volume / std::max(most, 1.0)));
+  const double wide = std::max(side, math::cbrt(volume / std::max(most, 1.0)));
   const auto count = [&](double width) {
     const double several = std::min(5.0, std::floor(width / side));  // see needs_all_images()
     const double least = std::max(several, periodic ? 2.0 : 1.0);

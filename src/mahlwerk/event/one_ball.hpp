@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/event/collapse.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/search.hpp"
@@ -104,7 +105,7 @@ class OneBall final : public scene::Engine {
     const BallState p =
         in_contact_ ? BallState{integrator_.state().position, integrator_.state().velocity}
                     : flight_.ball_state(at, jar_.gravity(), jar_.motion().frame_motion(at));
-    const double density = body_.mass / (4.0 / 3.0 * std::numbers::pi * std::pow(body_.radius, 3));
+    const double density = body_.mass / (4.0 / 3.0 * std::numbers::pi * math::pow(body_.radius, 3));
     return {{body_.radius, density, p.position, p.velocity,
              in_contact_ ? integrator_.state().spin : spin_}};
   }

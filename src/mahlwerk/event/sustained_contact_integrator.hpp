@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/event/lift_limit.hpp"
 #include "mahlwerk/event/search.hpp"
 #include "mahlwerk/event/sustained_contact.hpp"
@@ -103,12 +104,12 @@ class SustainedContactIntegrator {
     double h = wanted;
     IntegrationStep s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     while (!(s.error <= 1)) {
-      h *= s.error > 1 ? std::clamp(0.9 * std::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
+      h *= s.error > 1 ? std::clamp(0.9 * math::pow(s.error, -0.2), 0.1, 0.9) : 0.1;
       s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     }
     // A step shortened for other reasons says nothing about the error.
     if (h < wanted || wanted == step_)
-      step_ = h * std::clamp(0.9 * std::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
+      step_ = h * std::clamp(0.9 * math::pow(s.error + 1e-12, -0.2), 0.2, 3.0);
     if (leaves_wall(t + h, s)) {
       h = bisect_release_time(rate, t, h);
       s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);

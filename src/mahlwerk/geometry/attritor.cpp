@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::geometry {
 namespace {
 
@@ -12,10 +14,10 @@ constexpr double pi = std::numbers::pi;
 
 /// Gap to a solid cylinder about z with a flat end at z = 0, infinitely long upwards.
 Gap from_shaft(const Vec3& p, double radius) {
-  const double r = std::hypot(p.x, p.y), out = r - radius, below = -p.z;
+  const double r = math::hypot(p.x, p.y), out = r - radius, below = -p.z;
   const Vec3 side = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
   if (out > 0 && below > 0) {
-    const double far = std::hypot(out, below);
+    const double far = math::hypot(out, below);
     return {far, out / far * side - Vec3{0, 0, below / far}, 0};
   }
   if (below > out) return {below, {0, 0, -1}, 0};
@@ -65,7 +67,7 @@ double Attritor::volume() const {
   constexpr int nodes = 64;
   double crossing = 0;
   for (int k = 1; k <= nodes; ++k) {
-    const double angle = k * pi / (nodes + 1), y = arm * std::cos(angle), s = std::sin(angle);
+    const double angle = k * pi / (nodes + 1), y = arm * math::cos(angle), s = math::sin(angle);
     crossing += pi / (nodes + 1) * s * s * arm * arm * 4 * std::sqrt(shaft * shaft - y * y);
   }
   return vessel().volume() - pi * shaft * shaft * (height - shaft_clearance) -

@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/lane_gap.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 
@@ -64,7 +65,7 @@ struct Cylinder {
   }
   bool can_touch(int, double) const { return true; }
   double volume() const { return 0.25 * std::numbers::pi * diameter * diameter * height; }
-  double reach() const { return 0.5 * std::hypot(diameter, height); }
+  double reach() const { return 0.5 * math::hypot(diameter, height); }
   double inradius() const { return 0.5 * std::min(diameter, height); }
   bool operator==(const Cylinder&) const = default;
 };

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/index.hpp"
 
 namespace mahlwerk::geometry {
@@ -47,7 +48,7 @@ void join_neighbours(std::vector<Facet>& facets, const std::vector<Side>& sides)
 
 int split_into_faces(std::vector<Facet>& facets, double crease_angle) {
   // Bends of exactly the crease angle are creases, however their cosine is rounded.
-  const double smooth = std::cos(crease_angle) + 1e-9;
+  const double smooth = math::cos(crease_angle) + 1e-9;
   int faces = 0;
   for (Facet& f : facets) f.face = -1;
   std::vector<std::int32_t> open;
@@ -73,7 +74,7 @@ int split_into_faces(std::vector<Facet>& facets, double crease_angle) {
 /// Angle of a facet at one of its corners [rad].
 double angle_at(const Facet& f, std::size_t k) {
   const Vec3 a = f.corner[(k + 1) % 3] - f.corner[k], b = f.corner[(k + 2) % 3] - f.corner[k];
-  return std::atan2(norm(cross(a, b)), dot(a, b));
+  return math::atan2(norm(cross(a, b)), dot(a, b));
 }
 
 Vec3 unit(const Vec3& a) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::geometry {
 
 /// Gap to a bar, in the plane across the axis. Coordinates: up towards the axis, and aside from the
@@ -23,7 +25,7 @@ Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   if (off <= 0 && (up > 0 || up > from_side)) {
     distance = up, n_up = 1;
   } else if (off > 0 && down_side < 0) {
-    distance = std::hypot(up, off), n_up = up / distance, n_off = off / distance;
+    distance = math::hypot(up, off), n_up = up / distance, n_off = off / distance;
   } else {
     distance = from_side, n_up = side.cos, n_off = side.sin;
   }
@@ -36,15 +38,15 @@ Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
 /// feet, and the segment of the circle under the chord (geo.14).
 double LifterCylinder::volume() const {
   const double r = 0.5 * diameter,
-               slope = std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
+               slope = math::cos(lifter_face_angle) / math::sin(lifter_face_angle);
   // Where a side meets the shell: half_foot = width/2 - slope s, s = r - sqrt(r^2 - half_foot^2).
   double half_base = 0.5 * lifter_width;
   for (int i = 0; i < 60; ++i)
     half_base = 0.5 * lifter_width - slope * (r - std::sqrt(r * r - half_base * half_base));
   const double sagitta = r - std::sqrt(r * r - half_base * half_base);
-  const double angle = 2 * std::asin(half_base / r);
+  const double angle = 2 * math::asin(half_base / r);
   const double trapezoid = (half_base + half_top()) * (lifter_height - sagitta);
-  const double segment = 0.5 * r * r * (angle - std::sin(angle));
+  const double segment = 0.5 * r * r * (angle - math::sin(angle));
   return shell().volume() - lifters * (trapezoid + segment) * height;
 }
 
@@ -52,7 +54,7 @@ std::string LifterCylinder::flaw() const {
   const double r = 0.5 * diameter, half = 0.5 * lifter_width;
   if (lifters != std::floor(lifters)) return "lifters must be a whole number";
   if (lifter_height >= r) return "the lifters reach the middle of the jar";
-  if (half >= r || lifters * std::asin(half / r) >= std::numbers::pi)
+  if (half >= r || lifters * math::asin(half / r) >= std::numbers::pi)
     return "the lifters are so wide that they cover the whole shell";
   if (half_top() <= 0)
     return "the sides of a lifter meet below its top: it is too high for its width and face angle";
@@ -60,7 +62,7 @@ std::string LifterCylinder::flaw() const {
   if (lifter_height <= r - std::sqrt(r * r - flat * flat))
     return "the lifters are so low and wide that the shell bulges through their tops";
   if (lifters > 2 &&
-      std::asin(std::min(1.0, flat / (r - lifter_height))) >= std::numbers::pi / lifters)
+      math::asin(std::min(1.0, flat / (r - lifter_height))) >= std::numbers::pi / lifters)
     return "the tops of neighbouring lifters run into each other";
   return "";
 }

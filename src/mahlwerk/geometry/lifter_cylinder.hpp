@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/trig.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
 #include "mahlwerk/geometry/surface.hpp"
@@ -99,7 +100,7 @@ struct LifterCylinder {
   Cylinder shell() const { return {diameter, height}; }
   double half_top() const {
     return 0.5 * lifter_width -
-           lifter_height * std::cos(lifter_face_angle) / std::sin(lifter_face_angle);
+           lifter_height * math::cos(lifter_face_angle) / math::sin(lifter_face_angle);
   }
   Gap bar(int which, const Vec3& p, double within) const;
 };

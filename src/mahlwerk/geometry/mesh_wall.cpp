@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/index.hpp"
 
 namespace mahlwerk::geometry {
@@ -62,7 +63,7 @@ void MeshWall::measure() {
   volume_ = volume_of(surface_);
   for (const Vec3& p : surface_.points) {
     reach_ = std::max(reach_, norm(p));
-    radius_about_axis_ = std::max(radius_about_axis_, std::hypot(p.x, p.y));
+    radius_about_axis_ = std::max(radius_about_axis_, math::hypot(p.x, p.y));
   }
 }
 

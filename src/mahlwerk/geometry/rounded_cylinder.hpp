@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
 
 namespace mahlwerk::geometry {
@@ -45,7 +46,7 @@ struct RoundedCylinder {
     const Vec3 e = from_core(p);
     if (face != 3) return plain().normal_rate(face, p, v);
     if (squared(e) == 0) return plain().normal_rate(nearest_plain_face(p), p, v);
-    const double rho = std::hypot(p.x, p.y);
+    const double rho = math::hypot(p.x, p.y);
     if (rho == 0) return {};
     // e = over(rho) out + z part; its rate without the motion of the nearest core point around it.
     const Vec3 out{p.x / rho, p.y / rho, 0}, around{-out.y, out.x, 0};
@@ -57,7 +58,7 @@ struct RoundedCylinder {
   }
   double time_to_curvature_jump(int face, const Vec3& p, const Vec3& v) const {
     if (face != 3) return never;
-    const double rho = std::hypot(p.x, p.y), out = (p.x * v.x + p.y * v.y) / (rho > 0 ? rho : 1);
+    const double rho = math::hypot(p.x, p.y), out = (p.x * v.x + p.y * v.y) / (rho > 0 ? rho : 1);
     return std::min(until_crossing(0.5 * height - fillet, p.z, v.z),
                     until_crossing(0.5 * diameter - fillet, rho, out));
   }
@@ -71,7 +72,7 @@ struct RoundedCylinder {
       return {gap_within(room, e2), along,
               core_safe_time(room, e2, along, squared(c.velocity), max_acceleration)};
     }
-    const double gap = std::min(0.5 * diameter - std::hypot(c.position.x, c.position.y),
+    const double gap = std::min(0.5 * diameter - math::hypot(c.position.x, c.position.y),
                                 0.5 * height - std::abs(c.position.z)) -
                        radius;
     const double speed = norm(c.velocity);
@@ -86,7 +87,7 @@ struct RoundedCylinder {
     return plain().volume() - 2 * lost;
   }
   double reach() const {
-    return std::hypot(0.5 * diameter - fillet, 0.5 * height - fillet) + fillet;
+    return math::hypot(0.5 * diameter - fillet, 0.5 * height - fillet) + fillet;
   }
   double inradius() const { return plain().inradius(); }
   bool operator==(const RoundedCylinder&) const = default;
@@ -99,7 +100,7 @@ struct RoundedCylinder {
   }
   /// Vector [m] to `p` from the nearest point of the core, a cylinder one fillet inside the wall.
   Vec3 from_core(const Vec3& p) const {
-    const double rho = std::hypot(p.x, p.y), over = rho - (0.5 * diameter - fillet);
+    const double rho = math::hypot(p.x, p.y), over = rho - (0.5 * diameter - fillet);
     const double h = 0.5 * height - fillet;
     const double share = over > 0 ? over / rho : 0;
     return {share * p.x, share * p.y, p.z - std::clamp(p.z, -h, h)};

@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
@@ -30,7 +31,7 @@ struct AccelerationBound {
 
   AccelerationBound() = default;
   explicit AccelerationBound(const Vec3& bounds)
-      : components(bounds), total(norm(bounds)), across_axis(std::hypot(bounds.x, bounds.y)) {}
+      : components(bounds), total(norm(bounds)), across_axis(math::hypot(bounds.x, bounds.y)) {}
 };
 
 /// State of a ball's centre for a safe-time query, in the jar's own axes.

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 
 namespace mahlwerk::kinematics {
@@ -55,7 +56,7 @@ struct ArcShaker {
   Vec3 fixed_axis() const { return upright; }
   Bounds bounds() const {
     const double w = omega(), rate = swing * w, angular_acceleration = swing * w * w;
-    const double a = arm * std::hypot(angular_acceleration, rate * rate);
+    const double a = arm * math::hypot(angular_acceleration, rate * rate);
     return {.speed = arm * rate,
             .acceleration = {a, a, 0},
             .jerk = arm * (angular_acceleration * w + 3 * rate * angular_acceleration +

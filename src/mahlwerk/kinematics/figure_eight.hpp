@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 
 namespace mahlwerk::kinematics {
@@ -85,7 +86,7 @@ struct FigureEight {
   Vec3 fixed_axis() const { return rock == 0 ? Vec3{} : upright; }
   Bounds bounds() const {
     const double w = omega(), w2 = 2 * w, rate = rock * w, angular_acceleration = rock * w * w;
-    const double swing = pivot * std::hypot(angular_acceleration, rate * rate);
+    const double swing = pivot * math::hypot(angular_acceleration, rate * rate);
     return {
         .speed = norm({w * stroke_along, w2 * stroke_across, w * stroke_up}) + pivot * rate,
         .acceleration = {w * w * stroke_along + swing, w2 * w2 * stroke_across + swing,

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 
 namespace mahlwerk::kinematics {
@@ -37,7 +38,8 @@ struct Vibration : NonRotating {
 
   Vec3 line() const {
     if (tilt == 0) return upright;  // the usual case, evaluated at every search step
-    return {std::sin(tilt) * std::cos(heading), std::sin(tilt) * std::sin(heading), std::cos(tilt)};
+    return {math::sin(tilt) * math::cos(heading), math::sin(tilt) * math::sin(heading),
+            math::cos(tilt)};
   }
   FrameMotion frame_motion(double t) const {
     const double w = 2 * std::numbers::pi * frequency;

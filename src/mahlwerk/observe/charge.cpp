@@ -7,6 +7,7 @@
 #include <numbers>
 #include <variant>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 
@@ -17,7 +18,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double near_wall = 0.01;  // gap over a ball's radius below which it is at the wall
 
 int angle_slot(double x, double y) {
-  const double angle = std::atan2(y, x);
+  const double angle = math::atan2(y, x);
   return static_cast<int>((angle < 0 ? angle + full_turn : angle) / full_turn * Charge::angles) %
          Charge::angles;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/random.hpp"
 
 namespace mahlwerk::observe {
@@ -41,10 +42,10 @@ Split sharpest(const std::vector<double>& sorted) {
 /// Draws sorted standard normal numbers, two at a time (Box and Muller 1958).
 void draw(Random& random, std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); i += 2) {
-    const double r = std::sqrt(-2 * std::log(random.uniform()));
+    const double r = std::sqrt(-2 * math::log(random.uniform()));
     const double angle = 2 * std::numbers::pi * random.uniform();
-    values[i] = r * std::cos(angle);
-    if (i + 1 < values.size()) values[i + 1] = r * std::sin(angle);
+    values[i] = r * math::cos(angle);
+    if (i + 1 < values.size()) values[i + 1] = r * math::sin(angle);
   }
   std::ranges::sort(values);
 }

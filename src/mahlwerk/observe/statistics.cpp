@@ -7,13 +7,15 @@
 #include <limits>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::observe {
 namespace {
 
 /// Probability that |t| is below sqrt(n) tan(theta), for n degrees of freedom: the finite series
 /// of Abramowitz & Stegun 26.7.3 and 26.7.4.
 double within(double theta, int n) {
-  const double c = std::cos(theta), s = std::sin(theta);
+  const double c = math::cos(theta), s = math::sin(theta);
   const bool odd = n % 2 == 1;
   double term = odd ? c : 1, sum = n == 1 ? 0 : term;
   for (int k = odd ? 3 : 2; k < n; k += 2) {
@@ -29,7 +31,7 @@ double by_bisection(int n) {
     const double middle = 0.5 * (low + high);
     (within(middle, n) < 0.95 ? low : high) = middle;
   }
-  return std::sqrt(n) * std::tan(0.5 * (low + high));
+  return std::sqrt(n) * math::tan(0.5 * (low + high));
 }
 
 /// Expansion about the normal quantile, Abramowitz & Stegun 26.7.5; accurate to 1e-6 beyond n = 30.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 // Conversion by a dose of energy: a reaction or a property.
 namespace mahlwerk::powder {
 
@@ -17,7 +19,7 @@ struct Conversion {
   /// [1] Conversion by a `dose` [J/kg] >= 0 (dos.1).
   double at(double dose) const {
     const double beyond = std::max(dose - onset, 0.0);
-    return -std::expm1(-std::pow(beyond / dose_constant, exponent));
+    return -math::expm1(-math::pow(beyond / dose_constant, exponent));
   }
   bool operator==(const Conversion&) const = default;
 };

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::powder {
 namespace {
 
@@ -14,7 +16,7 @@ double sieved(const std::vector<std::array<double, 2>>& rows, double x) {
   if (next == rows.begin()) return 0;
   if (next == rows.end()) return 1;
   const auto &low = *std::prev(next), &high = *next;
-  return std::lerp(low[1], high[1], std::log(x / low[0]) / std::log(high[0] / low[0]));
+  return std::lerp(low[1], high[1], math::log(x / low[0]) / math::log(high[0] / low[0]));
 }
 
 double sieve_of(const std::vector<std::array<double, 2>>& rows, double share) {
@@ -22,13 +24,13 @@ double sieve_of(const std::vector<std::array<double, 2>>& rows, double share) {
     if (rows[i][1] >= share && rows[i][1] > rows[i - 1][1]) {
       const double part =
           std::clamp((share - rows[i - 1][1]) / (rows[i][1] - rows[i - 1][1]), 0.0, 1.0);
-      return rows[i - 1][0] * std::pow(rows[i][0] / rows[i - 1][0], part);
+      return rows[i - 1][0] * math::pow(rows[i][0] / rows[i - 1][0], part);
     }
   return rows.back()[0];
 }
 
 double normal_cdf(double z) {
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  return 0.5 * math::erfc(-z / std::numbers::sqrt2);
 }
 
 /// Quantile of the standard normal distribution for a share in (0, 1).
@@ -50,9 +52,9 @@ double Feed::undersize(double x) const {
     case Law::sieves:
       return sieved(passing, x);
     case Law::lognormal:
-      return x > 0 ? normal_cdf(std::log(x / size) / std::log(spread)) : 0;
+      return x > 0 ? normal_cdf(math::log(x / size) / math::log(spread)) : 0;
     case Law::rosin_rammler:
-      return x > 0 ? -std::expm1(-std::pow(x / size, spread)) : 0;
+      return x > 0 ? -math::expm1(-math::pow(x / size, spread)) : 0;
   }
   return 0;
 }
@@ -64,9 +66,9 @@ double Feed::quantile(double share) const {
     case Law::sieves:
       return sieve_of(passing, share);
     case Law::lognormal:
-      return size * std::pow(spread, normal_quantile(share));
+      return size * math::pow(spread, normal_quantile(share));
     case Law::rosin_rammler:
-      return size * std::pow(-std::log1p(-share), 1 / spread);
+      return size * math::pow(-math::log1p(-share), 1 / spread);
   }
   return size;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
+
 // Flash temperature at the contact of two colliding bodies.
 namespace mahlwerk::powder {
 
@@ -29,7 +31,7 @@ inline double flash_factor(double energy_normal, const FlashPair& p) {
   if (!(energy_normal > 0)) return 0;
   constexpr double hertz_time = 2.943275184324706;  // 2 sqrt(pi) Gamma(7/5)/Gamma(9/10) (dem.9)
   const double depth =                              // (hea.8)
-      std::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
+      math::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
   const double area = std::numbers::pi * p.radius * depth;
   const double time = hertz_time * depth * std::sqrt(0.5 * p.mass / energy_normal);  // (hea.9)
   return 2 / (area * std::sqrt(std::numbers::pi * time) * (p.effusivity + p.other_effusivity));
@@ -38,7 +40,7 @@ inline double flash_factor(double energy_normal, const FlashPair& p) {
 /// [s] Hertz's contact time of a collision of `energy_normal` [J] > 0 (hea.9).
 inline double hertz_time(double energy_normal, const FlashPair& p) {
   constexpr double factor = 2.943275184324706;  // as above
-  const double depth = std::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
+  const double depth = math::pow(1.875 * energy_normal / (p.modulus * std::sqrt(p.radius)), 0.4);
   return factor * depth * std::sqrt(0.5 * p.mass / energy_normal);
 }
 

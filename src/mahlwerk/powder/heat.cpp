@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::powder {
 namespace {
 
 /// Solution of y' = push - rate y after a time (hea.4).
 double relax(double y, double push, double rate, double time) {
   const double z = -rate * time;
-  return y * std::exp(z) + push * time * (z == 0 ? 1 : std::expm1(z) / z);
+  return y * math::exp(z) + push * time * (z == 0 ? 1 : math::expm1(z) / z);
 }
 
 /// Appends the temperatures of one phase.
@@ -36,8 +38,8 @@ Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, 
   const double b = std::sqrt(nodes.balls_capacity), j = std::sqrt(nodes.jar_capacity);
   const double bb = nodes.exchange / (b * b), bj = -nodes.exchange / (b * j);
   const double jj = (nodes.exchange + nodes.cooling) / (j * j);
-  const double turn = 0.5 * std::atan2(2 * bj, bb - jj), c = std::cos(turn), s = std::sin(turn);
-  const double fast = 0.5 * (bb + jj + std::hypot(bb - jj, 2 * bj));
+  const double turn = 0.5 * math::atan2(2 * bj, bb - jj), c = math::cos(turn), s = math::sin(turn);
+  const double fast = 0.5 * (bb + jj + math::hypot(bb - jj, 2 * bj));
   const double product =
       bb * (nodes.cooling / (j * j));  // product of both rates, without cancellation
   const double slow = fast > 0 ? product / fast : 0;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
+
 // The nip between two colliding bodies, and the powder captured in it.
 namespace mahlwerk::powder {
 
@@ -34,7 +36,7 @@ struct Capture {
 
 /// [m] Hertz's contact radius of a collision that stores `energy` [J] (cap.1).
 inline double contact_radius(const Nip& nip, double energy) {
-  return std::pow(1.875 * energy / nip.modulus, 0.2) * std::pow(nip.radius, 0.4);
+  return math::pow(1.875 * energy / nip.modulus, 0.2) * math::pow(nip.radius, 0.4);
 }
 
 /// Capture of a mean `mass` [kg]. A mass below that of one grain becomes a probability below 1.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::powder {
 
 PopulationBalance::PopulationBalance(Process process, StressSpectrum stresses, SizeGrid grid,
@@ -59,7 +61,7 @@ void PopulationBalance::advance_mixed(double time) {
     for (;; next *= 0.5) {
       states_ = product(transition_matrix(now, next), before);
       to = mean();
-      if (std::abs(std::log(to / from)) <= max_change) break;
+      if (std::abs(math::log(to / from)) <= max_change) break;
     }
     if (to != from)
       states_ = product(transition_matrix(rates_at(std::sqrt(from * to)), next), before);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/powder/process.hpp"
 
@@ -113,7 +114,7 @@ class RateMatrixBuilder {
     if (below == level) return;
     const double high = all[static_cast<std::size_t>(below) - 1],
                  low = all[static_cast<std::size_t>(below)];
-    const double share = std::min(1.0, std::log(high / strength) / std::log(high / low));
+    const double share = std::min(1.0, math::log(high / strength) / math::log(high / low));
     rates_.at(state(i, below), state(i, level)) += rate * share;
     if (below - 1 != level) rates_.at(state(i, below - 1), state(i, level)) += rate * (1 - share);
   }
@@ -172,18 +173,18 @@ StrengthLevels strength_levels(const AnyBreakage& breakage, int count) {
   // Equidistant in the logarithm, from the strength that a thousandth of fresh grains exceed to a
   // sixth of that which a thousandth fall short of. Weaker grains break at almost every hit.
   constexpr double deviations = 3, weakest = 6;
-  const double high = std::log(model->relative_strength(deviations));
-  const double low = std::log(model->relative_strength(-deviations) / weakest);
+  const double high = math::log(model->relative_strength(deviations));
+  const double low = math::log(model->relative_strength(-deviations) / weakest);
   const double apart = (high - low) / (count - 1);
   const auto finer = [&](double log_strength) {
-    return 0.5 * std::erfc(-model->deviations(std::exp(log_strength)) / std::numbers::sqrt2);
+    return 0.5 * math::erfc(-model->deviations(math::exp(log_strength)) / std::numbers::sqrt2);
   };
   StrengthLevels made{{}, {}};
   double above = 1;
   for (int k = 0; k < count; ++k) {
     const double at = high - k * apart;
     const double below = k + 1 < count ? finer(at - 0.5 * apart) : 0;
-    made.strength.push_back(std::exp(at));
+    made.strength.push_back(math::exp(at));
     made.fresh.push_back(above - below);
     above = below;
   }

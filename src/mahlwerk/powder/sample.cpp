@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/powder/models.hpp"
 
 namespace mahlwerk::powder {
@@ -16,8 +17,8 @@ constexpr int damage_steps = 512;
 
 /// [1] A standard normal random number (Box-Muller), for a grain's strength.
 double normal(SplitMix64& draw) {
-  const double radius = std::sqrt(-2 * std::log(draw()));
-  return radius * std::cos(2 * std::numbers::pi * draw());
+  const double radius = std::sqrt(-2 * math::log(draw()));
+  return radius * math::cos(2 * std::numbers::pi * draw());
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
   if (tavares != nullptr)  // equidistant in the power of the load to which small damage is linear
     for (int i = 0; i <= damage_steps; ++i)
       damage_.push_back(
-          tavares->damage(std::pow(static_cast<double>(i) / damage_steps, 2.5 / tavares->gamma)));
+          tavares->damage(math::pow(static_cast<double>(i) / damage_steps, 2.5 / tavares->gamma)));
   for (int i = 0; i < grains; ++i) {
     // Stratified sampling: one grain from each equal share of the feed.
     const double size = feed.quantile((i + draw_()) / grains);
@@ -51,12 +52,12 @@ Sample::Sample(Process process, std::vector<Nip> nips, SizeGrid grid, const Feed
 }
 
 int Sample::kind(int nip, double energy) {
-  const int step = static_cast<int>(std::lround(std::log2(energy) * steps_per_octave));
+  const int step = static_cast<int>(std::lround(math::log2(energy) * steps_per_octave));
   const auto [at, is_new] = known_.try_emplace({nip, step}, static_cast<int>(kinds_.size()));
   if (is_new) {
     CollisionKind made;
     made.nip = nip;
-    made.energy = std::exp2(static_cast<double>(step) / steps_per_octave);
+    made.energy = math::exp2(static_cast<double>(step) / steps_per_octave);
     compute_class_hits(made);
     kinds_.push_back(std::move(made));
   }
@@ -138,7 +139,7 @@ void Sample::hit_grain(const Model& model, int group, std::size_t which, double 
     const double load = energy / grain.strength;
     breaks = load >= 1;
     if (!breaks) {
-      const double place = std::pow(load, 0.4 * model.gamma) * damage_steps;
+      const double place = math::pow(load, 0.4 * model.gamma) * damage_steps;
       const auto low = static_cast<std::size_t>(place);
       const double damage =
           std::lerp(damage_[low], damage_[std::min<std::size_t>(low + 1, damage_steps)],
@@ -166,7 +167,7 @@ void Sample::hit_grain(const Model& model, int group, std::size_t which, double 
   if (process_.welding > 0 && energy >= process_.welding_energy &&
       grain.size_class >= grid_.per_octave() / 3 && draw_() < process_.welding) {
     const double before = grain.size;
-    grain.size *= std::cbrt(2.0);
+    grain.size *= math::cbrt(2.0);
     if constexpr (Model::tracks_strength)  // keeps its strength relative to the median
       grain.strength *= static_cast<float>(model.median(grain.size) / model.median(before));
     move(group, which, grain);
@@ -198,7 +199,7 @@ void Sample::update_mixed_bed() {
   constexpr double much = 0.02;
   hits_at_update_ = grain_hits_;
   const double now = mean_size(grid_, shares());
-  if (std::abs(std::log(now / mean_size_)) < much) return;
+  if (std::abs(math::log(now / mean_size_)) < much) return;
   mean_size_ = now;
   for (CollisionKind& kind : kinds_) compute_class_hits(kind);
 }

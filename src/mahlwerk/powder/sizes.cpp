@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::powder {
 
 SizeGrid::SizeGrid(double middle, double largest, double smallest, int per_octave)
@@ -12,23 +14,23 @@ SizeGrid::SizeGrid(double middle, double largest, double smallest, int per_octav
   constexpr double rounding = 1e-9;  // an end on an edge needs no further class
   const double half = 0.5 / per_octave;
   const auto above = static_cast<int>(
-      std::ceil(std::max(0.0, (std::log2(largest / middle) - half) * per_octave - rounding)));
+      std::ceil(std::max(0.0, (math::log2(largest / middle) - half) * per_octave - rounding)));
   const auto below = static_cast<int>(
-      std::ceil(std::max(0.0, (std::log2(middle / smallest) - half) * per_octave - rounding)));
-  top_ = middle * std::exp2(half + static_cast<double>(above) / per_octave);
+      std::ceil(std::max(0.0, (math::log2(middle / smallest) - half) * per_octave - rounding)));
+  top_ = middle * math::exp2(half + static_cast<double>(above) / per_octave);
   classes_ = above + 1 + below;
 }
 
 double SizeGrid::upper(int i) const {
-  return top_ * std::exp2(-static_cast<double>(i) / per_octave_);
+  return top_ * math::exp2(-static_cast<double>(i) / per_octave_);
 }
 
 double SizeGrid::middle(int i) const {
-  return top_ * std::exp2(-(static_cast<double>(i) + 0.5) / per_octave_);
+  return top_ * math::exp2(-(static_cast<double>(i) + 0.5) / per_octave_);
 }
 
 int SizeGrid::class_of(double size) const {
-  const double place = std::log2(top_ / size) * per_octave_;
+  const double place = math::log2(top_ / size) * per_octave_;
   return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(classes_ - 1)));
 }
 
@@ -53,7 +55,7 @@ double quantile(const SizeGrid& grid, const std::vector<double>& shares, double 
     const double here = shares[static_cast<std::size_t>(i)];
     if (here > 0 && below + here >= share) {
       const double part = std::clamp((share - below) / here, 0.0, 1.0);
-      return grid.lower(i) * std::exp2(part / grid.per_octave());
+      return grid.lower(i) * math::exp2(part / grid.per_octave());
     }
     below += here;
   }
@@ -63,7 +65,7 @@ double quantile(const SizeGrid& grid, const std::vector<double>& shares, double 
 double undersize(const SizeGrid& grid, const std::vector<double>& shares, double size) {
   double below = 0;
   for (int i = grid.classes() - 1; i >= 0 && size > grid.lower(i); --i) {
-    const double part = std::min(1.0, std::log2(size / grid.lower(i)) * grid.per_octave());
+    const double part = std::min(1.0, math::log2(size / grid.lower(i)) * grid.per_octave());
     below += part * shares[static_cast<std::size_t>(i)];
   }
   return below;

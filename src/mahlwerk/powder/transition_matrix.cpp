@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/lanes.hpp"
 
 namespace mahlwerk::powder {
@@ -102,7 +103,7 @@ Matrix transition_matrix(const RateMatrix& rates, double time) {
   constexpr int terms = 9;
   constexpr double short_time = 0.0625;  // q t; its ninth power over 9! is 4e-17
   const int squarings =
-      std::max(0, static_cast<int>(std::ceil(std::log2(pace * time / short_time))));
+      std::max(0, static_cast<int>(std::ceil(math::log2(pace * time / short_time))));
   const double x = std::ldexp(pace * time, -squarings);
   const Matrix once = uniformized_matrix(rates, pace);
   Matrix power = result;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
@@ -22,7 +23,7 @@ observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
   observe::WallGrid grid{.radius = 0, .bottom = INFINITY, .top = -INFINITY};
   for (const JarMesh& mesh : jar_surface(shape))
     for (const Vec3& p : mesh.vertices) {
-      grid.radius = std::max(grid.radius, std::hypot(p.x, p.y));
+      grid.radius = std::max(grid.radius, math::hypot(p.x, p.y));
       grid.bottom = std::min(grid.bottom, p.z);
       grid.top = std::max(grid.top, p.z);
     }

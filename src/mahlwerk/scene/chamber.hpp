@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -22,7 +23,7 @@ inline Rotation mounted_along(const Vec3& axis) {
   const Vec3 across_both = cross(up, axis);
   const double s = norm(across_both);
   if (s == 0) return axis.z > 0 ? Rotation{} : Rotation{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  return rotation_about(across_both / s, std::atan2(s, axis.z));
+  return rotation_about(across_both / s, math::atan2(s, axis.z));
 }
 
 }  // namespace mahlwerk::scene

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/minimiser.hpp"
 #include "mahlwerk/campaign/run/parallel.hpp"
@@ -186,7 +187,7 @@ double residual(const Measurement& measured, double predicted) {
   const bool known = !std::isnan(measured.error);
   if (measured.what == MeasuredQuantity::quantile ||
       measured.what == MeasuredQuantity::specific_surface)
-    return std::log(predicted / measured.value) * (known ? measured.value / measured.error : 1);
+    return math::log(predicted / measured.value) * (known ? measured.value / measured.error : 1);
   return (predicted - measured.value) / (known ? measured.error : 1);
 }
 
@@ -243,8 +244,8 @@ void widen_interval(double width, const FreeParameter& parameter, FittedParamete
   const double position = position_of(parameter, p.value);
   const double below = position - position_of(parameter, p.low),
                above = position_of(parameter, p.high) - position;
-  const double low = position - std::hypot(below, width),
-               high = position + std::hypot(above, width);
+  const double low = position - math::hypot(below, width),
+               high = position + math::hypot(above, width);
   if (!p.open_low) p.low = value_at(parameter, low);
   if (!p.open_high) p.high = value_at(parameter, high);
   p.open_low = p.open_low || low <= 0;

@@ -9,6 +9,7 @@
 #include <exception>
 #include <nlopt.hpp>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 
 namespace mahlwerk::campaign {
@@ -66,13 +67,13 @@ double value_at(const FreeParameter& p, double position) {
   if (position <= 0) return p.least;
   if (position >= 1) return p.most;
   if (!p.logarithmic()) return p.least + (p.most - p.least) * position;
-  const double least = std::log(p.least);  // (fit.2), without overflow for wide ranges
-  return std::exp(least + (std::log(p.most) - least) * position);
+  const double least = math::log(p.least);  // (fit.2), without overflow for wide ranges
+  return math::exp(least + (math::log(p.most) - least) * position);
 }
 
 double position_of(const FreeParameter& p, double value) {
-  const double position = p.logarithmic() ? (std::log(value) - std::log(p.least)) /
-                                                (std::log(p.most) - std::log(p.least))
+  const double position = p.logarithmic() ? (math::log(value) - math::log(p.least)) /
+                                                (math::log(p.most) - math::log(p.least))
                                           : (value - p.least) / (p.most - p.least);
   return std::clamp(position, 0.0, 1.0);
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -48,7 +49,7 @@ observe::Estimate estimate(const std::vector<Sample>& samples, const Value& valu
 
 ContactTimeEffect::Change change(const observe::Estimate& with, const observe::Estimate& shorter) {
   const double ratio = shorter.mean / with.mean;
-  return {ratio - 1, ratio * std::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
+  return {ratio - 1, ratio * math::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
 }
 
 }  // namespace

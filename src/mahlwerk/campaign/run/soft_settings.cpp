@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
@@ -83,7 +84,7 @@ std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
 
 /// Rounded down to two digits.
 double rounded_down(double x) {
-  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  const double unit = math::pow(10, std::floor(math::log10(x)) - 1);
   return std::floor(x / unit * (1 + 1e-12)) * unit;
 }
 

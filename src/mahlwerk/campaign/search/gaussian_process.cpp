@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::campaign {
 namespace {
 
@@ -23,7 +25,7 @@ double matern(const Kernel& k, const double* a, const double* b) {
     square += step * step;
   }
   const double r = std::sqrt(5 * square);
-  return k.amplitude * k.amplitude * (1 + r + r * r / 3) * std::exp(-r) +
+  return k.amplitude * k.amplitude * (1 + r + r * r / 3) * math::exp(-r) +
          k.constant * k.constant;  // (opt.1)
 }
 
@@ -38,12 +40,12 @@ double covariance(const Kernel& kernel, const DesignPoint& a, const DesignPoint&
 }
 
 double standard_normal(Random& random) {
-  const double size = std::sqrt(-2 * std::log(random.uniform()));
-  return size * std::cos(2 * std::numbers::pi * random.uniform());
+  const double size = std::sqrt(-2 * math::log(random.uniform()));
+  return size * math::cos(2 * std::numbers::pi * random.uniform());
 }
 
 double normal_cdf(double z) {
-  return 0.5 * std::erfc(-z / std::numbers::sqrt2);
+  return 0.5 * math::erfc(-z / std::numbers::sqrt2);
 }
 
 /// The process with the Cholesky factor of its covariance matrix.
@@ -94,7 +96,7 @@ double GaussianProcess::log_evidence() const {
   for (std::size_t i = 0; i < factorisation_->observations.size(); ++i) {
     const auto at = static_cast<Index>(i);
     fit += factorisation_->observations[i].value * factorisation_->weights(at);
-    volume += std::log(2 * std::numbers::pi) / 2 + std::log(root(at, at));
+    volume += math::log(2 * std::numbers::pi) / 2 + math::log(root(at, at));
   }
   return -fit / 2 - volume;  // (opt.3)
 }
@@ -121,7 +123,10 @@ SamplePath GaussianProcess::sample_path(Random& random) const {
   VectorXd phase(waves), weight(waves);
   for (Index m = 0; m < waves; ++m) {  // spectral density: Student's t with 5 degrees of freedom
     double square = 0;
-    for (int i = 0; i < 5; ++i) square += std::pow(standard_normal(random), 2);
+    for (int i = 0; i < 5; ++i) {
+      const double drawn = standard_normal(random);
+      square += drawn * drawn;
+    }
     for (Index i = 0; i < keys; ++i)
       pace(m, i) = standard_normal(random) / std::sqrt(square / 5) /
                    kernel.length_scales[static_cast<std::size_t>(i)];

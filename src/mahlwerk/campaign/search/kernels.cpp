@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
 #include "mahlwerk/campaign/search/maximum.hpp"
 
@@ -18,23 +19,29 @@ constexpr double min_size = -3, max_size = 4, min_length = -4, max_length = 4;
 constexpr double usual_constant = 3;
 
 double usual_length(std::size_t keys) {
-  return std::log(0.6 * std::sqrt(static_cast<double>(keys)));
+  return math::log(0.6 * std::sqrt(static_cast<double>(keys)));
 }
 
 Kernel kernel_of(const std::vector<double>& numbers) {
   Kernel kernel{
-      .amplitude = std::exp(numbers.front()), .length_scales = {}, .constant = usual_constant};
+      .amplitude = math::exp(numbers.front()), .length_scales = {}, .constant = usual_constant};
   for (std::size_t i = 1; i < numbers.size(); ++i)
-    kernel.length_scales.push_back(std::exp(numbers[i]));
+    kernel.length_scales.push_back(math::exp(numbers[i]));
   return kernel;
+}
+
+/// Logarithm of a normal prior, without its constant.
+double log_prior(double value, double mean, double deviation) {
+  const double z = (value - mean) / deviation;
+  return -z * z / 2;
 }
 
 double log_posterior(const std::vector<Observation>& observations,
                      const std::vector<double>& numbers) {
-  double likely = -std::pow((numbers.front() - usual_size) / size_spread, 2) / 2;
+  double likely = log_prior(numbers.front(), usual_size, size_spread);
   const double usual = usual_length(numbers.size() - 1);
   for (std::size_t i = 1; i < numbers.size(); ++i)
-    likely -= std::pow((numbers[i] - usual) / length_spread, 2) / 2;
+    likely += log_prior(numbers[i], usual, length_spread);
   return likely + GaussianProcess(kernel_of(numbers), observations).log_evidence();
 }
 
@@ -44,7 +51,7 @@ void draw_along(std::vector<double>& at, double& likely, std::size_t i,
                 const std::vector<Observation>& observations, Random& random) {
   constexpr double width = 1.5;
   const double low = i == 0 ? min_size : min_length, high = i == 0 ? max_size : max_length;
-  const double height = likely + std::log(random.uniform());
+  const double height = likely + math::log(random.uniform());
   const double here = at[i];
   const auto value = [&](double x) {
     if (x < low || x > high) return -1e300;
@@ -87,8 +94,8 @@ Kernel most_probable_kernel(const std::vector<Observation>& observations) {
 std::vector<Kernel> sample_kernels(const std::vector<Observation>& observations,
                                    const Kernel& likeliest, int count, Random& random) {
   constexpr int forget = 5;  // burn-in sweeps
-  std::vector<double> at{std::log(likeliest.amplitude)};
-  for (const double length : likeliest.length_scales) at.push_back(std::log(length));
+  std::vector<double> at{math::log(likeliest.amplitude)};
+  for (const double length : likeliest.length_scales) at.push_back(math::log(length));
   double likely = log_posterior(observations, at);
   std::vector<Kernel> made;
   for (int sweep = 0; sweep < forget + count; ++sweep) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/outcome.hpp"
@@ -20,7 +21,7 @@ using observe::LogHistogram;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// Width of a bin in ln energy.
-const double bin_width = std::log(2) / LogHistogram::per_octave;
+const double bin_width = math::log(2) / LogHistogram::per_octave;
 
 /// Mean of spectra with equal weights: replicates of a mill last equally long.
 DoseSpectrum mean_of(const std::vector<const DoseSpectrum*>& some) {
@@ -52,12 +53,12 @@ template <class Of>
 Ratio ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
   const auto logarithm = [&](const MillSpectra& mill) {
     std::vector<double> values;
-    for (const DoseSpectrum& m : mill.replicates) values.push_back(std::log(of(m)));
+    for (const DoseSpectrum& m : mill.replicates) values.push_back(math::log(of(m)));
     return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
   };
   const observe::Estimate first = logarithm(a), second = logarithm(b);
-  const double mean = second.mean - first.mean, half = std::hypot(first.ci95, second.ci95);
-  return {std::exp(mean), std::exp(mean - half), std::exp(mean + half)};  // (opt.13)
+  const double mean = second.mean - first.mean, half = math::hypot(first.ci95, second.ci95);
+  return {math::exp(mean), math::exp(mean - half), math::exp(mean + half)};  // (opt.13)
 }
 
 /// Permutation test: share of random assignments of replicates to two groups that are at least
@@ -141,7 +142,7 @@ double overlap(const DoseSpectrum& a, const DoseSpectrum& b) {
 
 double distance(const DoseSpectrum& a, const DoseSpectrum& b) {
   if (!has_collisions(a) || !has_collisions(b)) return none;
-  return std::hypot(std::log(b.dose / a.dose), spectral_distance(a, b));  // (opt.16)
+  return math::hypot(math::log(b.dose / a.dose), spectral_distance(a, b));  // (opt.16)
 }
 
 double half_power_energy(const DoseSpectrum& m) {
@@ -149,7 +150,7 @@ double half_power_energy(const DoseSpectrum& m) {
   for (std::size_t i = 0; i < m.shares.size(); ++i) {
     if (below + m.shares[i] >= 0.5) {
       const double part = (0.5 - below) / m.shares[i];
-      return LogHistogram::lower(static_cast<int>(i)) * std::exp(part * bin_width);
+      return LogHistogram::lower(static_cast<int>(i)) * math::exp(part * bin_width);
     }
     below += m.shares[i];
   }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/campaign/search/maximum.hpp"
 #include "mahlwerk/campaign/sweep/designs.hpp"
 
@@ -56,7 +57,7 @@ OutcomeModel model_of(const std::vector<Trial>& trials, std::size_t outcome, dou
     squares += s.squares;
     centre += s.mean / static_cast<double>(samples.size());
   }
-  for (const SettingSample& s : samples) spread += std::pow(s.mean - centre, 2);
+  for (const SettingSample& s : samples) spread += (s.mean - centre) * (s.mean - centre);
   spread = std::sqrt(spread / static_cast<double>(std::max<std::size_t>(1, samples.size() - 1)));
   const double unit = spread > 0 ? spread : std::max(std::abs(centre), 1e-300);
   const double pooled = freedom > 0 ? squares / freedom : 0;
@@ -104,7 +105,7 @@ double expected_improvement(const Posterior& guess, double best) {
   const double gain = guess.mean - best;
   if (!(guess.deviation > 0)) return std::max(0.0, gain);
   const double z = gain / guess.deviation;
-  const double density = std::exp(-z * z / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+  const double density = math::exp(-z * z / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
   return std::max(0.0, gain * normal_cdf(z) + guess.deviation * density);  // (opt.5)
 }
 
@@ -190,7 +191,7 @@ double Surrogate::acquisition(const DesignPoint& point) const {
   if (!best_) return share;
   const Posterior guess = objective_at(point);
   const double noise = objective().scale * std::sqrt(objective().noise);
-  const double whole = std::hypot(guess.deviation, noise);
+  const double whole = math::hypot(guess.deviation, noise);
   const double news = whole > 0 ? 1 - noise / whole : 0;  // (opt.6)
   return share * news * expected_improvement(guess, best_mean_);
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
@@ -23,7 +24,7 @@ double position_in_range(const cases::SweptKey& range, const std::string& text) 
   const double from = parse_quantity(range.values[0]).value;
   const double to = parse_quantity(range.values[1]).value;
   const double value = parse_quantity(text).value;
-  const double position = range.logarithmic ? std::log(value / from) / std::log(to / from)
+  const double position = range.logarithmic ? math::log(value / from) / math::log(to / from)
                                             : (value - from) / (to - from);
   return std::clamp(position, 0.0, 1.0);
 }

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <set>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -107,7 +108,7 @@ DesignMatrix rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
 
 std::string value_in_range(const cases::SweptKey& range, double place, int digits) {
   const Ends ends = ends_of(range);
-  double value = range.logarithmic ? ends.from * std::pow(ends.to / ends.from, place)
+  double value = range.logarithmic ? ends.from * math::pow(ends.to / ends.from, place)
                                    : std::lerp(ends.from, ends.to, place);
   if (is_count(range.key)) value = std::round(value);
   std::array<char, 32> text{};

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 
 namespace mahlwerk::campaign {
@@ -92,8 +93,9 @@ std::vector<Steps> steps_of(const DesignMatrix& design, const std::vector<double
     const double step = design[row + 1][key] - design[row][key];
     steps[key].effects.push_back(change / step);  // (sen.2)
     steps[key].sizes.push_back(std::abs(change / step));
-    steps[key].noise +=
-        errors.empty() ? unknown : std::pow(std::hypot(errors[row], errors[row + 1]) / step, 2);
+    const double error =
+        errors.empty() ? unknown : math::hypot(errors[row], errors[row + 1]) / step;
+    steps[key].noise += error * error;
   }
   return steps;
 }
@@ -131,7 +133,7 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
   };
   const auto differs = [&](std::size_t row) -> std::optional<bool> {
     const double change = std::abs(outcomes[row] - outcomes[0]);
-    const double joined = ci95.empty() ? unknown : std::hypot(ci95[row], ci95[0]);
+    const double joined = ci95.empty() ? unknown : math::hypot(ci95[row], ci95[0]);
     if (!std::isfinite(change) || !std::isfinite(joined)) return std::nullopt;
     return change > joined;
   };

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
@@ -153,7 +154,7 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
     for (const SizeClass& size : set.sizes())
       if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);
   }
-  const double most = 1 - std::pow(1 - densest, sizes.size());  // smaller balls fill the gaps
+  const double most = 1 - math::pow(1 - densest, sizes.size());  // smaller balls fill the gaps
   if (!(volume > most * jar)) return;
   found.push_back(
       {location_of(c, "balls.1.count"),

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults/faults.hpp"
@@ -102,7 +103,7 @@ class GrindingCheck {
   }
 
   void classes(const Grinding& g) {
-    const double largest = c_.powder->feed.largest(), octaves = std::log2(largest / g.smallest);
+    const double largest = c_.powder->feed.largest(), octaves = math::log2(largest / g.smallest);
     if (octaves <= 0) {
       fault("grinding.smallest",
             fmt::format("smallest ({}) is not below the largest grains as fed ({})",
@@ -117,7 +118,7 @@ class GrindingCheck {
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);
     if (!(count > most)) return;
-    const double enough = 1.05 * largest / std::exp2(std::floor(most / per_octave));
+    const double enough = 1.05 * largest / math::exp2(std::floor(most / per_octave));
     fault(
         "grinding.smallest",
         fmt::format("{} classes in each of the {:.1f} octaves from {} to {} are {:.0f}, more than "

@@ -11,6 +11,8 @@
 #include <numbers>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::cases {
 namespace {
 
@@ -135,7 +137,7 @@ class Parser {
   }
   static Quantity power(const Quantity& base, const Quantity& exponent) {
     if (exponent.dimension != Dimension{}) throw FormulaError("an exponent must be a pure number");
-    return {std::pow(base.value, exponent.value), raised(base.dimension, exponent.value)};
+    return {math::pow(base.value, exponent.value), raised(base.dimension, exponent.value)};
   }
 
   Quantity atom() {
@@ -208,7 +210,7 @@ class Parser {
     if (!several && values.size() > 1)
       throw FormulaError(fmt::format("{}() takes one value", name));
     if (name == "sqrt") return power(values[0], {0.5, {}});
-    if (name == "cbrt") return {std::cbrt(values[0].value), raised(values[0].dimension, 1.0 / 3)};
+    if (name == "cbrt") return {math::cbrt(values[0].value), raised(values[0].dimension, 1.0 / 3)};
     if (name == "abs") return {std::abs(values[0].value), values[0].dimension};
     if (!several)
       throw FormulaError(

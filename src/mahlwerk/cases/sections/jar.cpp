@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
@@ -47,7 +48,7 @@ double size_for(S shape, double volume) {
     constexpr double rounding = 1e-12;  // a capsule may have no cylinder
     return std::abs(height) < rounding * shape.diameter ? 0 : height;
   } else {
-    return std::cbrt(6 * volume / std::numbers::pi);
+    return math::cbrt(6 * volume / std::numbers::pi);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
@@ -166,7 +167,7 @@ std::int64_t grain_count(SectionReader& in, const Powder& powder, double grain) 
       fmt::format("grains of {} would be {:.3g}, more than {:.0e}",
                   show_rounded(*powder.grain_size, "m"), count, max_grains),
       fmt::format("write grain_size = \"{}\": some {:.0e} grains",
-                  show_rounded(*powder.grain_size * std::cbrt(count / advised), "m", 2), advised),
+                  show_rounded(*powder.grain_size * math::cbrt(count / advised), "m", 2), advised),
       "too-many-grains");
   return 0;
 }

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/setup/position_sampler.hpp"
@@ -254,7 +255,7 @@ class ChargeFiller {
     const bool alike = portions_[order_.front()].diameter < 1.5 * portions_[order_.back()].diameter;
     if (count_ <= large || !alike || filling() < never_reached) return false;
     sort_along_curve();
-    typical_ = std::cbrt(soon_reached / filling());
+    typical_ = math::cbrt(soon_reached / filling());
     return true;
   }
 

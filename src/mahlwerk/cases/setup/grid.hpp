@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 namespace mahlwerk::cases {
@@ -51,7 +52,7 @@ class Grid {
     const std::array<double, 3> half{domain.half.x, domain.half.y, domain.half.z};
     const std::array<double, 3> period{domain.periods.x, domain.periods.y, domain.periods.z};
     const double most =
-        std::cbrt(8 * half[0] * half[1] * half[2] / static_cast<double>(points + 8));
+        math::cbrt(8 * half[0] * half[1] * half[2] / static_cast<double>(points + 8));
     for (std::size_t i = 0; i < 3; ++i) {
       low_[i] = -half[i];
       periodic_[i] = std::isfinite(period[i]);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/damping.hpp"
 #include "mahlwerk/contact/hertz.hpp"
 
@@ -68,11 +69,11 @@ struct AdamsImpact : HertzSpring {
   LawCoefficients coefficients(const EffectivePair& t, double damping) const {
     const double k = hertz_stiffness(t);
     return {k, damping * std::sqrt(t.mass * k), mindlin_stiffness(t),
-            std::pow(1.25 * t.mass / k, 0.4), damping_depth};
+            math::pow(1.25 * t.mass / k, 0.4), damping_depth};
   }
   /// History variables: the damper c_m [N s/m] and 1/d [1/m].
   void begin(const LawCoefficients& k, double* m, double approach) const {
-    const double deepest = k[3] * std::pow(std::max(approach, 1e-12), 0.8);
+    const double deepest = k[3] * math::pow(std::max(approach, 1e-12), 0.8);
     m[0] = k[1] * std::sqrt(std::sqrt(deepest));
     m[1] = 1 / (k[4] > 0 ? k[4] : usual_depth * deepest);
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/damping.hpp"
 #include "mahlwerk/contact/hertz.hpp"
 
@@ -40,7 +41,7 @@ struct HertzTsuji : HertzSpring {
   /// For tangential motion, which is the faster one: the bodies also spin, so the effective mass is
   /// 2/7.
   double damper_time(const EffectivePair& t, double damping, double speed) const {
-    const double k = hertz_stiffness(t), quarter = std::pow(hertz_overlap(t, speed), 0.25);
+    const double k = hertz_stiffness(t), quarter = math::pow(hertz_overlap(t, speed), 0.25);
     return damping > 0 ? 2.0 / 7.0 * std::sqrt(t.mass / k) / (damping * quarter) : unbounded_time;
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 
 namespace mahlwerk::contact {
@@ -26,7 +27,7 @@ struct Jkr : HertzSpring {
     return {h[0] / root_r,     h[1] / std::sqrt(root_r),
             h[2] / root_r,     h[3] / std::sqrt(root_r),
             t.radius,          pull,
-            pull_off_force(t), std::cbrt(t.radius * pull)};
+            pull_off_force(t), math::cbrt(t.radius * pull)};
   }
 
   /// Contact radius [m]: solves l^4 / R* - c l = overlap for its square root l. Newton iteration
@@ -54,8 +55,8 @@ struct Jkr : HertzSpring {
   /// Adds the overlap of two bodies at rest, where the spring balances the adhesion:
   /// a^3 = 6 pi (2 gamma) R*^2 times 3/(4 E*).
   double largest_overlap(const EffectivePair& t, double speed) const {
-    const double a = std::cbrt(9 * std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
-                               t.pair.modulus);
+    const double a = math::cbrt(9 * std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
+                                t.pair.modulus);
     return hertz_overlap(t, speed) + a * a / (3 * t.radius);
   }
   double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
@@ -64,8 +65,8 @@ struct Jkr : HertzSpring {
     return 3 * std::numbers::pi * t.pair.surface_energy * t.radius;
   }
   double pull_off_distance(const EffectivePair& t) const {
-    const double a = std::cbrt(std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
-                               (4 * t.pair.modulus));
+    const double a = math::cbrt(std::numbers::pi * t.pair.surface_energy * t.radius * t.radius /
+                                (4 * t.pair.modulus));
     return 3 * a * a / t.radius;
   }
   /// Work done against the elastic force since touch; 0 at touch.

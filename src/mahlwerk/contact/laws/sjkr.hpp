@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 
 namespace mahlwerk::contact {
@@ -36,7 +37,7 @@ struct Sjkr : HertzSpring {
     double root = hertz + wider;
     for (int i = 0; i < 40 && root > 0; ++i) {
       const double cubed = root * root * root;
-      const double off = root * cubed * (root - wider) - std::pow(hertz, 5);
+      const double off = root * cubed * (root - wider) - math::pow(hertz, 5);
       root -= off / (cubed * (5 * root - 4 * wider));
     }
     return root * root;

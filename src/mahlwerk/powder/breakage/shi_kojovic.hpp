@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -33,7 +34,7 @@ struct ShiKojovic {
   }
   double t10(double size, double energy) const {  // (brk.2)
     const double above = size * energy - x_e_min;
-    return above > 0 ? -t10_most * std::expm1(-f_mat * above) : 0;
+    return above > 0 ? -t10_most * math::expm1(-f_mat * above) : 0;
   }
   bool operator==(const ShiKojovic&) const = default;
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -45,27 +46,27 @@ struct Tavares {
   }
 
   /// [J/kg] Median specific fracture energy of grains of `size` [m] (brk.4).
-  double median(double size) const { return e_infinity * (1 + std::pow(d_0 / size, phi)); }
+  double median(double size) const { return e_infinity * (1 + math::pow(d_0 / size, phi)); }
   /// [1] Strength over median strength at `z` standard deviations (brk.5).
   double relative_strength(double z) const {
-    const double s = std::exp(sigma * z);
+    const double s = math::exp(sigma * z);
     return cut > 0 ? cut * s / (cut + s) : s;
   }
   /// [1] Inverse of relative_strength: standard deviations; infinite at and above the cut.
   double deviations(double relative_strength) const {
     const double s = relative_strength;
     if (cut > 0 && s >= cut) return HUGE_VAL;
-    return std::log(cut > 0 ? cut * s / (cut - s) : s) / sigma;
+    return math::log(cut > 0 ? cut * s / (cut - s) : s) / sigma;
   }
   /// [1] Probability that a hit of `energy` [J/kg] breaks a fresh grain (brk.5).
   double breakage_probability(double size, double energy) const {
-    return 0.5 * std::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
+    return 0.5 * math::erfc(-deviations(energy / median(size)) / std::numbers::sqrt2);
   }
   /// [1] Damage D, the relative loss of strength by a hit that does not break. `load`, 0 to 1, is
   /// the hit's energy over that strength (brk.6).
   double damage(double load) const;
   double t10(double size, double energy) const {  // (brk.7)
-    return -a * std::expm1(-b * energy / median(size));
+    return -a * math::expm1(-b * energy / median(size));
   }
   bool operator==(const Tavares&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -32,7 +33,7 @@ struct Threshold {
                                0.0, "the same for all sizes"}};
   }
   double breakage_probability(double size, double given) const {  // (brk.3)
-    return given >= energy * std::pow(reference_size / size, exponent) ? 1 : 0;
+    return given >= energy * math::pow(reference_size / size, exponent) ? 1 : 0;
   }
   bool operator==(const Threshold&) const = default;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -27,14 +28,14 @@ struct VogelPeukert {
   }
   double breakage_probability(double size, double energy) const {  // (brk.1)
     const double above = size * energy - x_w_min;
-    return above > 0 ? -std::expm1(-f_mat * above) : 0;
+    return above > 0 ? -math::expm1(-f_mat * above) : 0;
   }
   /// Whether a hit breaks: `drawn`, uniform in (0, 1), is below `breakage_probability`. Bounds of
   /// the exponential decide most cases without computing it.
   bool breaks(double size, double energy, double drawn) const {
     const double z = f_mat * (size * energy - x_w_min);
     if (drawn >= z) return false;
-    return drawn * (1 + z) < z || drawn < -std::expm1(-z);
+    return drawn * (1 + z) < z || drawn < -math::expm1(-z);
   }
   bool operator==(const VogelPeukert&) const = default;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::powder {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double max_deformation = 0.362, bed_factor = 0.152, bed_exponent = 0.4
 
 double bed_deformation(double energy_over_fracture_energy) {
   return -max_deformation *
-         std::expm1(-bed_factor * std::pow(energy_over_fracture_energy, bed_exponent));
+         math::expm1(-bed_factor * math::pow(energy_over_fracture_energy, bed_exponent));
 }
 
 double capture_radius(const Nip& nip, double energy, double deformation) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -26,12 +27,12 @@ struct AustinFragments {
         Field<M>{"beta", "", &M::beta, positive, "exponent of coarse pieces, usually 2.5-5"}};
   }
   double breakage_function(double ratio, double, double) const {  // (frg.2)
-    return share * std::pow(ratio, gamma) + (1 - share) * std::pow(ratio, beta);
+    return share * math::pow(ratio, gamma) + (1 - share) * math::pow(ratio, beta);
   }
   template <class Draw>
   double draw_fragment(double parent, double, Draw& uniform) const {
     const double exponent = uniform() < share ? gamma : beta;
-    return parent * std::pow(uniform(), 1 / exponent);
+    return parent * math::pow(uniform(), 1 / exponent);
   }
   bool operator==(const AustinFragments&) const = default;
 };

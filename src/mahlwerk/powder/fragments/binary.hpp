@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -16,11 +17,11 @@ struct BinaryFragments {
   static constexpr std::string_view about = "two pieces, the volume of each uniform";
   static constexpr auto fields() { return std::array<Field<BinaryFragments>, 0>{}; }
   double breakage_function(double ratio, double, double) const {
-    return std::pow(ratio, 6);
+    return math::pow(ratio, 6);
   }  // (frg.4)
   template <class Draw>
   double draw_fragment(double parent, double, Draw& uniform) const {
-    return parent * std::pow(uniform(), 1.0 / 6);
+    return parent * math::pow(uniform(), 1.0 / 6);
   }
   bool operator==(const BinaryFragments&) const = default;
 };

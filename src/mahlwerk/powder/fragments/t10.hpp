@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -28,11 +29,11 @@ struct T10Fragments {
   }
   double breakage_function(double ratio, double, double model_t10) const {  // (frg.3)
     if (ratio >= 1) return 1;
-    return -std::expm1(std::log1p(-of(model_t10)) * std::pow(9 * ratio / (1 - ratio), alpha));
+    return -math::expm1(math::log1p(-of(model_t10)) * math::pow(9 * ratio / (1 - ratio), alpha));
   }
   template <class Draw>
   double draw_fragment(double parent, double model_t10, Draw& uniform) const {
-    const double n = std::pow(std::log(uniform()) / std::log1p(-of(model_t10)), 1 / alpha) / 9;
+    const double n = math::pow(math::log(uniform()) / math::log1p(-of(model_t10)), 1 / alpha) / 9;
     return parent * n / (1 + n);
   }
   bool operator==(const T10Fragments&) const = default;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::powder {
@@ -24,19 +25,20 @@ struct VogelFragments {
                                "size below which there are few fragments, x'"}};
   }
   double breakage_function(double ratio, double parent, double) const {  // (frg.1)
-    return std::pow(ratio, q) * above(ratio * parent) / above(parent);
+    return math::pow(ratio, q) * above(ratio * parent) / above(parent);
   }
   /// Draws the larger of two sizes, each distributed by one factor of `breakage_function`.
   template <class Draw>
   double draw_fragment(double parent, double, Draw& uniform) const {
-    const double one = parent * std::pow(uniform(), 1 / q);
+    const double one = parent * math::pow(uniform(), 1 / q);
     const double share = uniform() * above(parent);
-    return std::max(one, share > above(0) ? x_min * (1 + std::atanh(2 * share - 1)) : 0);
+    if (!(share > above(0))) return one;
+    return std::max(one, x_min * (1 + math::log(share / (1 - share)) / 2));  // atanh(2 share - 1)
   }
   bool operator==(const VogelFragments&) const = default;
 
  private:
-  double above(double x) const { return 0.5 * (1 + std::tanh((x - x_min) / x_min)); }
+  double above(double x) const { return 0.5 * (1 + math::tanh((x - x_min) / x_min)); }
 };
 
 }  // namespace mahlwerk::powder

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
@@ -39,7 +40,7 @@ double middle(const PlaneField& field, int i) {
 /// Centre of mass in the plane, in the laboratory's axes [m]; NaN without a charge.
 struct Centre {
   double x = undefined, y = undefined;
-  double distance() const { return std::hypot(x, y); }
+  double distance() const { return math::hypot(x, y); }
 };
 Centre centre(const PlaneField& field) {
   double mass = 0, x = 0, y = 0;
@@ -119,7 +120,7 @@ SurfaceLayer surface_layer(const std::vector<BedPoint>& line) {
 double bed_angle(const Case& c, const Replicate& r) {
   const Centre at = centre(r.charge.in_carrier);
   return degrees_of_bed *
-         std::remainder(sense(c) * (std::atan2(at.y, at.x) + 0.5 * std::numbers::pi),
+         std::remainder(sense(c) * (math::atan2(at.y, at.x) + 0.5 * std::numbers::pi),
                         2 * std::numbers::pi);
 }
 double centre_distance(const Case&, const Replicate& r) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
@@ -82,14 +83,14 @@ Table captured_grains(const Outcome& outcome) {
   for (const powder::Stress& s : all.stresses) {
     const powder::Capture c = process.capture_per_hit(all.nips[static_cast<std::size_t>(s.nip)],
                                                       s.energy, *outcome.mill_case.powder->size);
-    const int bin = c.grains > 1 ? 1 + static_cast<int>(4 * std::log2(c.grains)) : 0;
+    const int bin = c.grains > 1 ? 1 + static_cast<int>(4 * math::log2(c.grains)) : 0;
     auto& [rate, power] = bins[bin];
     rate += s.rate * c.probability;
     power += s.rate * c.probability * s.energy;
   }
   for (const auto& [bin, sums] : bins)
-    table.rows.push_back({bin == 0 ? 1 : std::exp2(0.25 * (bin - 1)),
-                          bin == 0 ? 1 : std::exp2(0.25 * bin), sums[0], sums[1]});
+    table.rows.push_back({bin == 0 ? 1 : math::exp2(0.25 * (bin - 1)),
+                          bin == 0 ? 1 : math::exp2(0.25 * bin), sums[0], sums[1]});
   return table;
 }
 
@@ -166,7 +167,8 @@ Table size_distribution(const Outcome& outcome) {
       for (std::size_t m = 0; m < shares.size(); ++m) {
         const double share = shares[m][static_cast<std::size_t>(i)];
         passing[m] += share;
-        row.insert(row.end(), {share, share / std::log(grid.upper(i) / grid.lower(i)), passing[m]});
+        row.insert(row.end(),
+                   {share, share / math::log(grid.upper(i) / grid.lower(i)), passing[m]});
       }
       table.rows.push_back(std::move(row));
     }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::results {
@@ -132,12 +133,12 @@ ProfilePoint bar_base(const geometry::LifterCylinder& jar, const ProfilePoint& t
 /// Adds the extruded cross-section of the drum: for each bar the two edges of its top, then the
 /// shell up to the next bar.
 void add_lifters(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
-  const double slope = std::cos(jar.lifter_face_angle) / std::sin(jar.lifter_face_angle);
+  const double slope = math::cos(jar.lifter_face_angle) / math::sin(jar.lifter_face_angle);
   const ProfilePoint top{0.5 * jar.lifter_width - slope * jar.lifter_height,
                          0.5 * jar.diameter - jar.lifter_height};
   const ProfilePoint foot = bar_base(jar, top);
   const auto bars = static_cast<Index>(jar.lifters);
-  const double half = std::atan2(foot.rho, foot.z), pitch = 2 * std::numbers::pi / jar.lifters;
+  const double half = math::atan2(foot.rho, foot.z), pitch = 2 * std::numbers::pi / jar.lifters;
   const double shell = pitch - 2 * half;
   const auto pieces = static_cast<Index>(std::ceil(shell / (2 * std::numbers::pi) * facets));
   const Index each = pieces + 3, all = bars * each, middle = pieces / 2;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -45,7 +46,7 @@ const geometry::Attritor* stirrer(const Case& c) {
 double power_number(const Case& c, const Replicate& r) {
   const geometry::Attritor& vessel = *stirrer(c);
   const double n = std::abs(vessel.rotor_speed) / (2 * std::numbers::pi);
-  return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * std::pow(vessel.arm_span, 5));
+  return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * math::pow(vessel.arm_span, 5));
 }
 
 /// Speed and filling of a drum, as comminution states them.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 
@@ -35,7 +36,7 @@ double occupied_share(const Case& c, const Replicate& r) {
   for (int j = 0; j < PlaneField::cells; ++j)
     for (int i = 0; i < PlaneField::cells; ++i) {
       mass += field.density(i, j);
-      if (std::hypot(middle(i), middle(j)) < reach) found.push_back(field.density(i, j));
+      if (math::hypot(middle(i), middle(j)) < reach) found.push_back(field.density(i, j));
     }
   if (!(mass > 0) || found.empty()) return undefined;
   const double even = mass / static_cast<double>(found.size());

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 
@@ -60,12 +61,12 @@ Ends ends(const Charge& charge, const Reference& from) {
   double x = 0, y = 0, all = 0;
   for (std::size_t i = 0; i < charge.mass_by_angle.size(); ++i) {
     const double at = step * (static_cast<double>(i) + 0.5);
-    x += charge.mass_by_angle[i] * std::cos(at);
-    y += charge.mass_by_angle[i] * std::sin(at);
+    x += charge.mass_by_angle[i] * math::cos(at);
+    y += charge.mass_by_angle[i] * math::sin(at);
     all += charge.mass_by_angle[i];
   }
   if (!(all > 0)) return {};
-  const int first = static_cast<int>(std::floor((std::atan2(y, x) + std::numbers::pi) / step));
+  const int first = static_cast<int>(std::floor((math::atan2(y, x) + std::numbers::pi) / step));
   const int on = from.sense < 0 ? -1 : 1;  // whole slots, in the sense of rotation
   const double start = from.sense * (step * (on < 0 ? first + 1 : first) - from.zero);
   const auto angle_of = [&](double part) {

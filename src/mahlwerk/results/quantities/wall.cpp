@@ -13,6 +13,7 @@
 #include <string>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
@@ -43,7 +44,7 @@ Borders borders_of(const WallGrid& grid) {
   const auto through_axis = [](std::vector<Border>& list, int slots) {
     for (int i = 0; i < slots / 2; ++i) {  // a plane is two borders, half a turn apart
       const double angle = 2 * std::numbers::pi * i / slots;
-      list.push_back({{-std::sin(angle), std::cos(angle), 0}, 0});
+      list.push_back({{-math::sin(angle), math::cos(angle), 0}, 0});
     }
   };
   for (int i = 1; i < WallGrid::along; ++i)

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -50,7 +51,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   std::map<int, int> classes;  // size classes: octaves of the radius
   for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
   const auto octave = [&](double r) {
-    return static_cast<int>(std::floor(std::log2(r / smallest)));
+    return static_cast<int>(std::floor(math::log2(r / smallest)));
   };
   for (const Species& s : pairs_.all_species()) classes[octave(s.radius)] = 0;
   for (int count = 0; auto& [at, number] : classes) number = count++;

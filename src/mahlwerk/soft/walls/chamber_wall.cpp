@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/safe_time.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
@@ -156,7 +157,7 @@ class ChamberWall final : public MovingWall {
     const Vec3 along = jar_.shape().normal_rate(face, p, a);
     const Vec3 across = jar_.shape().normal_rate(face, p, b);
     const double aa = -dot(a, along), bb = -dot(b, across), ab = -dot(a, across);
-    const double middle = 0.5 * (aa + bb), half = std::hypot(0.5 * (aa - bb), ab);
+    const double middle = 0.5 * (aa + bb), half = math::hypot(0.5 * (aa - bb), ab);
     const auto at_wall = [&](double k) { return k / (1 + k * gap.distance); };
     return {at_wall(middle + half), at_wall(middle - half)};
   }

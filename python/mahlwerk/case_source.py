@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""The text of a case, its place and the changes to it: what a case is read from."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Optional, Union
+
+from . import _core, toml
+from .changes import cited, merged, plain
+from .errors import InputError
+from .files import kept, named_folder, read_text, temporary
+
+__all__ = ["CaseSource", "Changes", "Place"]
+
+Place = Union[str, "os.PathLike[str]"]
+Changes = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class CaseSource:
+    text: str
+    file: Path  # files that the case names are relative to its folder
+    in_file: bool  # whether the text was read from `file`
+    shown: str  # the name of the case in messages
+    changes: Mapping[str, str]
+
+    @classmethod
+    def of(cls, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes]) -> CaseSource:
+        """That of a case file, of a folder with one case, or of a dict of sections."""
+        changed = merged({}, changes or {})
+        if isinstance(source, Mapping):
+            return cls(toml.case_text(source), Path.cwd() / "case", False, "case", changed)
+        files = _core.case_files(os.fspath(source))
+        if len(files) > 1:
+            raise InputError([_core.Fault(
+                os.fspath(source), f"the folder contains {len(files)} cases, Case takes one",
+                "name one of its files", "one-case")])
+        file = Path(files[0]).absolute()
+        return cls(read_text(file), file, True, os.fspath(files[0]), changed)
+
+    @classmethod
+    def of_text(cls, text: str, folder: Optional[Place]) -> CaseSource:
+        return cls(text, Path(folder or "").absolute() / "case", False, "case", {})
+
+    def resolved(self) -> _core.ResolvedCase:
+        """The case with every value. Faults cite the name that was given."""
+        content = self.text.encode("utf-8", "surrogateescape")
+        return cited(self.file, self.shown, lambda: _core.read_case(
+            content, os.fspath(self.file), list(self.changes.items())))
+
+    def changed(self, changes: Changes) -> CaseSource:
+        return replace(self, changes=merged(self.changes, changes))
+
+    def with_section(self, name: str, content: Changes) -> CaseSource:
+        """This source, with a section added to its text."""
+        if re.search(rf"^\s*\[\s*{name}\s*[].]", self.text, re.MULTILINE):
+            raise InputError([_core.Fault(self.shown, f"the case has a [{name}] already",
+                                          "call without it, or start from a case without [" + name
+                                          + "]", "bad-override")])
+        text = self.text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
+        varied = {plain(key) for key in content.get("over", content)}
+        changes = {k: v for k, v in self.changes.items() if plain(k) not in varied}
+        return replace(self, text=text, in_file=False, changes=changes)
+
+    def result_folder(self, out: Optional[Place], suffix: str) -> Path:
+        """The result folder: `out`, or the one that the command line takes."""
+        if out is not None:
+            return named_folder(out)
+        if not self.in_file:
+            raise InputError([_core.Fault(
+                "", "no folder is given for the results",
+                'give a folder, for instance out="results/name"', "no-folder")])
+        file = self.file.resolve()
+        name = file.parent.name if file.stem == "case" else file.stem
+        return Path("results") / (name + suffix)
+
+    def as_file(self, place: Optional[Path] = None,
+                force: bool = False) -> contextlib.AbstractContextManager[str]:
+        """Path of a case file with this text, without the changes: `file` itself if that is
+        unchanged, a file that stays beside the results in `place`, or a temporary one."""
+        if self.in_file and self._unchanged():
+            return contextlib.nullcontext(os.fspath(self.file))
+        if place is not None:
+            return kept(self.text, place.parent / (place.name + ".case.toml"), force)
+        return temporary(self.text, self.file, self.shown)
+
+    def as_resolved_file(self, resolved: str) -> contextlib.AbstractContextManager[str]:
+        """Path of a case file with the changes in it: a temporary one with the text `resolved`, if
+        there are any."""
+        if self.in_file and not self.changes and self._unchanged():
+            return contextlib.nullcontext(os.fspath(self.file))
+        return temporary(resolved, self.file, self.shown)
+
+    def _unchanged(self) -> bool:
+        try:
+            return read_text(self.file) == self.text
+        except InputError:
+            return False
