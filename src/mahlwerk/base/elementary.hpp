@@ -31,10 +31,38 @@ inline Sum product(double a, double b) {
   return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
+/// The nearest whole number, for |x| below 2^51.
+inline double nearest(double x) {
+  constexpr double shift = 0x1.8p52;
+  return (x + shift) - shift;
+}
+
+/// x times 2^k.
+inline double scaled(double x, int k) {
+  if (k < -1000 || k > 1000) return std::ldexp(x, k);
+  return x * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52U);
+}
+
+struct Parts {
+  double mantissa;  ///< [1/2, 1)
+  int exponent;
+};
+
+/// The parts of finite x > 0.
+inline Parts parts_of(double x) {
+  if (x < std::numeric_limits<double>::min()) {
+    const Parts normal = parts_of(x * 0x1p54);
+    return {normal.mantissa, normal.exponent - 54};
+  }
+  constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  return {std::bit_cast<double>((bits & fraction) | (std::uint64_t{1022} << 52U)),
+          static_cast<int>(bits >> 52U) - 1022};
+}
+
 /// log x for finite x > 0, relative error below 2^-57.
 inline Sum log_sum(double x) {
-  int exponent = 0;
-  double m = std::frexp(x, &exponent);  // [1/2, 1)
+  auto [m, exponent] = parts_of(x);
   if (m < 0.5 * std::numbers::sqrt2) m *= 2, --exponent;
   // log m = 2 atanh s, s = f/(2 + f)
   const double f = m - 1, below = 2 + f, below_rest = f - (below - 2), s = f / below;
@@ -59,14 +87,14 @@ inline double exp_sum(const Sum& x) {
   if (!(x.high < 709.8)) return x.high > 0 ? std::numeric_limits<double>::infinity() : x.high;
   if (x.high < -745.2) return 0;
   constexpr double ln2 = 6.93147180369123816490e-01, ln2_rest = 1.90821492927058770002e-10;
-  const double k = std::nearbyint(x.high * (1 / std::numbers::ln2));
+  const double k = nearest(x.high * (1 / std::numbers::ln2));
   const double high = x.high - k * ln2, low = k * ln2_rest - x.low, r = high - low, t = r * r;
   const double c =
       r - t * (1.66666666666666019037e-01 +
                t * (-2.77777777770155933842e-03 +
                     t * (6.61375632143793436117e-05 +
                          t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
-  return std::ldexp(1 - ((low - (r * c) / (2 - c)) - high), static_cast<int>(k));
+  return scaled(1 - ((low - (r * c) / (2 - c)) - high), static_cast<int>(k));
 }
 
 inline double log(double x) {
@@ -223,19 +251,18 @@ inline double hypot(double x, double y) {
 template <int n>
 double root(double x) {
   if (!(x > 0) || std::isinf(x)) return x;
-  int exponent = 0;
-  double scaled = 2 * std::frexp(x, &exponent);  // [1, 2)
-  --exponent;
+  const Parts parts = parts_of(x);
+  const int exponent = parts.exponent - 1;
   const int whole = exponent >= 0 ? exponent / n : -((n - 1 - exponent) / n);
-  scaled = std::ldexp(scaled, exponent - n * whole);
-  double r = 1 + (scaled - 1) / (n + scaled);  // within 8 %
+  const double radicand = scaled(2 * parts.mantissa, exponent - n * whole);
+  double r = 1 + (radicand - 1) / (n + radicand);  // within 8 %
   constexpr int iterations = 6;
   for (int i = 0; i < iterations; ++i) {
     double power = r;
     for (int k = 2; k < n; ++k) power *= r;  // r^(n - 1)
-    r += (scaled / power - r) / n;
+    r += (radicand / power - r) / n;
   }
-  return std::ldexp(r, whole);
+  return scaled(r, whole);
 }
 inline double cbrt(double x) {
   return x < 0 ? -root<3>(-x) : root<3>(x);

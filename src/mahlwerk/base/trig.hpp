@@ -48,9 +48,9 @@ inline SinCos sin_cos(double x) {
 /// exact.
 inline SinCos sin_cos_of_large(double x) {
   if (!(std::abs(x) < 0x1p31)) return {std::sin(x), std::cos(x)};
-  constexpr double two_over_pi = 6.36619772367581382433e-01;
+  constexpr double two_over_pi = 6.36619772367581382433e-01, round = 0x1.8p52;
   constexpr double half_pi[] = {0x1.921fbp+0, 0x1.5110bp-22, 0x1.18469p-44, 0x1.13198a2e03707p-65};
-  const double k = std::nearbyint(x * two_over_pi);
+  const double k = (x * two_over_pi + round) - round;
   double r = x;
   for (const double part : half_pi) r -= k * part;
   const SinCos of = sin_cos(r);
