@@ -3,10 +3,10 @@
 
 // The engine of the page as a program for Node with the commands that tools/check_bits uses:
 //   --version | run FOLDER_OR_FILE --out FOLDER [--set KEY=VALUE]... [--quiet] [--jobs N]
-// build.js writes it beside the page, with the WebAssembly file given in MAHLWERK_WASM.
+// build.js writes it beside the folder `bin` with the WebAssembly file; MAHLWERK_WASM may name another one.
 
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { parseArgs } from "node:util";
 import { load } from "../src/engine.js";
 
@@ -26,7 +26,7 @@ function computed(engine, toml, set, replicate) {
   return engine.state();
 }
 
-const engine = await load(readFileSync(process.env.MAHLWERK_WASM));
+const engine = await load(readFileSync(process.env.MAHLWERK_WASM ?? join(dirname(process.argv[1]), "bin/mahlwerk.wasm")));
 if (values.version) {
   console.log(`mahlwerk ${engine.version} (WebAssembly)`);
 } else {
