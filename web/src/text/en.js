@@ -97,7 +97,7 @@ export const text = {
   spectrumRateAbout: "Collisions per second over their impact energy",
   spectrumPowerAbout: "Impact power over impact energy",
   spectrumAbout: (peak) => `It is highest near ${peak}.`,
-  impactEnergy: "Impact energy of the normal motion",
+  impactEnergy: "Impact energy, normal motion",
   rateAxis: "Rate per octave, 1/s",
   powerPerOctave: "Power per octave",
   powerAxis: "Power",
