@@ -56,6 +56,34 @@ async function quantities_have_intervals({ page, url }) {
   expect("more rows", (await rows.count()) > few);
 }
 
+async function a_result_says_why_it_ended_early({ page, url }) {
+  await open(page, url);
+  const box = page.locator(".result-notices");
+  const early = (await caseText(page)).replace(/^restitution = 0.9/m, 'restitution = 0.3\nlasting = "none"')
+    .replace("replicates = 5", "replicates = 2");
+  await writeCase(page, early);
+  await runAgain(page);
+  expect("the status", (await page.textContent("#status")).startsWith("Ended early:"));
+  expect("the reasons come first", (await box.locator("li").allTextContents()).slice(0, 2).map((said) =>
+    /^Warning: Replicate (\d) was stopped: .*bounces have collapsed/.exec(said)?.[1]), ["1", "2"]);
+  await box.locator("button").click();
+  expect("they are in full below", (await page.locator(".panel-about .notices li").first().textContent())
+    .includes("Replicate 1 was stopped"));
+  await runAgain(page, () => page.selectOption(".examples select", "planetary-mill"));
+  expect("another result has no such notice", await box.getByText("was stopped").count(), 0);
+}
+
+/// The notice is there as soon as the first replicate was stopped.
+async function an_early_end_is_said_while_computing({ page, url }) {
+  await open(page, url);
+  await writeCase(page, (await caseText(page)).replace("replicates = 5", "replicates = 200")
+    .replace(/^restitution = 0.9/m, 'restitution = 0.3\nlasting = "none"'));
+  await page.click("#run");
+  await page.waitForSelector('body[data-run="computing"] .result-notices li');
+  await page.click("#stop");
+  await ended(page, "stopped");
+}
+
 async function two_settings_are_compared({ page, url }) {
   await open(page, url);
   await tab(page, "comparison");
@@ -129,5 +157,6 @@ async function about_these_numbers({ page, url }) {
 }
 
 export const resultTests = [pauses_continues_and_stops, live_results_appear_while_computing,
-  quantities_have_intervals, two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
+  quantities_have_intervals, a_result_says_why_it_ended_early, an_early_end_is_said_while_computing,
+  two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
   the_report_opens, about_these_numbers];
