@@ -13,9 +13,17 @@ import { between } from "./motion.js";
 
 const trianglesInAll = 2.5e6; // estimate: a laptop draws this number smoothly
 
+const spheres = new Map(); // by detail; they are kept, because making one takes long
+
 function sphereFor(count) {
   const wanted = Math.floor(Math.sqrt(trianglesInAll / (20 * Math.max(count, 1)))) - 1;
-  const sphere = new IcosahedronGeometry(1, Math.min(Math.max(wanted, 2), 20));
+  const detail = Math.min(Math.max(wanted, 2), 20);
+  if (!spheres.has(detail)) spheres.set(detail, sphereOf(detail));
+  return spheres.get(detail);
+}
+
+function sphereOf(detail) {
+  const sphere = new IcosahedronGeometry(1, detail);
   sphere.deleteAttribute("uv");
   sphere.deleteAttribute("normal");
   const shared = mergeVertices(sphere, 1e-5);

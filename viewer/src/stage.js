@@ -35,6 +35,18 @@ function reachOfBalls({ count, radius, positions, positionScale }) {
   return reach;
 }
 
+const sameNumbers = (a, b) => a.length === b.length && a.every((value, i) => value === b[i]);
+
+/// Whether vessel, parts and carrier of two replays look the same apart from their motion.
+function sameBodies(a, b) {
+  const turns = ({ jarTurn }) => axisOfTurning(jarTurn) !== null;
+  const plate = (data) => (data.carrier ? plateOf(data).radius : 0);
+  return a.meshes.length === b.meshes.length && turns(a) === turns(b) &&
+    Math.abs(plate(a) - plate(b)) <= 1e-5 * plate(a) && a.meshes.every((mesh, i) =>
+    !mesh.turn === !b.meshes[i].turn && sameNumbers(mesh.vertices, b.meshes[i].vertices) &&
+      sameNumbers(mesh.triangles, b.meshes[i].triangles));
+}
+
 export class Stage {
   /// `context`: a WebGL 2 context of `canvas` that preserves its drawing buffer.
   constructor(canvas, context, data, speedTop) {
@@ -47,39 +59,52 @@ export class Stage {
     this.scene.add(this.room.add(this.riding));
     this.camera = new PerspectiveCamera(fieldOfView, 1);
     this.controls = new OrbitControls(this.camera, canvas);
+    this.retired = []; // removed from the scene, but not yet freed
     this.addLight();
     this.addBodies(data, speedTop);
   }
 
-  /// Replaces everything that the data describe.
+  /// Replaces everything that the data describe, except for bodies that are the same.
   renew(data, speedTop) {
-    const old = [this.balls.mesh, ...this.bodies.map((body) => body.group)];
-    if (this.carrier) old.push(this.carrier.group);
-    for (const group of old) {
-      group.removeFromParent();
+    const same = sameBodies(this.data, data);
+    const old = [this.balls.mesh, ...(same ? [] : this.bodies.map((body) => body.group))];
+    if (this.carrier && !same) old.push(this.carrier.group);
+    for (const group of old) group.removeFromParent();
+    this.retired.push(...old);
+    this.addBodies(data, speedTop, same);
+  }
+
+  /// Frees what was replaced, except for spheres, which are kept. This has to follow a picture of what came instead, because shaders that
+  /// nothing uses are compiled again, which takes long.
+  disposeOfRetired() {
+    for (const group of this.retired.splice(0))
       group.traverse((part) => {
-        part.geometry?.dispose();
+        if (!part.isInstancedMesh) part.geometry?.dispose();
         part.material?.dispose();
         part.dispose?.();
       });
-    }
-    this.addBodies(data, speedTop);
   }
 
-  addBodies(data, speedTop) {
+  /// `same`: the bodies are already there.
+  addBodies(data, speedTop, same = false) {
     this.data = data;
     this.directions = directionsOf(data);
+    this.balls = new Balls(data, speedTop);
+    this.riding.add(this.balls.mesh);
+    if (!same) this.addVesselAndParts(data);
+    this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
+    this.fitShadow(this.key.shadow);
+  }
+
+  addVesselAndParts(data) {
     const still = data.meshes.filter((mesh) => !mesh.turn);
     const vessel = still.sort((a, b) => reachOf(b) - reachOf(a))[0];
     const turning = axisOfTurning(data.jarTurn) !== null;
     this.bodies = data.meshes.map((mesh) =>
       mesh === vessel ? vesselOf(mesh, turning) : partOf(mesh));
-    this.balls = new Balls(data, speedTop);
-    this.riding.add(this.balls.mesh, ...this.bodies.map((body) => body.group));
+    this.riding.add(...this.bodies.map((body) => body.group));
     this.carrier = data.carrier ? carrierOf(data) : null;
     if (this.carrier) this.room.add(this.carrier.group);
-    this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
-    this.fitShadow(this.key.shadow);
   }
 
   fitShadow(shadow) {
@@ -165,6 +190,7 @@ export class Stage {
     this.balls.show(frame, colour);
     this.light(pose.centre.clone().sub(seen.origin).applyQuaternion(seen.turn));
     this.renderer.render(this.scene, this.camera);
+    this.disposeOfRetired();
     return this.weight(seen.turn);
   }
 

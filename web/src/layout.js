@@ -50,11 +50,12 @@ function resultRegion() {
   const parts = { title: element("h2", { className: "title" }),
     counters: element("dl", { className: "counters" }),
     stale: element("p", { className: "stale", hidden: true, textContent: text.changed }),
+    notices: element("div", { className: "result-notices", role: "status", hidden: true }),
     replay: element("section", { id: "replay", "aria-label": text.replay }),
     plots: element("div", { className: "plots" }) };
   const region = element("section", { className: "result", id: "result", tabIndex: -1,
-    "aria-label": text.resultHeading }, parts.title, parts.counters, parts.stale, parts.replay,
-  parts.plots, element("div", { className: "details" }, tabs.list, Object.values(tabs.panels)));
+    "aria-label": text.resultHeading }, parts.title, parts.counters, parts.stale, parts.notices,
+  parts.replay, parts.plots, element("div", { className: "details" }, tabs.list, Object.values(tabs.panels)));
   return { region, tabs, ...parts };
 }
 

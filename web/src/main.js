@@ -28,7 +28,7 @@ async function linked() {
 /// Takes the case of the address, or runs the first example.
 async function begin(page, { toml, bad }) {
   if (toml !== null) {
-    await page.take(toml, "");
+    await page.takeLinked(toml);
     page.say(text.fromLink);
     return;
   }
@@ -53,7 +53,7 @@ async function start() {
   page.showVersion(known.version);
   addEventListener("hashchange", async () => {
     const { toml } = await linked();
-    if (toml !== null && toml !== page.store.text) await page.take(toml, "");
+    if (toml !== null && toml !== page.store.text) await page.takeLinked(toml);
   });
   await begin(page, await linked());
 }

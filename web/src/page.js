@@ -22,6 +22,7 @@ export class Page {
   constructor(inspector, cases, known) {
     Object.assign(this, { inspector, cases });
     this.pool = new Pool();
+    this.runs = 0; // that were started
     this.store = new CaseStore(inspector);
     this.parts = layOut({ share: (said) => this.share(said) });
     const { parts, store } = this;
@@ -41,7 +42,13 @@ export class Page {
     this.showBar();
   }
 
-  /// Shows a case of an example (`name`), of a link or of A (name ""). Resolves when it is checked.
+  /// Shows a case that came with a link, which stays in the address until the case changes.
+  takeLinked(toml) {
+    this.linked = toml;
+    return this.take(toml, "");
+  }
+
+  /// Shows a case of an example (`name`) or another one (name ""). Resolves when it is checked.
   async take(toml, name) {
     if (this.active()) await this.stopped();
     this.run = null;
@@ -64,13 +71,15 @@ export class Page {
   }
 
   changed() {
-    if (location.hash.startsWith("#case=")) history.replaceState(null, "", "#");
+    if (location.hash.startsWith("#case=") && this.store.text !== this.linked) history.replaceState(null, "", "#");
     this.parts.stale.hidden = !this.run || this.run.toml === this.store.text;
+    document.body.dataset.case = "unchecked";
     this.showBar();
   }
 
   checked(checked) {
     const { faults } = checked;
+    document.body.dataset.case = faults.length > 0 ? "faulty" : "fine";
     const { faultLine, caseTabs } = this.parts;
     faultLine.hidden = faults.length === 0;
     caseTabs.badge("text", faults.length > 0 ? String(faults.length) : "");
@@ -114,6 +123,7 @@ export class Page {
         ended: (run) => this.ended(run),
       });
     this.run.checked = checked;
+    document.body.dataset.runs = ++this.runs;
     this.results.begin(this.run);
     showRegion("result");
     this.run.promise = this.run.start();
@@ -150,7 +160,10 @@ export class Page {
   }
 
   async share(said) {
-    history.replaceState(null, "", `#${await fragmentOf(this.store.text)}`);
+    const shared = this.store.text;
+    const fragment = await fragmentOf(shared);
+    this.linked = shared;
+    history.replaceState(null, "", `#${fragment}`);
     try {
       await navigator.clipboard.writeText(location.href);
       said.textContent = text.shared;

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A list of tests with one browser, and what they share.
+// Runs tests in a browser, several at a time.
 
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { chromiumOptions } from "./browser.js";
-
-export const limit = 120e3; // ms; software rendering on a busy machine is slow
+import { limit } from "./steps.js";
 
 /// Throws unless `found` is the one wanted value, or true if none is given.
 export function expect(what, found, ...rest) {
@@ -18,53 +17,75 @@ export function expect(what, found, ...rest) {
   if (!same) throw new Error(`${what}: found ${JSON.stringify(found)}, expected ${JSON.stringify(wanted)}`);
 }
 
-export const ended = (page, status = "done") =>
-  page.waitForSelector(`body[data-run="${status}"]`, { timeout: limit });
+/// Marks a test that looks at the replay. The others run as in a browser without WebGL 2, because
+/// drawing in software takes most of the time.
+export const drawn = (test) => Object.assign(test, { drawn: true });
 
-/// Opens a tab of the result or of the case by its key.
-export const tab = (page, key) => page.click(`#tab-${key}`);
+/// A test that throws this is skipped, and the reason is shown.
+export class Skip extends Error {}
 
-export const caseText = (page) => page.inputValue("#case-text");
+/// For a page: makes it a browser without WebGL 2.
+export const withoutWebGL = () => {
+  const original = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind === "webgl2" ? null : original.call(this, kind, ...rest);
+  };
+};
 
-/// Replaces the text of the case, as if typed, and waits for the check.
-export async function writeCase(page, text) {
-  await tab(page, "text");
-  await page.fill("#case-text", text);
-  await page.waitForTimeout(800);
+/// A context of the browser, and the list of the errors and foreign requests in it.
+async function freshContext(browser, { test, url, origin }) {
+  const permissions = url.startsWith("http") ? ["clipboard-read", "clipboard-write"] : [];
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 },
+    acceptDownloads: true, permissions, reducedMotion: "reduce" });
+  context.setDefaultTimeout(limit);
+  if (!test.drawn) await context.addInitScript(withoutWebGL);
+  const faults = [];
+  context.on("request", (request) => {
+    const address = request.url();
+    if (!/^(blob|data):/.test(address) && !address.startsWith(origin)) faults.push(`request to ${address}`);
+  });
+  context.on("page", (page) => {
+    page.on("pageerror", (error) => faults.push(String(error)));
+    page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+  });
+  return { context, faults };
 }
 
-export async function runTests(tests, { url, only, origin }) {
-  const profile = mkdtempSync(join(tmpdir(), "mahlwerk-page-"));
-  const browser = await chromium.launch(chromiumOptions);
-  const chosen = Object.entries(tests).filter(([name]) => !only || name.includes(only));
-  let failed = 0;
-  for (const [name, test] of chosen) {
-    const permissions = url.startsWith("http") ? ["clipboard-read", "clipboard-write"] : [];
-    const context = await browser.newContext({ viewport: { width: 1280, height: 800 },
-      acceptDownloads: true, permissions });
-    context.setDefaultTimeout(limit);
-    const faults = [];
-    const follow = (page) => {
-      page.on("request", (request) => {
-        const address = request.url();
-        if (!/^(blob|data):/.test(address) && !address.startsWith(origin)) faults.push(`request to ${address}`);
-      });
-      page.on("pageerror", (error) => faults.push(String(error)));
-      page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
-    };
-    context.on("page", follow);
-    try {
-      await test({ page: await context.newPage(), context, url, folder: profile });
-      expect("errors and foreign requests", faults, []);
-      console.log(`fine: ${name}`);
-    } catch (error) {
-      ++failed;
-      console.log(`FAILED: ${name}: ${error.message.split("\n").slice(0, 6).join("\n  ")}`, faults);
-    }
-    await context.close();
+/// Runs one test; returns "fine", "skipped" or "FAILED".
+async function runTest(browser, given) {
+  const { name, test, url, native } = given;
+  const begun = Date.now();
+  const { context, faults } = await freshContext(browser, given);
+  const folder = mkdtempSync(join(tmpdir(), "mahlwerk-page-"));
+  const notes = [];
+  let outcome = "fine";
+  try {
+    await test({ page: await context.newPage(), context, url, folder, native, note: (text) => notes.push(text) });
+    expect("errors and foreign requests", faults, []);
+  } catch (error) {
+    outcome = error instanceof Skip ? "skipped" : "FAILED";
+    notes.push(error.message.split("\n").slice(0, 6).join("\n  "), ...faults);
   }
+  const seconds = ((Date.now() - begun) / 1000).toFixed(1);
+  console.log([`${outcome}: ${name}, ${seconds} s`, ...notes].join("\n  "));
+  await context.close();
+  rmSync(folder, { recursive: true, force: true });
+  return outcome;
+}
+
+/// `tests`: list of functions, named by what they prove. `given`: url, origin, native (a program or
+/// null). `jobs`: how many run at the same time.
+export async function runTests(tests, given, jobs) {
+  const browser = await chromium.launch(chromiumOptions);
+  const queue = [...tests];
+  const outcomes = [];
+  const worker = async () => {
+    while (queue.length > 0) {
+      const test = queue.shift();
+      outcomes.push(await runTest(browser, { ...given, test, name: test.name }));
+    }
+  };
+  await Promise.all(Array.from({ length: jobs }, worker));
   await browser.close();
-  rmSync(profile, { recursive: true, force: true });
-  console.log(`${chosen.length - failed} passed, ${failed} failed`);
-  return failed;
+  return outcomes;
 }

@@ -66,6 +66,7 @@ function settingsOf(text) {
     drive: factor(value("mill.frequency") ?? value("mill.speed"), 10),
     planetary: /fritsch|planetary/.test(`${value("mill.model")} ${value("mill.kind")}`),
     restitution: Number(value("contact.restitution") ?? 0.8),
+    collapses: value("contact.lasting") === "none",
     powder: sections.some(({ name }) => name === "grinding"),
   };
 }
@@ -79,6 +80,8 @@ const origins = [
 ];
 const notices = [{ severity: "warning", code: "invented",
   text: "These numbers are invented: the page runs with the engine of its tests." }];
+
+const collapse = "bounces have collapsed";
 
 class MockEngine {
   version = "0.1.0 (test)";
@@ -108,8 +111,9 @@ class MockEngine {
     while (Date.now() < until);
     this.spent = Math.min(this.spent + milliseconds / 1000, replicateTime);
     const total = this.settings.time + this.settings.settle;
-    return { done: this.spent >= replicateTime, simulated: this.simulated(), total,
-      collisions: Math.round(this.simulated() * 150), stop_reason: "" };
+    const stopped = this.settings.collapses && this.spent > replicateTime / 2;
+    return { done: stopped || this.spent >= replicateTime, simulated: this.simulated(), total,
+      collisions: Math.round(this.simulated() * 150), stop_reason: stopped ? collapse : "" };
   }
 
   simulated() {
@@ -139,8 +143,10 @@ class MockEngine {
     const settings = settingsOf(applied(toml, set));
     const done = states.map((state) => JSON.parse(new TextDecoder().decode(state)).simulated);
     const simulated = done.reduce((a, b) => a + b, 0);
+    const endings = settings.collapses ? states.map((_, i) => ({ severity: "warning", code: "stopped",
+      text: `Replicate ${i + 1} was stopped: ${collapse}` })) : [];
     this.finished = {
-      "summary.json": JSON.stringify(summaryOf(settings, simulated, 0, notices)),
+      "summary.json": JSON.stringify(summaryOf(settings, simulated, 0, [...notices, ...endings])),
       "report.html": reportOf(settings),
       "case.resolved.toml": toml,
       "spectrum.csv": spectrumOf(settings, simulated, 0),

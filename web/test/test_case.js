@@ -3,26 +3,28 @@
 
 // Tests of the case: form, text, faults, examples, links.
 
-import { caseText, ended, expect, limit, tab, writeCase } from "./check.js";
-
-const open = async (page, url) => {
-  await page.goto(url);
-  await ended(page);
-};
+import { drawn, expect } from "./check.js";
+import { caseText, ended, limit, open, runAgain, tab, writeCase } from "./steps.js";
 
 const frequency = '.field[data-address="mill.frequency"]';
 
-async function runs_the_first_example_at_once({ page, url }) {
+async function runs_the_first_example_at_once({ page, url, note }) {
   const begun = Date.now();
   await page.goto(url);
-  await page.waitForSelector("body[data-run]");
   await page.waitForFunction(() => ["computing", "merging", "done"].includes(document.body.dataset.run));
-  console.log(`  computing after ${Date.now() - begun} ms`);
+  note(`computing after ${Date.now() - begun} ms`);
   await ended(page);
-  console.log(`  first result after ${Date.now() - begun} ms`);
+  note(`first result after ${Date.now() - begun} ms`);
   expect("collisions", Number((await page.textContent('.counter[data-key="collisions"] .value'))
     .replace(/\D/g, "")) > 0);
   await page.waitForSelector('#replay[data-state="drawn"]');
+}
+
+async function without_webgl_the_numbers_are_shown({ page, url }) {
+  await open(page, url);
+  await page.waitForSelector('#replay[data-state="no-webgl"]');
+  expect("why", (await page.textContent("#replay .sorry")).includes("WebGL 2"));
+  expect("plots", await page.locator(".plots canvas").count() > 0);
 }
 
 async function a_changed_value_reaches_the_text_and_keeps_comments({ page, url }) {
@@ -79,9 +81,7 @@ async function a_title_with_markup_does_no_harm({ page, url }) {
   await open(page, url);
   const title = "</script><script>window.harm = 1</script><img src=x onerror='window.harm = 1'>";
   await writeCase(page, (await caseText(page)).replace(/^title = .*/, `title = ${JSON.stringify(title)}`));
-  await page.click("#run");
-  await page.waitForFunction(() => document.body.dataset.run !== "done");
-  await ended(page);
+  await runAgain(page);
   expect("the title is text", await page.textContent(".result .title"), title);
   await tab(page, "files");
   await page.click("text=Open the report");
@@ -93,20 +93,28 @@ async function a_title_with_markup_does_no_harm({ page, url }) {
   expect("nothing ran in the report", await frame.evaluate(() => window.harm ?? 0), 0);
 }
 
+const examplesOf = (page) => page.locator(".examples option").evaluateAll((all) =>
+  all.map((option) => option.value).filter(Boolean));
+
 async function every_example_is_a_case({ page, url }) {
   await open(page, url);
-  const names = await page.locator(".examples option").evaluateAll((all) =>
-    all.map((option) => option.value).filter(Boolean));
+  const names = await examplesOf(page);
   expect("number of examples", names.length, 6);
   for (const name of [...names.slice(1), names[0]]) {
-    await page.selectOption(".examples select", name);
-    await page.waitForFunction(() => document.body.dataset.run !== "done");
-    await ended(page);
+    await runAgain(page, () => page.selectOption(".examples select", name));
     expect(`${name} has no fault`, await page.locator(".fault-line:not([hidden])").count(), 0);
-    const title = await page.textContent(".result .title");
-    await page.waitForFunction((shown) => document.querySelector("#replay .scene")
-      ?.getAttribute("aria-label").includes(shown), title, { timeout: 20000 });
     expect(`${name} says what to try`, (await page.textContent(".hint")).includes("ry "));
+  }
+}
+
+async function every_example_is_drawn({ page, url }) {
+  await open(page, url);
+  for (const name of [...(await examplesOf(page)).slice(1), "vibrating-vial"]) {
+    await page.selectOption(".examples select", name);
+    await page.waitForSelector('body[data-case="fine"]');
+    await page.waitForFunction(() => document.querySelector("#replay .scene")
+      ?.getAttribute("aria-label").includes(document.querySelector(".result .title").textContent));
+    expect(`${name} is drawn without fault`, await page.getAttribute("#replay", "data-error"), null);
   }
 }
 
@@ -116,7 +124,7 @@ async function mills_and_jars_can_be_chosen({ page, url }) {
   await mill.selectOption("model fritsch-p7-classic");
   expect("the text", /model = "fritsch-p7-classic"[^]*speed = "400 rpm"/.test(await caseText(page)));
   expect("a fitting jar", await page.locator("fieldset").nth(1).locator("select").first().inputValue(), jar);
-  await page.waitForTimeout(800);
+  await page.waitForSelector('body:not([data-case="unchecked"])');
   expect("no fault", await page.locator(".fault-line:not([hidden])").count(), 0);
   await page.click("text=Add a set of balls");
   expect("two sets", (await caseText(page)).match(/\[\[balls\]\]/g).length, 2);
@@ -136,8 +144,10 @@ async function a_link_holds_the_whole_case({ page, context, url }) {
   await other.waitForFunction(() => document.querySelector("#case-text").value !== "");
   expect("the same case", await caseText(other), text);
   await other.waitForFunction(() => !document.querySelector("#run").disabled);
-  await other.click("#run");
-  await ended(other);
+  await runAgain(other);
+  await other.reload();
+  await other.waitForSelector('body[data-case="fine"]');
+  expect("the same case after a reload", await caseText(other), text);
 }
 
 async function a_damaged_link_is_no_fault({ page, url }) {
@@ -146,8 +156,8 @@ async function a_damaged_link_is_no_fault({ page, url }) {
   expect("the first example", (await caseText(page)).includes("vibration"));
 }
 
-export const caseTests = { runs_the_first_example_at_once,
+export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn),
+  drawn(runs_the_first_example_at_once), without_webgl_the_numbers_are_shown,
   a_changed_value_reaches_the_text_and_keeps_comments, a_changed_text_reaches_the_form,
   faults_are_shown_at_their_line, broken_text_does_no_harm, a_title_with_markup_does_no_harm,
-  every_example_is_a_case, mills_and_jars_can_be_chosen, a_link_holds_the_whole_case,
-  a_damaged_link_is_no_fault };
+  mills_and_jars_can_be_chosen, a_link_holds_the_whole_case, a_damaged_link_is_no_fault];

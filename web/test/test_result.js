@@ -4,12 +4,8 @@
 // Tests of runs and results: pause, stop, plots, comparison, sweep, files.
 
 import { readFileSync } from "node:fs";
-import { caseText, ended, expect, limit, tab, writeCase } from "./check.js";
-
-const open = async (page, url) => {
-  await page.goto(url);
-  await ended(page);
-};
+import { expect } from "./check.js";
+import { caseText, ended, limit, open, runAgain, saved, tab, writeCase } from "./steps.js";
 
 /// Sets a case that computes for a while: many replicates and a long time.
 const longCase = async (page) => writeCase(page, (await caseText(page))
@@ -60,14 +56,40 @@ async function quantities_have_intervals({ page, url }) {
   expect("more rows", (await rows.count()) > few);
 }
 
+async function a_result_says_why_it_ended_early({ page, url }) {
+  await open(page, url);
+  const box = page.locator(".result-notices");
+  const early = (await caseText(page)).replace(/^restitution = 0.9/m, 'restitution = 0.3\nlasting = "none"')
+    .replace("replicates = 5", "replicates = 2");
+  await writeCase(page, early);
+  await runAgain(page);
+  expect("the status", (await page.textContent("#status")).startsWith("Ended early:"));
+  expect("the reasons come first", (await box.locator("li").allTextContents()).slice(0, 2).map((said) =>
+    /^Warning: Replicate (\d) was stopped: .*bounces have collapsed/.exec(said)?.[1]), ["1", "2"]);
+  await box.locator("button").click();
+  expect("they are in full below", (await page.locator(".panel-about .notices li").first().textContent())
+    .includes("Replicate 1 was stopped"));
+  await runAgain(page, () => page.selectOption(".examples select", "planetary-mill"));
+  expect("another result has no such notice", await box.getByText("was stopped").count(), 0);
+}
+
+/// The notice is there as soon as the first replicate was stopped.
+async function an_early_end_is_said_while_computing({ page, url }) {
+  await open(page, url);
+  await writeCase(page, (await caseText(page)).replace("replicates = 5", "replicates = 200")
+    .replace(/^restitution = 0.9/m, 'restitution = 0.3\nlasting = "none"'));
+  await page.click("#run");
+  await page.waitForSelector('body[data-run="computing"] .result-notices li');
+  await page.click("#stop");
+  await ended(page, "stopped");
+}
+
 async function two_settings_are_compared({ page, url }) {
   await open(page, url);
   await tab(page, "comparison");
   await page.click("text=Keep this result as A");
   await page.fill('.field[data-address="mill.frequency"] input[type="number"]', "16");
-  await page.click("#run");
-  await page.waitForFunction(() => document.body.dataset.run !== "done");
-  await ended(page);
+  await runAgain(page);
   const power = page.locator(".comparison tbody tr").first();
   expect("the power differs", await power.locator(".verdict").textContent(), "differ");
   const cells = await power.locator("td").allTextContents();
@@ -95,8 +117,7 @@ async function a_sweep_gives_a_curve({ page, url, folder }) {
     { timeout: limit });
   expect("the values", await page.locator(".panel-sweep .scroll tbody th").allTextContents(),
     ["8 Hz", "10 Hz", "12 Hz"]);
-  const [file] = await Promise.all([page.waitForEvent("download"), page.click("text=Download sweep.csv")]);
-  await file.saveAs(`${folder}/sweep.csv`);
+  await saved(page, `${folder}/sweep.csv`, () => page.click("text=Download sweep.csv"));
   expect("rows of the table", readFileSync(`${folder}/sweep.csv`, "utf8").trim().split("\n").length, 4);
   await page.waitForFunction(() => !document.querySelector("#run").disabled);
 }
@@ -105,10 +126,7 @@ async function files_can_be_saved({ page, url, folder }) {
   await open(page, url);
   await tab(page, "files");
   const save = async (name) => {
-    const [file] = await Promise.all([page.waitForEvent("download"),
-      page.click(`.file:text-is("${name}")`)]);
-    expect("name", file.suggestedFilename(), name);
-    await file.saveAs(`${folder}/${name}`);
+    expect("name", await saved(page, `${folder}/${name}`, () => page.click(`.file:text-is("${name}")`)), name);
     return readFileSync(`${folder}/${name}`, "utf8");
   };
   expect("the case", await save("case.toml"), await caseText(page));
@@ -138,6 +156,7 @@ async function about_these_numbers({ page, url }) {
     expect(part, text.includes(part));
 }
 
-export const resultTests = { pauses_continues_and_stops, live_results_appear_while_computing,
-  quantities_have_intervals, two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
-  the_report_opens, about_these_numbers };
+export const resultTests = [pauses_continues_and_stops, live_results_appear_while_computing,
+  quantities_have_intervals, a_result_says_why_it_ended_early, an_early_end_is_said_while_computing,
+  two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
+  the_report_opens, about_these_numbers];

@@ -5,6 +5,7 @@
 
 import { button, element } from "../dom.js";
 import { text } from "../text/en.js";
+import { noticeList } from "./notices.js";
 
 function originsTable(origins, label) {
   return element("div", { className: "scroll", tabIndex: 0, role: "region", "aria-label": label },
@@ -39,7 +40,8 @@ export class About {
     const guessed = assumed.filter(uncalibrated);
     this.root.replaceChildren(
       element("p", { textContent: text.trust }),
-      this.notices(notices),
+      notices.length > 0 ? noticeList(notices)
+        : element("p", { className: "note", textContent: text.noNotices }),
       guessed.length > 0 ? element("p", { className: "callout" }, element("strong", {}, text.guessed),
         ` ${guessed.map(({ key, value }) => `${key} = ${value}`).join(", ")}`) : null,
       part(text.unverified, unverified.length, unverified.length > 0,
@@ -49,15 +51,6 @@ export class About {
         element("p", { className: "note", textContent: text.assumedAbout }),
         originsTable(assumed, text.assumed)),
       part(text.repeat, null, true, ...this.command()));
-  }
-
-  notices(notices) {
-    const order = ["invalid", "warning", "note"];
-    const sorted = [...notices].sort((a, b) => order.indexOf(a.severity) - order.indexOf(b.severity));
-    if (sorted.length === 0) return element("p", { className: "note", textContent: text.noNotices });
-    return element("ul", { className: "notices" }, sorted.map((notice) =>
-      element("li", { className: notice.severity },
-        element("strong", {}, text.severity(notice.severity)), ` ${notice.text}`)));
   }
 
   command() {

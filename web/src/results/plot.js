@@ -21,11 +21,12 @@ function axis(options, size, space) {
       at === null || at === undefined ? "" : (options.values ?? short)(at)) };
 }
 
-/// Marks of a logarithmic axis: powers of ten, in steps that leave at most eight; 1, 2 and 5 of each if
-/// there are few.
-function logarithmicMarks(_, __, least, most) {
+/// Marks of a logarithmic axis: powers of ten, in steps that leave at most eight and have room along the
+/// x axis, number 0; 1, 2 and 5 of each if there are few.
+function logarithmicMarks(plot, number, least, most) {
   const [low, high] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
-  const step = Math.max(1, Math.ceil((high - low + 1) / 8));
+  const room = number === 0 ? plot.width / 64 : 8;
+  const step = Math.max(1, Math.ceil((high - low + 1) / Math.min(room, 8)));
   const marks = [];
   for (let power = low - 1; power <= high; ++power)
     for (const digit of high - low < 2 ? [1, 2, 5] : [1]) {

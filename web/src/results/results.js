@@ -8,6 +8,7 @@ import { About } from "./about.js";
 import { Comparison } from "./comparison.js";
 import { Counters } from "./counters.js";
 import { Files } from "./files.js";
+import { NoticeBox } from "./notices.js";
 import { Powder } from "./powder.js";
 import { Quantities } from "./quantities.js";
 import { ReplayPanel } from "./replay_panel.js";
@@ -16,11 +17,12 @@ import { SpectrumPlot } from "./spectrum_plot.js";
 
 export class Results {
   /// `actions`: download (the case), caseText, restore (a case).
-  constructor({ title, counters, replay, plots, tabs }, actions) {
+  constructor({ title, counters, notices, replay, plots, tabs }, actions) {
     const { panels } = tabs;
     this.title = title;
     this.tabs = tabs;
     this.counters = new Counters(counters);
+    this.notices = new NoticeBox(notices, () => this.openAbout());
     this.replay = new ReplayPanel(replay);
     this.spectrum = new SpectrumPlot();
     this.series = new SeriesPlot();
@@ -42,6 +44,7 @@ export class Results {
     this.title.textContent = checked.title;
     if (fresh) {
       this.counters.show(null);
+      this.notices.show([]);
       this.quantities.show(null, false);
       this.spectrum.show(null);
       this.series.show(null);
@@ -59,18 +62,27 @@ export class Results {
     this.tabs.badge("about", warnings > 0 ? String(warnings) : "", text.severity("warning"));
   }
 
+  openAbout() {
+    this.tabs.choose("about");
+    this.tabs.panels.about.scrollIntoView({ block: "center" });
+    this.tabs.buttons.find(({ id }) => id === "tab-about").focus({ preventScroll: true });
+  }
+
   begin(run) {
     this.restart = this.unseen;
     this.unseen = false;
     this.finished = null;
     this.counters.show(run);
+    this.notices.show([]);
     this.files.show(null);
     this.showAbout(run.checked, run.checked.notices);
     this.comparison.show(null);
   }
 
   showProgress(run) {
-    if (run) this.counters.show(run);
+    if (!run) return;
+    this.counters.show(run);
+    if (!run.summary) this.notices.showProgress(run);
   }
 
   showPicture(run, film) {
@@ -90,6 +102,7 @@ export class Results {
     if (run.status === "failed") return;
     const { summary, toml } = run;
     this.finished = { title: summary._about.title, toml, summary, spectrum: run.spectrum() };
+    this.notices.show(summary._about.notices ?? []);
     this.showAbout(run.checked, summary._about.notices ?? []);
     this.files.show(run.files);
     this.powder.show(run.table("size_distribution"), run.table("grinding"));

@@ -130,6 +130,11 @@ export class Run {
     return this.replicates.reduce((total, replicate) => total + (replicate[key] || 0), 0);
   }
 
+  /// Whether the simulator stopped a replicate.
+  endedEarly() {
+    return this.replicates.some(({ reason }) => reason);
+  }
+
   /// Share of the simulation that is computed, from 0 to 1.
   share() {
     const shares = this.replicates.map(({ simulated, total, state }) =>

@@ -19,6 +19,8 @@ function status(run) {
   if (!run) return "Ready.";
   const sum = seconds(run.sum("simulated") || 0);
   const of = run.replicates.length === 1 ? "" : ` in ${run.replicates.length} replicates`;
+  if (run.status === "done" && run.endedEarly())
+    return `Ended early: ${sum} simulated${of}; the notices of the result say why.`;
   if (run.status === "done") return `Done: ${sum} simulated${of}, computed in ${seconds(run.seconds)}.`;
   if (run.status === "stopped") return `Stopped: ${sum} simulated, the result holds what was computed.`;
   if (run.status === "failed") return `The run failed: ${run.message}`;
@@ -97,7 +99,7 @@ export const text = {
   spectrumRateAbout: "Collisions per second over their impact energy",
   spectrumPowerAbout: "Impact power over impact energy",
   spectrumAbout: (peak) => `It is highest near ${peak}.`,
-  impactEnergy: "Impact energy of the normal motion",
+  impactEnergy: "Impact energy, normal motion",
   rateAxis: "Rate per octave, 1/s",
   powerPerOctave: "Power per octave",
   powerAxis: "Power",
@@ -165,6 +167,8 @@ export const text = {
   trust: "The intervals contain only the scatter of the simulation: a longer run makes them narrower. " +
     "They do not contain errors of the model, nor of values that nobody measured. Differences between " +
     "two settings of one mill are more reliable than absolute numbers.",
+  noticesInFull: (count) => (count === 1 ? "This notice in full" : `${count} notices in full`),
+  replicateStopped: (number, reason) => `Replicate ${number} was stopped: ${reason}`,
   noNotices: "The program has no notices about this case.",
   severity: (severity) => severities[severity] ?? `${severity}:`,
   guessed: "Assumed and not calibrated:",

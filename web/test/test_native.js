@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The page computes the numbers of the program to the bit.
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { write } from "../src/case/toml_text.js";
+import { expect, Skip } from "./check.js";
+import { openCase, runAgain, saved, tab } from "./steps.js";
+
+const planetary = readFileSync(new URL("../examples/planetary-mill.toml", import.meta.url), "utf8");
+const values = { "run.time": "0.2 s", "run.settle": "0.1 s", "run.replicates": 2 };
+const short = Object.entries(values).reduce((toml, [key, value]) => write(toml, key, value), planetary);
+
+/// The lines of a summary, without the two that tell how long the computer took and the one with the
+/// version of the program. Numbers are written with all their digits.
+const linesOf = (summary) => summary.split("\n")
+  .filter((line) => !/^\s*"(wall_seconds|cpu_seconds|mahlwerk)":/.test(line));
+
+/// Computes the case on the page and with the program: the summaries must be the same.
+async function sameBits({ page, url, folder, native }, toml) {
+  if (!native || !existsSync(native)) throw new Skip(`no program is named by --native${native ? `: ${native}` : ""}`);
+  mkdirSync(`${folder}/native`);
+  writeFileSync(`${folder}/case.toml`, toml);
+  execFileSync(native, ["run", `${folder}/case.toml`, "--out", `${folder}/native`, "--quiet"]);
+  await openCase(page, url, toml);
+  await runAgain(page);
+  await tab(page, "files");
+  await saved(page, `${folder}/summary.json`, () => page.click('.file:text-is("summary.json")'));
+  const [there, here] = [`${folder}/native/summary.json`, `${folder}/summary.json`]
+    .map((path) => linesOf(readFileSync(path, "utf8")));
+  expect("a result", here.length > 100);
+  const differing = here.map((line, i) => [line, there[i]]).filter(([a, b]) => a !== b);
+  expect("lines that differ", differing.slice(0, 5), []);
+  expect("number of lines", here.length, there.length);
+}
+
+async function the_event_engine_has_the_bits_of_the_program(given) {
+  await sameBits(given, short);
+}
+
+async function the_soft_engine_has_the_bits_of_the_program(given) {
+  await sameBits(given, write(short, "run.engine", "soft"));
+}
+
+export const nativeTests = [the_event_engine_has_the_bits_of_the_program,
+  the_soft_engine_has_the_bits_of_the_program];
