@@ -30,6 +30,19 @@ cases::Case with_engine(cases::Case mill_case, cases::EngineName engine) {
   return mill_case;
 }
 
+/// The engine of a case. The choice of the last case is kept: pilot runs of "auto" take as long as
+/// a short replicate, and a worker computes several replicates of one case.
+campaign::EngineChoice engine_of(const cases::Case& mill_case) {
+  if (mill_case.run.engine != cases::EngineName::automatic) return {mill_case.run.engine, {}};
+  static std::string known;  // the case of `choice`
+  static campaign::EngineChoice choice;
+  if (std::string text = cases::write(mill_case); text != known) {
+    choice = campaign::choose_engine(mill_case);
+    known = std::move(text);
+  }
+  return choice;
+}
+
 /// The line in "case.toml:14"; 0 for another place.
 int line_of(std::string_view where) {
   const std::string start = std::string(case_name) + ":";
@@ -118,7 +131,7 @@ Json description(const cases::Case& mill_case) {
 
 Session::Session(cases::Case mill_case, int replicate)
     : mill_case_(std::move(mill_case)),
-      choice_(campaign::choose_engine(mill_case_)),
+      choice_(engine_of(mill_case_)),
       decided_(with_engine(mill_case_, choice_.engine)),
       replica_(decided_, replicate) {}
 
@@ -171,7 +184,7 @@ std::string Session::state() {
 
 results::Outcome merged_outcome(const cases::Case& mill_case,
                                 const std::vector<std::string_view>& states) {
-  const campaign::EngineChoice choice = campaign::choose_engine(mill_case);
+  const campaign::EngineChoice choice = engine_of(mill_case);
   const cases::Case decided = with_engine(mill_case, choice.engine);
   results::Outcome outcome{.mill_case = mill_case, .replicates = {}};
   outcome.engine = choice.engine;

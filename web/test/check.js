@@ -24,7 +24,8 @@ export const drawn = (test) => Object.assign(test, { drawn: true });
 /// A test that throws this is skipped, and the reason is shown.
 export class Skip extends Error {}
 
-const withoutWebGL = () => {
+/// For a page: makes it a browser without WebGL 2.
+export const withoutWebGL = () => {
   const original = HTMLCanvasElement.prototype.getContext;
   HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
     return kind === "webgl2" ? null : original.call(this, kind, ...rest);
