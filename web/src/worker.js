@@ -8,7 +8,7 @@
 import { load } from "./engine.js";
 
 const step = 40; // ms of one call of advance
-const pictureShare = 0.15; // of the time may be spent on pictures
+const pictureShare = 0.06; // of the time may be spent on pictures
 
 let engine = null;
 let running = null;

@@ -21,11 +21,11 @@ function caseOf(example, changes) {
 
 const cases = {
   "event engine, one ball in a vial": caseOf("vibrating-vial", { "run.time": "4000 s" }),
-  "event engine, seven balls, planetary mill": caseOf("planetary-mill", { "run.time": "16 s" }),
+  "event engine, seven balls, planetary mill": caseOf("planetary-mill", { "run.time": "24 s" }),
   "soft engine, seven balls, planetary mill": caseOf("planetary-mill",
-    { "run.engine": "soft", "run.time": "1 s" }),
+    { "run.engine": "soft", "run.time": "1.5 s" }),
   "event engine, 459 balls in a drum": caseOf("tumbling-drum",
-    { "balls.1.diameter": "12 mm", "run.time": "0.5 s" }),
+    { "balls.1.diameter": "12 mm", "run.time": "0.2 s" }),
   "soft engine, 459 balls in a drum": caseOf("tumbling-drum",
     { "balls.1.diameter": "12 mm", "run.engine": "soft", "run.settle": "0 s", "run.time": "0.1 s" }),
 };
