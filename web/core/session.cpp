@@ -30,8 +30,8 @@ cases::Case with_engine(cases::Case mill_case, cases::EngineName engine) {
   return mill_case;
 }
 
-/// The engine of a case. The choice of the last case is kept: pilot runs of "auto" take as long as a
-/// short replicate, and a worker computes several replicates of one case.
+/// The engine of a case. The choice of the last case is kept: pilot runs of "auto" take as long as
+/// a short replicate, and a worker computes several replicates of one case.
 campaign::EngineChoice engine_of(const cases::Case& mill_case) {
   if (mill_case.run.engine != cases::EngineName::automatic) return {mill_case.run.engine, {}};
   static std::string known;  // the case of `choice`

@@ -76,12 +76,15 @@ async function whileComputing(browser, url, { name, webgl, motion }) {
   const before = await busyTime(session);
   const { begun, list } = await page.evaluate(intervals, watched);
   const after = await busyTime(session);
-  const tasks = (await page.evaluate(() => figures.longTasks)).filter(({ startTime }) => startTime > begun);
+  const all = await page.evaluate(() => figures.longTasks);
+  const tasks = all.filter(({ startTime }) => startTime > begun);
   const share = (key) => `${Math.round((100 * (after[key] - before[key])) / (after.at - before.at))} %`;
   const memory = await memoryOfPage(browser);
+  const longestOf = (list) => Math.max(0, ...list.map(({ duration }) => duration)).toFixed(0);
   console.log(`${name}: ${(1000 / median(list)).toFixed(0)} pictures/s (median), 95 % within ` +
-    `${quantile(list, 0.95).toFixed(0)} ms; main thread busy ${share("busy")}, of that scripts ${share("script")}; ` +
-    `tasks over 50 ms: ${tasks.length}, longest ${Math.max(0, ...tasks.map(({ duration }) => duration)).toFixed(0)} ms; ` +
+    `${quantile(list, 0.95).toFixed(0)} ms; main thread busy ${share("busy")} of the time, with scripts ` +
+    `${share("script")}; tasks over 50 ms: ${tasks.length}, longest ${longestOf(tasks)} ms, ` +
+    `while the page opened ${longestOf(all)} ms; ` +
     `memory ${memory === null ? "unknown" : `${memory.toFixed(0)} MB`}`);
   await context.close();
 }
