@@ -150,9 +150,11 @@ class Case:
         return f"<b>{html.escape(self.title)}</b>" + table_html(("key", "value", "source"), rows)
 
     def save(self, file: Place, *, force: bool = False) -> None:
-        """Writes the resolved case as a case file. Raises FileExistsError unless `force`."""
+        """Writes the resolved case as a case file. Raises FileExistsError unless `force`. In another
+        folder than that of this case, files that it names are given by their whole paths."""
+        text = self._text_for(Path(file).absolute().parent)
         with open(file, "w" if force else "x", encoding="utf-8") as out:
-            out.write(self.text)
+            out.write(text)
 
     # Work
 
@@ -286,6 +288,15 @@ class Case:
         return Comparison(place)
 
     # Helpers
+
+    def _text_for(self, folder: Path) -> str:
+        """The resolved case for a file in `folder`."""
+        own = self._source.file.parent
+        if folder.resolve() == own.resolve():
+            return self.text
+        values = {key: self._value(key) for key in ("mill.file", "jar.file", "run.start_from")}
+        whole = {key: os.fspath(own / toml.text_of(value)) for key, value in values.items() if value}
+        return self.replace(whole).text if whole else self.text
 
     def _with_section(self, name: str, content: Optional[Changes]) -> Case:
         return self if content is None else self._of(self._source.with_section(name, content))

@@ -40,6 +40,11 @@ def value_text(value: Any) -> str:
     raise TypeError(f"a case cannot hold a value of type {type(value).__name__}: {value!r}")
 
 
+def text_of(quoted: str) -> str:
+    """What a quoted text of a resolved case says."""
+    return str(json.loads(quoted))
+
+
 def change_text(value: Any) -> str:
     """A value as `--set key=value` takes it: strings without quotes."""
     return value if isinstance(value, str) else value_text(value)

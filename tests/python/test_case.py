@@ -158,3 +158,21 @@ def test_other_encodings_and_types_are_refused_as_on_the_command_line(tmp_path, 
         mahlwerk.describe(5)
     with pytest.raises(ValueError):
         mahlwerk.Case.new(mill="thped", kind="still")
+
+
+def test_a_case_that_names_a_file_can_be_saved_elsewhere(tmp_path):
+    rows = "".join(f"{i / 100},{i % 10 / 1000},0,0\n" for i in range(101))
+    (tmp_path / "motion.csv").write_text("time_s,x_m,y_m,z_m\n" + rows)
+    case = mahlwerk.Case.from_text(toml.case_text({
+        "mill": {"kind": "tabulated", "file": "motion.csv"},
+        "jar": {"kind": "sphere", "diameter": "20 mm"},
+        "balls": [{"count": 1, "diameter": "8 mm", "density": "7850 kg/m3"}],
+        "run": {"time": "2 s"}}), tmp_path)
+    case.save(tmp_path / "case.toml")
+    assert 'file = "motion.csv"' in (tmp_path / "case.toml").read_text()
+    (tmp_path / "other").mkdir()
+    case.save(tmp_path / "other" / "case.toml")
+    moved = mahlwerk.Case(tmp_path / "other")
+    assert moved.origin("mill.file").value == f'"{tmp_path / "motion.csv"}"'
+    number = "acceleration_number"
+    assert moved.check().derived[number].value == case.check().derived[number].value

@@ -154,7 +154,8 @@ void too_many_balls(const Case& c, std::vector<Fault>& found) {
     for (const SizeClass& size : set.sizes())
       if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);
   }
-  const double most = 1 - math::pow(1 - densest, sizes.size());  // smaller balls fill the gaps
+  const double most =
+      1 - math::pow(1 - densest, static_cast<double>(sizes.size()));  // smaller balls fill the gaps
   if (!(volume > most * jar)) return;
   found.push_back(
       {location_of(c, "balls.1.count"),
