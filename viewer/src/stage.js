@@ -74,8 +74,8 @@ export class Stage {
     this.addBodies(data, speedTop, same);
   }
 
-  /// Frees what was replaced, except for spheres, which are kept. This has to follow a picture of what came instead, because shaders that
-  /// nothing uses are compiled again, which takes long.
+  /// Frees what was replaced, except for spheres, which are kept. This has to follow a picture of what came
+  /// instead, because shaders that nothing uses are compiled again, which takes long.
   disposeOfRetired() {
     for (const group of this.retired.splice(0))
       group.traverse((part) => {

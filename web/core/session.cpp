@@ -17,6 +17,7 @@
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
 #include "mahlwerk/results/summarise.hpp"
+#include "page_limits.hpp"
 
 namespace mahlwerk::web {
 namespace {
@@ -94,12 +95,19 @@ const cases::Catalogue& catalogue() {
   return known;
 }
 
-cases::Case read_case(const std::string& text, const Overrides& set) {
+cases::Case read_case(const std::string& text, const Overrides& set) try {
   cases::Case mill_case =
       cases::read_text(text, std::filesystem::path(case_name), catalogue(), set);
-  if (std::vector<Fault> wrong = campaign::run_faults(mill_case); !wrong.empty())
-    throw InputError(std::move(wrong));
+  std::vector<Fault> wrong = page_faults(mill_case);
+  if (wrong.empty()) wrong = campaign::run_faults(mill_case);
+  if (!wrong.empty()) throw InputError(std::move(wrong));
   return mill_case;
+} catch (const InputError& e) {
+  std::vector<Fault> faults = e.faults();
+  for (Fault& one : faults)
+    if (one.code == "no-such-file")
+      one.remedy = "the page reads no files: compute this case with the program";
+  throw InputError(std::move(faults));
 }
 
 Json faults_json(const std::vector<Fault>& faults) {
@@ -125,6 +133,7 @@ Json description(const cases::Case& mill_case) {
   made["origins"] = origins_json(mill_case.origins);
   Notices notices = cases::jar_warnings(mill_case);
   append(notices, cases::unusual_values(mill_case));
+  append(notices, ignored_sections(mill_case));
   made["notices"] = notices_json(notices);
   return made;
 }

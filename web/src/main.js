@@ -52,8 +52,9 @@ async function start() {
   const page = new Page(inspector, cases, knownOf(known.vocabulary));
   page.showVersion(known.version);
   addEventListener("hashchange", async () => {
-    const { toml } = await linked();
-    if (toml !== null && toml !== page.store.text) await page.takeLinked(toml);
+    const { toml, bad } = await linked();
+    if (bad) page.say(text.badLinkLater);
+    else if (toml !== null && toml !== page.store.text) await page.takeLinked(toml);
   });
   await begin(page, await linked());
 }

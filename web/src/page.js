@@ -4,7 +4,7 @@
 // The page: connects the case, the runs and what is shown of them.
 
 import { button, download, element, later } from "./dom.js";
-import { CaseStore } from "./case/store.js";
+import { CaseStore, kept } from "./case/store.js";
 import { Editor } from "./case/editor.js";
 import { Form } from "./case/form.js";
 import { fragmentOf } from "./case/share.js";
@@ -34,7 +34,7 @@ export class Page {
     this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
       restore: (toml) => this.take(toml, "") });
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
-      busy: (on) => this.busy(on) });
+      running: () => this.active(), busy: (on) => this.busy(on) });
     store.addEventListener("text", () => this.changed());
     store.addEventListener("checked", ({ detail }) => this.checked(detail));
     document.addEventListener("keydown", (event) => this.key(event));
@@ -44,7 +44,7 @@ export class Page {
 
   /// Shows a case that came with a link, which stays in the address until the case changes.
   takeLinked(toml) {
-    this.linked = toml;
+    this.linked = kept(toml);
     return this.take(toml, "");
   }
 
@@ -113,7 +113,7 @@ export class Page {
   async start() {
     if (this.active() || this.sweeping) return null;
     const checked = await this.store.check();
-    if (checked.faults.length > 0 || this.active()) return null;
+    if (checked.faults.length > 0 || this.active() || this.sweeping) return null;
     this.note = "";
     this.parts.stale.hidden = true;
     this.run = new Run(this.pool, this.inspector,

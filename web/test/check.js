@@ -53,14 +53,15 @@ async function freshContext(browser, { test, url, origin }) {
 
 /// Runs one test; returns "fine", "skipped" or "FAILED".
 async function runTest(browser, given) {
-  const { name, test, url, native } = given;
+  const { name, test, url, engine, native } = given;
   const begun = Date.now();
   const { context, faults } = await freshContext(browser, given);
   const folder = mkdtempSync(join(tmpdir(), "mahlwerk-page-"));
   const notes = [];
   let outcome = "fine";
   try {
-    await test({ page: await context.newPage(), context, url, folder, native, note: (text) => notes.push(text) });
+    await test({ page: await context.newPage(), context, url, folder, engine, native,
+      note: (text) => notes.push(text) });
     expect("errors and foreign requests", faults, []);
   } catch (error) {
     outcome = error instanceof Skip ? "skipped" : "FAILED";
@@ -73,7 +74,7 @@ async function runTest(browser, given) {
   return outcome;
 }
 
-/// `tests`: list of functions, named by what they prove. `given`: url, origin, native (a program or
+/// `tests`: list of functions, named by what they prove. `given`: url, origin, engine, native (a program or
 /// null). `jobs`: how many run at the same time.
 export async function runTests(tests, given, jobs) {
   const browser = await chromium.launch(chromiumOptions);

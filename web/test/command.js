@@ -26,7 +26,8 @@ function computed(engine, toml, set, replicate) {
   return engine.state();
 }
 
-const engine = await load(readFileSync(process.env.MAHLWERK_WASM ?? join(dirname(process.argv[1]), "bin/mahlwerk.wasm")));
+const wasm = process.env.MAHLWERK_WASM ?? join(dirname(process.argv[1]), "bin/mahlwerk.wasm");
+const engine = await load(readFileSync(wasm));
 if (values.version) {
   console.log(`mahlwerk ${engine.version} (WebAssembly)`);
 } else {

@@ -3,8 +3,8 @@
 
 // Tests of the case: form, text, faults, examples, links.
 
-import { drawn, expect } from "./check.js";
-import { caseText, ended, limit, open, runAgain, tab, writeCase } from "./steps.js";
+import { drawn, expect, Skip } from "./check.js";
+import { caseText, ended, limit, open, openCase, runAgain, tab, writeCase } from "./steps.js";
 
 const frequency = '.field[data-address="mill.frequency"]';
 
@@ -150,6 +150,35 @@ async function a_link_holds_the_whole_case({ page, context, url }) {
   expect("the same case after a reload", await caseText(other), text);
 }
 
+async function other_line_ends_and_odd_characters_do_no_harm({ page: first, context, url }) {
+  await open(first, url);
+  const text = await caseText(first);
+  const fields = await first.locator(".form .field").count();
+  const page = await context.newPage();
+  await openCase(page, url, text.replaceAll("\n", "\r\n"));
+  expect("lines end as ever", await caseText(page), text);
+  expect("fields of the form", await page.locator(".form .field").count(), fields);
+  await writeCase(page, `${text}# a\u2028b\u2029c\u0000d\n`);
+  expect("faults", await page.locator(".fault-line:not([hidden])").count(), 0);
+}
+
+async function what_the_page_lacks_is_said({ page, url, engine }) {
+  if (engine === "mock") throw new Skip("the engine of the tests has no limits");
+  await open(page, url);
+  const text = await caseText(page);
+  const fault = () => page.textContent("#case-faults");
+  await writeCase(page, text.replace("replicates = 5", "replicates = 5000"));
+  expect("replicates", (await fault()).includes("at most 1000 replicates"));
+  await writeCase(page, text.replace("count = 1", "count = 100000000").replace('"8 mm"', '"0.002 mm"'));
+  expect("balls", (await fault()).includes("at most 100000 balls"));
+  await writeCase(page, text.replace('kind = "vibration"', 'kind = "tabulated"\nfile = "motion.csv"')
+    .replace(/^(frequency|amplitude) = .*\n/gm, ""));
+  expect("a file", (await fault()).includes("the page reads no files"));
+  await writeCase(page, `${text}\n[sweep]\n"mill.frequency" = ["8 Hz", "12 Hz"]\n`);
+  await tab(page, "about");
+  expect("a section", (await page.textContent(".panel-about")).includes("[sweep] is left to the program"));
+}
+
 async function a_damaged_link_is_no_fault({ page, url }) {
   await page.goto(`${url}#case=AAAA%%`);
   await ended(page);
@@ -160,4 +189,5 @@ export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn)
   drawn(runs_the_first_example_at_once), without_webgl_the_numbers_are_shown,
   a_changed_value_reaches_the_text_and_keeps_comments, a_changed_text_reaches_the_form,
   faults_are_shown_at_their_line, broken_text_does_no_harm, a_title_with_markup_does_no_harm,
-  mills_and_jars_can_be_chosen, a_link_holds_the_whole_case, a_damaged_link_is_no_fault];
+  mills_and_jars_can_be_chosen, a_link_holds_the_whole_case, a_damaged_link_is_no_fault,
+  other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];

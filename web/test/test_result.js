@@ -4,7 +4,7 @@
 // Tests of runs and results: pause, stop, plots, comparison, sweep, files.
 
 import { readFileSync } from "node:fs";
-import { expect } from "./check.js";
+import { expect, Skip } from "./check.js";
 import { caseText, ended, limit, open, runAgain, saved, tab, writeCase } from "./steps.js";
 
 /// Sets a case that computes for a while: many replicates and a long time.
@@ -101,6 +101,43 @@ async function two_settings_are_compared({ page, url }) {
   await page.waitForFunction(() => document.querySelector("#case-text").value.includes('"10 Hz"'));
 }
 
+async function a_sweep_and_a_run_exclude_each_other({ page, url }) {
+  await open(page, url);
+  await longCase(page);
+  await page.click("#run");
+  await ended(page, "computing");
+  await tab(page, "sweep");
+  await page.click("text=Run the sweep");
+  expect("the sweep waits", (await page.textContent(".panel-sweep .note[aria-live]")).includes("A run is being"));
+  await page.click("#stop");
+  await ended(page, "stopped");
+  await page.evaluate(() => { // both within one check of the case
+    document.querySelector("#case-text").value += "\n# changed\n";
+    document.querySelector("#case-text").dispatchEvent(new Event("input"));
+    document.querySelector("#run").click();
+    document.querySelector(".panel-sweep .primary").click();
+  });
+  await page.click(".panel-sweep .primary >> text=Stop");
+  await page.waitForFunction(() => !document.querySelector("#run").disabled);
+  await page.click("#run");
+  await ended(page, "computing");
+  await page.click("#stop");
+  await ended(page, "stopped");
+}
+
+async function faults_of_a_sweep_are_shown({ page, url, engine }) {
+  if (engine === "mock") throw new Skip("the engine of the tests takes every diameter");
+  await open(page, url);
+  await tab(page, "sweep");
+  const fields = page.locator(".panel-sweep .fields");
+  await fields.locator("select").first().selectOption("jar.diameter");
+  const numbers = fields.locator('input[type="number"]');
+  for (const [at, value] of ["1", "3", "2"].entries()) await numbers.nth(at).fill(value);
+  await page.click("text=Run the sweep");
+  await page.waitForFunction(() => document.querySelectorAll(".panel-sweep .scroll tbody tr").length === 2);
+  expect("a reason", (await page.textContent(".panel-sweep .scroll tbody tr")).length > 20);
+}
+
 async function a_sweep_gives_a_curve({ page, url, folder }) {
   await open(page, url);
   await writeCase(page, (await caseText(page)).replace("replicates = 5", "replicates = 2")
@@ -158,5 +195,5 @@ async function about_these_numbers({ page, url }) {
 
 export const resultTests = [pauses_continues_and_stops, live_results_appear_while_computing,
   quantities_have_intervals, a_result_says_why_it_ended_early, an_early_end_is_said_while_computing,
-  two_settings_are_compared, a_sweep_gives_a_curve, files_can_be_saved,
-  the_report_opens, about_these_numbers];
+  two_settings_are_compared, a_sweep_gives_a_curve, a_sweep_and_a_run_exclude_each_other,
+  faults_of_a_sweep_are_shown, files_can_be_saved, the_report_opens, about_these_numbers];

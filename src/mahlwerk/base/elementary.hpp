@@ -60,7 +60,7 @@ inline Parts parts_of(double x) {
           static_cast<int>(bits >> 52U) - 1022};
 }
 
-/// log x for finite x > 0, relative error below 2^-57.
+/// log x for finite x > 0, relative error below 1e-17.
 inline Sum log_sum(double x) {
   auto [m, exponent] = parts_of(x);
   if (m < 0.5 * std::numbers::sqrt2) m *= 2, --exponent;
@@ -82,7 +82,7 @@ inline Sum log_sum(double x) {
   return {high + low, (high - (high + low)) + low};
 }
 
-/// exp(x.high + x.low), relative error below 1.2e-16 and that of its argument.
+/// exp(x.high + x.low), relative error below 1.4e-16 and that of its argument.
 inline double exp_sum(const Sum& x) {
   if (!(x.high < 709.8)) return x.high > 0 ? std::numeric_limits<double>::infinity() : x.high;
   if (x.high < -745.2) return 0;
@@ -110,7 +110,7 @@ inline double exp(double x) {
 /// x to the power y for x >= 0; relative error below 2e-16 (1 + |y log x| / 16).
 inline double pow(double x, double y) {
   if (y == 0 || x == 1) return 1;
-  if (!(x > 0) || std::isinf(x) || !std::isfinite(y)) return std::pow(x, y);  // exact cases
+  if (!(x > 0) || std::isinf(x) || !std::isfinite(y)) return std::pow(x, y);  // ends of the range
   const Sum l = log_sum(x);
   if (std::abs(y * l.high) > 800)
     return y * l.high > 0 ? std::numeric_limits<double>::infinity() : 0;
@@ -136,12 +136,12 @@ inline double log10(double x) {
 inline double expm1(double x) {
   const double u = exp(x);
   if (u == 1) return x;
-  if (u - 1 == -1 || std::isinf(u)) return u - 1;
+  if (u - 1 == -1 || x > 700) return u - 1;
   return (u - 1) * x / log(u);
 }
 inline double log1p(double x) {
   const double u = 1 + x;
-  return u == 1 ? x : std::isinf(u) ? u : log(u) * x / (u - 1);
+  return u == 1 ? x : x > 1e16 || std::isinf(u) ? log(u) : log(u) * x / (u - 1);
 }
 inline double tanh(double x) {
   const double e = expm1(-2 * std::abs(x));
@@ -196,7 +196,7 @@ inline double atan2(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return x + y;
   if (y == 0) return std::signbit(x) ? std::copysign(pi, y) : y;
   if (x == 0) return std::copysign(0.5 * pi, y);
-  if (std::isinf(x) || std::isinf(y)) return std::atan2(y, x);  // exact cases
+  if (std::isinf(x) || std::isinf(y)) return std::atan2(y, x);  // ends of the range
   const double angle = atan(std::abs(y / x));
   return std::copysign(x > 0 ? angle : pi - (angle - pi_rest), y);
 }
@@ -210,7 +210,7 @@ inline double gauss(double x) {
   const Sum square = product(x, x);
   return exp_sum({-square.high, -square.low});
 }
-/// 1 - erf x, relative error below 5e-15. Below 1 a series of positive terms of erf, above it the
+/// 1 - erf x, relative error below 6e-15. Below 1 a series of positive terms of erf, above it the
 /// continued fraction of erfc (Abramowitz and Stegun 7.1.6, 7.1.14).
 inline double erfc(double x) {
   if (std::isnan(x)) return x;

@@ -67,7 +67,7 @@ TEST(Elementary, functions_are_within_their_errors) {
       {"atan2", angle, [](long double y) { return std::atan2(y, 0.0L - 1.3); }, -10, 10, 3e-16},
       {"asin", math::asin, std::asin, -1, 1, 3.5e-16},
       {"cube root", math::cbrt, std::cbrt, 0, 100, 1.7e-16},
-      {"erfc", math::erfc, std::erfc, -6, 25, 5e-15},
+      {"erfc", math::erfc, std::erfc, -6, 25, 6e-15},
       {"erf", math::erf, std::erf, -6, 6, 1.5e-15},
   };
   for (const Line& one : lines)
@@ -95,6 +95,11 @@ TEST(Elementary, ends_of_the_range_are_those_of_the_standard) {
   EXPECT_EQ(math::exp(1000), infinity);
   EXPECT_TRUE(std::isnan(math::exp(NAN)));
   EXPECT_EQ(math::exp(-800), 0);
+  EXPECT_EQ(math::expm1(705), math::exp(705));
+  EXPECT_EQ(math::expm1(infinity), infinity);
+  EXPECT_NEAR(math::log1p(std::numeric_limits<double>::max()), 709.782712893384, 1e-12);
+  EXPECT_EQ(math::log1p(infinity), infinity);
+  EXPECT_TRUE(std::isnan(math::log1p(-infinity)));
   EXPECT_EQ(math::pow(0, 0.2), 0);
   EXPECT_EQ(math::pow(0, -1), infinity);
   EXPECT_EQ(math::pow(5, 0), 1);

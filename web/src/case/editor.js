@@ -7,12 +7,12 @@ import { button, element } from "../dom.js";
 import { text } from "../text/en.js";
 
 const rules = [
-  ["comment", /^#.*/],
+  ["comment", /^#[^]*/],
   ["section", /^\[\[?[^\]\n]*\]\]?/],
   ["string", /^"(?:[^"\\\n]|\\.)*"?|^'[^'\n]*'?/],
   ["number", /^[+-]?\d[\d_.e+-]*\b/],
   ["key", /^[A-Za-z0-9_.-]+(?=[ \t]*=)/],
-  ["plain", /^[A-Za-z0-9_]+|^[ \t]+|^./],
+  ["plain", /^[A-Za-z0-9_]+|^[ \t]+|^[^]/],
 ];
 
 /// The pieces of a line, coloured.

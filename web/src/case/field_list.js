@@ -36,6 +36,12 @@ export function kindOf(sections, where, catalogue) {
     entries.find(({ name }) => name === model)?.kind ?? null;
 }
 
+/// The mill of the catalogue that the case names; undefined if it names none.
+export function millOf(sections, catalogue) {
+  const model = entryOf(sections, "mill.model")?.value;
+  return catalogue.mills.find(({ name }) => name === model);
+}
+
 function fieldOf(known, section, entry, key) {
   const address = section.address ? `${section.address}.${key}` : key;
   const value = entry?.value ?? null;

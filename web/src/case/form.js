@@ -5,10 +5,10 @@
 
 import { button, element, freshId } from "../dom.js";
 import { text } from "../text/en.js";
-import { fieldsOf, kindOf } from "./field_list.js";
+import { fieldsOf, kindOf, millOf } from "./field_list.js";
 import { kindsOf, withJar, withKind, withMill } from "./mill_choice.js";
 import { QuantityField } from "./quantity_field.js";
-import { entryOf, removeSection } from "./toml_text.js";
+import { removeSection } from "./toml_text.js";
 
 const shown = ["mill", "jar", "balls", "powder", "contact", "run"];
 
@@ -56,8 +56,7 @@ export class Form {
       [section.address, ...fields.map(({ address, kind }) => `${address} ${kind}`)]).join("\n");
     if (plan !== this.plan) this.build(sections);
     this.plan = plan;
-    const model = entryOf(this.store.sections, "mill.model")?.value;
-    const mill = this.catalogue.mills.find(({ name }) => name === model);
+    const mill = millOf(this.store.sections, this.catalogue);
     for (const { section, fields } of sections) {
       this.choices[section.name]?.show({ value: this.chosen(section) });
       for (const field of fields) this.fields.get(field.address).show(field, mill);

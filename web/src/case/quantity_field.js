@@ -29,6 +29,7 @@ export class QuantityField {
 
   /// Shows the field's value, except where the reader is typing.
   show(field, mill) {
+    this.number.setAttribute("aria-invalid", "false");
     this.field = field;
     this.mill = mill;
     const { number, unit } = field.quantity;
@@ -65,6 +66,7 @@ export class QuantityField {
 
   typed() {
     const number = this.number.valueAsNumber;
+    this.number.setAttribute("aria-invalid", String(!Number.isFinite(number)));
     if (!Number.isFinite(number)) return;
     this.set(number);
     this.fitSlider();

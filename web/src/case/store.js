@@ -6,6 +6,9 @@
 import { later } from "../dom.js";
 import { parse, write } from "./toml_text.js";
 
+/// The text as the page keeps it: lines end with \n, and no character ends the text early.
+export const kept = (text) => text.replace(/\r\n?/g, "\n").replaceAll("\0", "\uFFFD");
+
 export class CaseStore extends EventTarget {
   /// `inspector`: the worker that checks.
   constructor(inspector) {
@@ -19,7 +22,8 @@ export class CaseStore extends EventTarget {
   }
 
   /// `from`: who changes the text ("form", "editor", "choice"), for listeners that need not follow.
-  setText(text, from) {
+  setText(given, from) {
+    const text = kept(given);
     if (text === this.text) return;
     this.text = text;
     this.sections = parse(text);

@@ -6,7 +6,7 @@
 import { button, download, element, freshId } from "../dom.js";
 import { writeCsv } from "../csv.js";
 import { quantityText, scaledText, short } from "../format.js";
-import { fieldsOf, kindOf } from "../case/field_list.js";
+import { fieldsOf, kindOf, millOf } from "../case/field_list.js";
 import { join } from "../case/quantity.js";
 import { rangeOf } from "../case/ranges.js";
 import { Sweep } from "../run/sweep.js";
@@ -24,7 +24,7 @@ const number = (value, properties) =>
   element("input", { type: "number", step: "any", value, ...properties });
 
 export class SweepPanel {
-  /// `page`: { store, vocabulary, catalogue, pool, inspector, busy(on) }.
+  /// `page`: { store, vocabulary, catalogue, pool, inspector, running(), busy(on) }.
   constructor(root, page) {
     Object.assign(this, page, { page });
     this.key = element("select", { onchange: () => this.suggest() });
@@ -78,7 +78,7 @@ export class SweepPanel {
     const field = this.fields().find(({ address }) => address === this.key.value);
     if (!field) return;
     const { number: at, unit } = field.quantity;
-    const range = rangeOf(field.address, at, unit);
+    const range = rangeOf(field.address, at, unit, millOf(this.store.sections, this.catalogue));
     const within = (value) => Number(Math.min(Math.max(value, range.least), range.most).toPrecision(2));
     const whole = range.whole ? Math.round : (value) => value;
     this.from.value = whole(within(at * 0.5));
@@ -98,6 +98,19 @@ export class SweepPanel {
       this.status.textContent = text.sweepFault;
       return;
     }
+    if (this.page.running()) {
+      this.status.textContent = text.sweepWaits;
+      return;
+    }
+    this.page.busy(true); // before the check, during which Run may be pressed
+    try {
+      await this.compute(from, to, count, logarithmic);
+    } finally {
+      this.page.busy(false);
+    }
+  }
+
+  async compute(from, to, count, logarithmic) {
     const checked = await this.store.check();
     if (checked.faults.length > 0) {
       this.status.textContent = text.faultsFirst;
@@ -109,9 +122,7 @@ export class SweepPanel {
     this.sweep = new Sweep(this.pool, this.inspector, { toml: this.store.text, key: this.key.value,
       points, replicates: checked.replicates }, () => this.show());
     this.axis = `${this.key.selectedOptions[0].textContent}${this.unit ? `, ${this.unit}` : ""}`;
-    this.page.busy(true);
     await this.sweep.start();
-    this.page.busy(false);
   }
 
   show() {
@@ -130,9 +141,12 @@ export class SweepPanel {
 
   draw() {
     const points = this.sweep?.points.filter(({ summary }) => summary) ?? [];
-    this.results.hidden = points.length === 0;
-    this.save.hidden = points.length === 0;
-    if (points.length === 0) return;
+    this.results.hidden = !this.sweep?.points.some(({ summary, fault }) => summary || fault);
+    this.save.hidden = this.plot.root.hidden = this.quantity.parentElement.hidden = points.length === 0;
+    if (points.length === 0) {
+      if (!this.results.hidden) this.table.replaceChildren(this.rows(null));
+      return;
+    }
     const keys = keysIn(points[0].summary);
     if (this.quantity.options.length !== keys.length)
       this.quantity.replaceChildren(...[...new Set([...shortList(keys), ...keys])].map((key) =>
@@ -153,7 +167,7 @@ export class SweepPanel {
   rows(key) {
     return element("table", {}, element("thead", {}, element("tr", {},
       element("th", { scope: "col", textContent: this.key.value }),
-      element("th", { scope: "col", textContent: text.quantity(key) }))),
+      element("th", { scope: "col", textContent: key ? text.quantity(key) : text.sweepQuantity }))),
     element("tbody", {}, this.sweep.points.filter(({ summary, fault }) => summary || fault)
       .map((point) => element("tr", {},
         element("th", { scope: "row", textContent: String(point.value) }),

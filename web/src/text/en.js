@@ -90,6 +90,7 @@ export const text = {
   shared: "Link copied. It contains the whole case; nothing was sent.",
   sharedAddress: "The address of this page now contains the whole case: copy it from there.",
   badLink: "This link holds no readable case; the first example is shown instead.",
+  badLinkLater: "The address holds no readable case; the present one stays.",
   fromLink: "This case came with the link. Press Run to compute it.",
 
   spectrum: "Spectrum of impacts",
@@ -147,6 +148,7 @@ export const text = {
   sweepCurve: "Curve of the sweep",
   runSweep: "Run the sweep",
   saveSweep: "Download sweep.csv",
+  sweepWaits: "A run is being computed; stop it, or wait for its end.",
   sweepFault: "From and to must be numbers; with equal ratios both above 0.",
   sweepStatus: (state, at, count) => state === "done" ? `Done: ${count} values.`
     : state === "stopped" ? `Stopped after ${at} of ${count} values.`
