@@ -34,7 +34,7 @@ export class Page {
     this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
       restore: (toml) => this.take(toml, "") });
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
-      running: () => this.active(), busy: (on) => this.busy(on) });
+      running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
     store.addEventListener("text", () => this.changed());
     store.addEventListener("checked", ({ detail }) => this.checked(detail));
     document.addEventListener("keydown", (event) => this.key(event));
