@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
+#include "mahlwerk/scene/chamber.hpp"
+
+// Jars as regions of LAMMPS, and mills as body forces and turning walls.
+namespace mahlwerk::lammps {
+
+bool has_region(const geometry::AnyShape& shape);
+/// The jars of has_region(), as words of a case.
+std::string known_regions();
+
+bool has_body_force(const kinematics::AnyMotion& motion);
+/// The mills of has_body_force(), as words of a case.
+std::string known_motions();
+
+/// Commands that make the region `jar` and the variables of its motion and of the force on a ball
+/// by its mass, in the jar frame (lmp.5, lmp.6). `time_step` [s].
+std::string jar_commands(const scene::Chamber& chamber, double time_step);
+
+}  // namespace mahlwerk::lammps
