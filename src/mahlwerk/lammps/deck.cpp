@@ -58,18 +58,22 @@ std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& kinds
   return text;
 }
 
-std::string measurements(const Steps& steps) {
+std::string measurements(const scene::Chamber& chamber, const std::vector<scene::Ball>& kinds,
+                         const Steps& steps) {
+  std::vector<int> numbers;
+  for (const scene::Ball& kind : kinds) numbers.push_back(kind.kind + 1);
   const std::int64_t row = std::max<std::int64_t>(1, steps.counted / steps.rows / steps.sampling) *
                            steps.sampling;
-  return fmt::format(
-      "compute spins all erotate/sphere\n"
+  return power_commands(chamber, numbers) + fmt::format(
+      "compute motion all ke\ncompute spins all erotate/sphere\n"
+      "fix power all ave/time {1} {2} {0} v_wall_power v_body_power c_motion c_spins file power.txt\n"
       "fix contacts all pair/tracker {0} id1 id2 time/created time/broken r/min r/ave x y z\n"
       "dump contacts all local {0} contacts.txt f_contacts[*]\n"
       "dump_modify contacts append no\n"
       "thermo_style custom step atoms ke c_spins cpu\n"
       "thermo_modify lost error norm no\n"
       "thermo {0}\n",
-      row);
+      row, steps.sampling, row / steps.sampling);
 }
 
 std::string run_commands(const Steps& steps) {
@@ -134,7 +138,7 @@ Deck deck(const cases::Case& c, const std::vector<scene::Ball>& balls, const Ste
       "read_data balls.data\ntimestep {:.15g}\n",
       c.title, steps.time_step);
   script += neighbours(balls) + jar_commands(chamber, steps.time_step) + contacts(c, kinds) +
-            "fix motion all nve/sphere\n" + measurements(steps) + run_commands(steps);
+            "fix motion all nve/sphere\n" + measurements(chamber, kinds, steps) + run_commands(steps);
   return {script, ball_file(balls, kinds.size(), reach)};
 }
 

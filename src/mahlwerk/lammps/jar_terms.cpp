@@ -133,4 +133,26 @@ std::string jar_commands(const scene::Chamber& chamber, double time_step) {
   return commands;
 }
 
+std::string power_commands(const scene::Chamber& chamber, const std::vector<int>& kinds) {
+  const Motion motion = motion_of(*chamber.motion);
+  std::string commands, torque = "0", force = "0";
+  for (const int kind : motion.axis.empty() ? std::vector<int>{} : kinds) {
+    // r x F at the contact points: columns 2 to 4 are the force on the ball, 5 to 7 the point
+    const bool along_x = motion.axis.starts_with('1');
+    commands += fmt::format(
+        "variable torque{0} atom f_wall{0}[{1}]*f_wall{0}[{2}]-f_wall{0}[{3}]*f_wall{0}[{4}]\n"
+        "compute torque{0} kind{0} reduce sum v_torque{0}\n",
+        kind, along_x ? 6 : 5, along_x ? 4 : 3, along_x ? 7 : 6, along_x ? 3 : 2);
+    torque += fmt::format("+c_torque{}", kind);
+  }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!motion.force[i].empty()) {
+      const char axis = "xyz"[i];
+      force += fmt::format("+v_force_{0}*vcm(all,{0})", axis);
+    }
+  return commands +
+         fmt::format("variable wall_power equal {}*({})\nvariable body_power equal mass(all)*({})\n",
+                     motion.angular_speed.empty() ? "0" : motion.angular_speed, torque, force);
+}
+
 }  // namespace mahlwerk::lammps

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -22,5 +23,10 @@ std::string known_motions();
 /// Commands that make the region `jar` and the variables of its motion and of the force on a ball
 /// by its mass, in the jar frame (lmp.5, lmp.6). `time_step` [s].
 std::string jar_commands(const scene::Chamber& chamber, double time_step);
+
+/// Commands that make the variables `wall_power` and `body_power` [W]: the work of the turning wall
+/// and of the body force on the balls by time (lmp.7). Over whole periods their mean is the drawn
+/// power. `kinds`: numbers of the groups `kindN` and walls `wallN`.
+std::string power_commands(const scene::Chamber& chamber, const std::vector<int>& kinds);
 
 }  // namespace mahlwerk::lammps
