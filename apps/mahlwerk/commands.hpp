@@ -27,6 +27,10 @@ struct Request {
   std::string shard;  ///< "2/8": the second of eight parts of a campaign; empty: all
   int slurm = 0;      ///< number of shards to submit to Slurm; 0: run here
   std::vector<std::string> slurm_options;
+  std::string engine;       ///< replaces run.engine; empty: as the case says
+  int ranks = 0;            ///< processes of one run by LAMMPS; 0: by cores and balls
+  bool write_only = false;  ///< of `run`: write the folders of LAMMPS, start nothing
+  bool slurm_job = false;   ///< of `run`: the same, with a job script of Slurm
   std::string results;  ///< results kept of a campaign: "all", "summary"; empty: by their number
   std::optional<double> checkpoint;  ///< [s] interval between two checkpoints of the run
   bool resume = false;               ///< resume from the last checkpoint

@@ -14,6 +14,7 @@ namespace mahlwerk::app {
 campaign::RunOptions options_of(const Request& request, ProgressLine& line) {
   campaign::RunOptions options;
   options.threads = request.threads;
+  options.lammps.ranks = request.ranks;
   options.stop = &stop_wanted();
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
   return options;
@@ -22,10 +23,13 @@ campaign::RunOptions options_of(const Request& request, ProgressLine& line) {
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
-                                      campaign::Checkpoint* checkpoint) {
+                                      campaign::Checkpoint* checkpoint,
+                                      const std::filesystem::path& lammps) {
   ProgressLine line(request.quiet);
   campaign::RunOptions options = options_of(request, line);
   options.checkpoint = checkpoint;
+  options.lammps.folder = lammps;
+  options.lammps.resume = request.resume;
   streams.attach(options);
   return campaign::run(points, options);
 }

@@ -64,6 +64,7 @@ fs::path default_folder(const std::string& target, const fs::path& file, bool se
 std::vector<cases::Override> overrides(const Request& request) {
   std::vector<cases::Override> all = request.set;
   if (request.seed) all.push_back({"seed", std::to_string(*request.seed)});
+  if (!request.engine.empty()) all.push_back({"run.engine", request.engine});
   return all;
 }
 

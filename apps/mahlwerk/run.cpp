@@ -15,8 +15,10 @@
 
 #include "command.hpp"
 #include "compute.hpp"
+#include "lammps.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"
@@ -53,7 +55,8 @@ RunJob prepare_run(const Request& request, const fs::path& file, bool several,
   if (job.sweeps()) return job;
   if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
     throw InputError(std::move(wrong));
-  job.folder = std::make_unique<results::Folder>(job.place, request.force || request.resume);
+  if (!writes_only(request))
+    job.folder = std::make_unique<results::Folder>(job.place, request.force || request.resume);
   return job;
 }
 
@@ -92,6 +95,19 @@ void print_json(const std::vector<RunJob>& jobs) {
   json_to_stdout(list);
 }
 
+/// The folder of all runs by LAMMPS, beside the results.
+fs::path lammps_root(const std::vector<RunJob>& jobs) {
+  const fs::path place = jobs.size() > 1 ? jobs.front().place.parent_path() : jobs.front().place;
+  return place.string() + ".lammps";
+}
+
+std::vector<cases::Case> plain_cases(const std::vector<RunJob>& jobs) {
+  std::vector<cases::Case> found;
+  for (const RunJob& job : jobs)
+    if (!job.sweeps()) found.push_back(job.mill_case);
+  return found;
+}
+
 /// Reads all cases and checks all result folders before anything is computed. Throws InputError.
 std::vector<RunJob> prepare_all(const Request& request) {
   const cases::Catalogue known = catalogue();
@@ -104,6 +120,7 @@ std::vector<RunJob> prepare_all(const Request& request) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
+  check_lammps(request, plain_cases(jobs), lammps_root(jobs));
   return jobs;
 }
 
@@ -111,6 +128,7 @@ std::vector<RunJob> prepare_all(const Request& request) {
 std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
                                                  const std::vector<RunJob>& jobs) {
   if (!request.checkpoint && !request.resume) return nullptr;
+  if (jobs.front().mill_case.run.engine == cases::EngineName::lammps) return nullptr;
   std::string what = fmt::format("version {}\n", version());
   std::size_t replicates = 0;
   for (const RunJob& job : jobs) {
@@ -146,7 +164,8 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
     streams.add(job.mill_case, *job.folder, "");
   }
   catch_ctrl_c();
-  const std::vector<results::Outcome> outcomes = compute(request, points, streams, kept.get());
+  const std::vector<results::Outcome> outcomes =
+      compute(request, points, streams, kept.get(), lammps_root(jobs));
   streams.close();
   const bool talks = !request.quiet && !request.json;
   for (std::size_t i = 0; i < jobs.size(); ++i) {  // all of them before any output, which may fail
@@ -159,7 +178,8 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   if (talks) fmt::print("computed in {} s\n", two_digits(outcomes.front().wall_seconds));
   const int ended = report_exit_status(outcomes);
   if (kept && kept->write_error()) print_warning(*kept->write_error());
-  if (kept && ended == interrupted && talks) fmt::print("to resume it:  --resume\n");
+  const bool by_lammps = points.front().run.engine == cases::EngineName::lammps;
+  if ((kept || by_lammps) && ended == interrupted && talks) fmt::print("to resume it:  --resume\n");
   return ended;
 }
 
@@ -167,6 +187,7 @@ int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));
+  if (writes_only(request)) return write_for_lammps(request, plain_cases(plain), lammps_root(plain));
   int worst = plain.empty() ? success : run_cases(request, plain);
   for (const RunJob& job : campaigns) {
     if (worst == interrupted) break;
@@ -182,6 +203,7 @@ Command run_command() {
           joined({{several_cases()},
                   changes(),
                   running(),
+                  lammps_options(),
                   {checkpoint("seconds between two checkpoints, kept beside the results, from "
                               "which --resume continues"),
                    {"--resume", &Request::resume, "resume an ended run from its last checkpoint"},

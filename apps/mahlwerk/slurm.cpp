@@ -32,14 +32,6 @@ fs::path this_program() {
   return failed ? fs::path("mahlwerk") : found;
 }
 
-/// Throws InputError if `text` contains control characters: it must stay one line of the script.
-void refuse_control(const std::string& where, const std::string& text) {
-  if (has_control(text))
-    throw InputError(Fault{
-        where, "it contains a line end or another control character",
-        "write one option for each --slurm-option, and paths without control characters", "slurm"});
-}
-
 /// The path with "%" doubled: Slurm replaces patterns that begin with "%" in file names.
 std::string slurm_path(const fs::path& path) {
   std::string text;
@@ -79,6 +71,13 @@ std::string output_of(const std::string& command, const fs::path& script) {
 }
 
 }  // namespace
+
+void refuse_control(const std::string& where, const std::string& text) {
+  if (has_control(text))
+    throw InputError(Fault{
+        where, "it contains a line end or another control character",
+        "write one option for each --slurm-option, and paths without control characters", "slurm"});
+}
 
 std::string slurm_script(const Request& request, const fs::path& case_file, const fs::path& place) {
   for (const std::string& option : request.slurm_options)

@@ -9,6 +9,9 @@
 
 namespace mahlwerk::app {
 
+/// Throws InputError if `text` contains control characters: it must stay one line of a script.
+void refuse_control(const std::string& where, const std::string& text);
+
 /// The script of a Slurm job array with `request.slurm` tasks, one for each shard of the campaign.
 std::string slurm_script(const Request& request, const std::filesystem::path& case_file,
                          const std::filesystem::path& place);

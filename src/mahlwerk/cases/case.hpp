@@ -182,9 +182,13 @@ struct StopCriterion {
   bool operator==(const StopCriterion&) const = default;
 };
 
-/// The engine requested by a case; a run uses one of the first two.
-enum class EngineName { event, soft, automatic };
-std::string_view name_of(EngineName engine);  ///< "event", "soft", "auto"
+/// The engine requested by a case; "auto" chooses event or soft.
+enum class EngineName { event, soft, automatic, lammps };
+std::string_view name_of(EngineName engine);  ///< "event", "soft", "auto", "lammps"
+/// Whether it is a DEM, which resolves contacts in time steps.
+constexpr bool in_time_steps(EngineName engine) {
+  return engine == EngineName::soft || engine == EngineName::lammps;
+}
 
 struct Run {
   EngineName engine = EngineName::event;

@@ -5,25 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/lammps/contact_terms.hpp"
 #include "mahlwerk/lammps/jar_terms.hpp"
 
 namespace mahlwerk::lammps {
 namespace {
-
-/// One ball of each kind stands for all of its kind in laws whose numbers depend on the mass.
-std::vector<scene::Ball> one_of_each_kind(const std::vector<scene::Ball>& balls) {
-  std::map<std::int32_t, scene::Ball> seen;
-  for (const scene::Ball& ball : balls) seen.try_emplace(ball.kind, ball);
-  std::vector<scene::Ball> kinds;
-  for (auto& [kind, ball] : seen) kinds.push_back(ball);
-  return kinds;
-}
 
 contact::EffectivePair pair_of(const contact::Pair& pair, const scene::Ball& a,
                                const scene::Ball& b) {
@@ -33,113 +25,146 @@ contact::EffectivePair pair_of(const contact::Pair& pair, const scene::Ball& a,
 
 /// Neighbour lists: by size classes where sizes differ by more than a factor of two, as one cutoff
 /// makes lists of small balls six times as long at a ratio of 15.
-std::string neighbours(const std::vector<scene::Ball>& balls) {
-  const auto [least, most] = std::ranges::minmax(balls, {}, &scene::Ball::radius);
+std::string neighbours(const std::vector<scene::Ball>& types) {
+  const auto [least, most] = std::ranges::minmax(types, {}, &scene::Ball::radius);
   const bool classes = most.radius > 2 * least.radius;
   return fmt::format("neighbor {:.6g} {}\n{}neigh_modify delay 0 every 1 check yes\n",
                      0.3 * least.radius, classes ? "multi" : "bin",
-                     classes ? "comm_modify mode multi vel yes\n" : "");
+                     classes ? "comm_modify mode multi\n" : "");
 }
 
-std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& kinds) {
+/// `pair_style tracker` must find its fix.
+std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& types,
+                     const Steps& steps) {
   const contact::PairTable table = cases::pair_table(c);
-  std::string text = "pair_style hybrid/overlay granular tracker finite\n";
-  for (const scene::Ball& a : kinds)
-    for (const scene::Ball& b : kinds)
-      if (a.kind <= b.kind)
-        text += fmt::format(
-            "pair_coeff {} {} granular {}\n", a.kind + 1, b.kind + 1,
-            contact_terms(c.contact.model, pair_of(table.balls(a.kind, b.kind), a, b)));
+  std::string text = fmt::format(
+      "fix contacts all pair/tracker {} id1 id2 time/created time/broken r/min x y z\n"
+      "pair_style hybrid/overlay granular tracker finite\n",
+      steps.row);
+  for (std::size_t a = 0; a < types.size(); ++a)
+    for (std::size_t b = a; b < types.size(); ++b)
+      text += fmt::format(
+          "pair_coeff {} {} granular {}\n", a + 1, b + 1,
+          contact_terms(c.contact.model, pair_of(table.balls(types[a].kind, types[b].kind),
+                                                 types[a], types[b])));
   text += "pair_coeff * * tracker\n";
-  for (const scene::Ball& a : kinds)  // the wall is the same on all faces (faults)
+  for (std::size_t a = 0; a < types.size(); ++a)  // the wall is the same on all faces (faults)
     text += fmt::format(
-        "group kind{0} type {0}\nfix wall{0} kind{0} wall/gran/region granular {1} region jar contacts\n",
-        a.kind + 1, contact_terms(c.contact.model, {table.wall(a.kind, 0), a.radius, a.mass()}));
+        "group type{0} type {0}\n"
+        "fix wall{0} type{0} wall/gran/region granular {1} region jar contacts\n",
+        a + 1, contact_terms(c.contact.model,
+                             {table.wall(types[a].kind, 0), types[a].radius, types[a].mass()}));
   return text;
 }
 
-std::string measurements(const scene::Chamber& chamber, const std::vector<scene::Ball>& kinds,
+/// Balls in contact with the jar, without those that touch it too gently: half the square of the
+/// normal speed, and of the speed that the force stands for, is above that of `slowest_hit`.
+std::string wall_samples(const std::vector<scene::Ball>& types, const Steps& steps) {
+  std::string text;
+  for (std::size_t a = 0; a < types.size(); ++a)
+    text += fmt::format(
+        "dump wall{0} type{0} custom {1} wall.{0}.${{session}}.txt id x y z vx vy vz omegax omegay "
+        "omegaz\n"
+        "dump_modify wall{0} thresh f_wall{0}[1] != 0 format float %.10g\n",
+        a + 1, steps.wall);
+  return text;
+}
+
+std::string measurements(const scene::Chamber& chamber, const std::vector<scene::Ball>& types,
                          const Steps& steps) {
-  std::vector<int> numbers;
-  for (const scene::Ball& kind : kinds) numbers.push_back(kind.kind + 1);
-  const std::int64_t row = std::max<std::int64_t>(1, steps.counted / steps.rows / steps.sampling) *
-                           steps.sampling;
-  return power_commands(chamber, numbers) + fmt::format(
+  return power_commands(chamber) + fmt::format(
       "compute motion all ke\ncompute spins all erotate/sphere\n"
-      "fix power all ave/time {1} {2} {0} v_wall_power v_body_power c_motion c_spins file power.txt\n"
-      "fix contacts all pair/tracker {0} id1 id2 time/created time/broken r/min r/ave x y z\n"
-      "dump contacts all local {0} contacts.txt f_contacts[*]\n"
-      "dump_modify contacts append no\n"
-      "thermo_style custom step atoms ke c_spins cpu\n"
-      "thermo_modify lost error norm no\n"
-      "thermo {0}\n",
-      row, steps.sampling, row / steps.sampling);
+      "fix power all ave/time {1} {2} {0} v_wall_power v_body_power\n"
+      "fix balance all print {0} \"$(step) $(c_motion) $(c_spins) $(xcm(all,x)) $(xcm(all,y)) "
+      "$(xcm(all,z)) $(vcm(all,x)) $(vcm(all,y)) $(vcm(all,z)) $(f_power[1]) $(f_power[2])\" file "
+      "balance.${{session}}.txt screen no title \"\"\n"
+      "dump contacts all local {0} contacts.${{session}}.txt f_contacts[*]\n"
+      "dump_modify contacts format float %.12g\n"
+      "dump balls all custom {3} balls.${{session}}.txt id x y z vx vy vz omegax omegay omegaz\n"
+      "dump_modify balls format float %.10g\n",
+      steps.row, steps.power, steps.row / steps.power, steps.frame) + wall_samples(types, steps) +
+      fmt::format("thermo_style custom step atoms c_motion c_spins cpu\n"
+                  "thermo_modify lost error norm no\nthermo {}\n", steps.row);
 }
 
-std::string run_commands(const Steps& steps) {
-  return fmt::format(
-      "restart {} restart.a restart.b\nrun {}\nwrite_restart restart.end\n",
-      std::max<std::int64_t>(1000, (steps.settle + steps.counted) / 20),
-      steps.settle + steps.counted);
+}  // namespace
+
+std::vector<int> types_of(const std::vector<scene::Ball>& balls) {
+  std::map<std::pair<std::int32_t, double>, int> seen;
+  std::vector<int> types;
+  for (const scene::Ball& ball : balls)
+    types.push_back(
+        seen.try_emplace({ball.kind, ball.radius}, static_cast<int>(seen.size())).first->second);
+  return types;
 }
 
-std::string ball_file(const std::vector<scene::Ball>& balls, std::size_t kinds, double reach) {
-  std::string text = fmt::format("balls of a case of Mahlwerk, in the jar frame\n\n{} atoms\n{} atom types\n\n",
-                                 balls.size(), kinds);
+std::vector<scene::Ball> one_of_each_type(const std::vector<scene::Ball>& balls) {
+  const std::vector<int> types = types_of(balls);
+  std::vector<scene::Ball> made;
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    if (std::cmp_equal(types[i], made.size())) made.push_back(balls[i]);
+  return made;
+}
+
+Steps steps_of(const cases::Case& c, double time, double counted, double time_step,
+               double contact) {
+  constexpr double rows = 400, frame_bytes = 4e8, ball_bytes = 150;
+  constexpr std::int64_t usual_power = 100, least_frames = 20;
+  const double balls = static_cast<double>(cases::balls_count(c.balls));
+  Steps s{.time_step = time_step};
+  double every = counted / rows;  // [s]
+  if (c.observe.frames) every = std::min(every, *c.observe.frames);
+  const auto steps = [&](double t) { return static_cast<std::int64_t>(t / time_step); };
+  s.row = std::max<std::int64_t>(1, steps(every));
+  s.power = std::min(usual_power, s.row);
+  s.row -= s.row % s.power;
+  const auto wanted = static_cast<std::int64_t>(frame_bytes / (ball_bytes * balls));
+  const std::int64_t frames = c.observe.frames ? steps(time) : std::max(least_frames, wanted);
+  s.frame = s.row * std::max<std::int64_t>(1, steps(time) / s.row / frames);
+  while (static_cast<double>(s.total) * time_step < time * (1 + 1e-12)) s.total += s.frame;
+  s.restart = s.frame * std::max<std::int64_t>(1, s.total / s.frame / 50);
+  s.wall = std::max<std::int64_t>(1, steps(0.8 * contact));
+  return s;
+}
+
+std::string script(const cases::Case& c, const scene::Chamber& chamber,
+                   const std::vector<scene::Ball>& balls, const Steps& steps) {
+  const std::vector<scene::Ball> types = one_of_each_type(balls);
+  return "# A case of Mahlwerk in the jar frame; README.md says how to run it.\n"
+         "variable from index none\nvariable session index 0\n"
+         "units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
+         "if \"${from} == none\" then \"read_data balls.data\" else \"read_restart ${from}\"\n" +
+         fmt::format("timestep {:.15g}\n", steps.time_step) + neighbours(types) +
+         jar_commands(chamber, steps.time_step) + contacts(c, types, steps) +
+         "fix motion all nve/sphere\n" +
+         "fix balance_load all balance 1000 1.1 shift xyz 10 1.05\n" +
+         measurements(chamber, types, steps) +
+         fmt::format("print \"$(step)\" file from.${{session}}.txt screen no\n"
+                     "restart {} restart.a restart.b\nrun {} upto\nwrite_restart restart.end\n",
+                     steps.restart, steps.total);
+}
+
+std::string ball_file(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls) {
+  const double reach = 1.1 * geometry::reach(*chamber.shape);
+  const std::vector<int> types = types_of(balls);
+  std::string text = fmt::format(
+      "balls of a case of Mahlwerk, in the jar frame\n\n{} atoms\n{} atom types\n\n", balls.size(),
+      std::ranges::max(types) + 1);
   for (const char axis : {'x', 'y', 'z'})
     text += fmt::format("{:.15g} {:.15g} {}lo {}hi\n", -reach, reach, axis, axis);
   text += "\nAtoms # sphere\n\n";
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const scene::Ball& b = balls[i];
-    text += fmt::format("{} {} {:.15g} {:.15g} {:.17g} {:.17g} {:.17g}\n", i + 1, b.kind + 1,
+    text += fmt::format("{} {} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, types[i] + 1,
                         2 * b.radius, b.density, b.position.x, b.position.y, b.position.z);
   }
   text += "\nVelocities\n\n";
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Vec3 &v = balls[i].velocity, &w = balls[i].spin;
-    text += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x, v.y, v.z,
-                        w.x, w.y, w.z);
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x, v.y,
+                        v.z, w.x, w.y, w.z);
   }
   return text;
-}
-
-}  // namespace
-
-std::vector<Fault> faults(const cases::Case& c) {
-  std::vector<Fault> found;
-  const auto refuse = [&](bool bad, std::string what, std::string can) {
-    if (bad) found.push_back({c.file, "LAMMPS cannot compute " + std::move(what), std::move(can), "lammps"});
-  };
-  const scene::Chamber chamber = cases::chamber(c);
-  const std::string law(contact::name_of(*c.contact.model.law));
-  refuse(!has_region(*chamber.shape), fmt::format("the jar \"{}\"", geometry::name_of(*chamber.shape)),
-         "it can compute " + known_regions());
-  refuse(!has_body_force(*chamber.motion),
-         fmt::format("the mill \"{}\"", kinematics::name_of(*chamber.motion)),
-         "it can compute " + known_motions());
-  refuse(law != "hertz-mindlin" && law != "linear-spring", fmt::format("the contact law \"{}\"", law),
-         "it can compute hertz-mindlin and linear-spring");
-  const contact::PairTable table = cases::pair_table(c);
-  bool differ = false;
-  for (int kind = 0; kind < table.kinds(); ++kind)
-    for (int face = 1; face < table.faces(); ++face)
-      differ = differ || !(table.wall(kind, face) == table.wall(kind, 0));
-  refuse(differ, "faces of the jar with different contact values", "give the same values to all faces");
-  return found;
-}
-
-Deck deck(const cases::Case& c, const std::vector<scene::Ball>& balls, const Steps& steps) {
-  if (std::vector<Fault> found = faults(c); !found.empty()) throw InputError(std::move(found));
-  const scene::Chamber chamber = cases::chamber(c);
-  const std::vector<scene::Ball> kinds = one_of_each_kind(balls);
-  const double reach = 1.1 * geometry::reach(*chamber.shape);
-  std::string script = fmt::format(
-      "# {}\nunits si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
-      "read_data balls.data\ntimestep {:.15g}\n",
-      c.title, steps.time_step);
-  script += neighbours(balls) + jar_commands(chamber, steps.time_step) + contacts(c, kinds) +
-            "fix motion all nve/sphere\n" + measurements(chamber, kinds, steps) + run_commands(steps);
-  return {script, ball_file(balls, kinds.size(), reach)};
 }
 
 }  // namespace mahlwerk::lammps

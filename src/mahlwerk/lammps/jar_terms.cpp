@@ -133,26 +133,29 @@ std::string jar_commands(const scene::Chamber& chamber, double time_step) {
   return commands;
 }
 
-std::string power_commands(const scene::Chamber& chamber, const std::vector<int>& kinds) {
+std::string power_commands(const scene::Chamber& chamber) {
   const Motion motion = motion_of(*chamber.motion);
-  std::string commands, torque = "0", force = "0";
-  for (const int kind : motion.axis.empty() ? std::vector<int>{} : kinds) {
-    // r x F at the contact points: columns 2 to 4 are the force on the ball, 5 to 7 the point
+  std::string commands, wall = "0", force = "0";
+  const std::array<double, 3> gravity{chamber.gravity.x, chamber.gravity.y, chamber.gravity.z};
+  const auto field = [&](std::size_t i) {  // gravity and body force along an axis, by mass
+    const std::string own = motion.force[i].empty() ? "" : fmt::format("+v_force_{}", "xyz"[i]);
+    return fmt::format("({}{})", text(gravity[i]), own);
+  };
+  if (!motion.axis.empty()) {
     const bool along_x = motion.axis.starts_with('1');
-    commands += fmt::format(
-        "variable torque{0} atom f_wall{0}[{1}]*f_wall{0}[{2}]-f_wall{0}[{3}]*f_wall{0}[{4}]\n"
-        "compute torque{0} kind{0} reduce sum v_torque{0}\n",
-        kind, along_x ? 6 : 5, along_x ? 4 : 3, along_x ? 7 : 6, along_x ? 3 : 2);
-    torque += fmt::format("+c_torque{}", kind);
+    const std::size_t a = along_x ? 1 : 0, b = a + 1;  // the axes across
+    commands = fmt::format(
+        "compute torque all property/atom tq{2}\n"
+        "variable moment atom {0}*f{1}-{1}*f{0}+c_torque\ncompute moment all reduce sum v_moment\n",
+        "xyz"[a], "xyz"[b], along_x ? 'x' : 'z');
+    wall = fmt::format("{0}*(c_moment-mass(all)*(xcm(all,{1})*{4}-xcm(all,{2})*{3}))",
+                       motion.angular_speed, "xyz"[a], "xyz"[b], field(a), field(b));
   }
   for (std::size_t i = 0; i < 3; ++i)
-    if (!motion.force[i].empty()) {
-      const char axis = "xyz"[i];
-      force += fmt::format("+v_force_{0}*vcm(all,{0})", axis);
-    }
-  return commands +
-         fmt::format("variable wall_power equal {}*({})\nvariable body_power equal mass(all)*({})\n",
-                     motion.angular_speed.empty() ? "0" : motion.angular_speed, torque, force);
+    if (!motion.force[i].empty())
+      force += fmt::format("+v_force_{0}*vcm(all,{0})", "xyz"[i]);
+  return commands + fmt::format(
+      "variable wall_power equal {}\nvariable body_power equal mass(all)*({})\n", wall, force);
 }
 
 }  // namespace mahlwerk::lammps

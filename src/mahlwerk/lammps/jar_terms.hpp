@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -25,8 +24,8 @@ std::string known_motions();
 std::string jar_commands(const scene::Chamber& chamber, double time_step);
 
 /// Commands that make the variables `wall_power` and `body_power` [W]: the work of the turning wall
-/// and of the body force on the balls by time (lmp.7). Over whole periods their mean is the drawn
-/// power. `kinds`: numbers of the groups `kindN` and walls `wallN`.
-std::string power_commands(const scene::Chamber& chamber, const std::vector<int>& kinds);
+/// and of the body force on the balls by time (lmp.7). The torque of the wall follows from all
+/// forces on the balls, as those between balls cancel.
+std::string power_commands(const scene::Chamber& chamber);
 
 }  // namespace mahlwerk::lammps

@@ -28,12 +28,14 @@ std::int16_t rounded(double value, double unit) {
 
 }  // namespace
 
-Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most)
+Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most,
+               double shortest)
     : begin_(begin), ball_stride_(1 + (balls - 1) / max_balls) {
   shown_balls_ = (balls + ball_stride_ - 1) / ball_stride_;
   frames_ = std::clamp(max_positions / shown_balls_, fewest_frames, max_frames);
   const double length = std::min(film_duration(*mill.motion), most);
-  frame_interval_ = length / static_cast<double>(frames_ - 1);
+  frame_interval_ = std::max(shortest, length / static_cast<double>(frames_ - 1));
+  frames_ = std::min(frames_, 1 + static_cast<std::size_t>(most / frame_interval_ + 1e-9));
   position_unit_ = geometry::reach(*mill.shape) / 32767;
 }
 

@@ -20,8 +20,9 @@ class Replay {
 
   Replay() = default;  ///< records no frames
   /// Records from `begin` [s] about three periods of the mill or one turn of a drum, but at most
-  /// `most` [s].
-  Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most);
+  /// `most` [s]; longer if frames are `shortest` [s] or more apart.
+  Replay(const scene::Chamber& mill, std::size_t balls, double begin, double most,
+         double shortest = 0);
 
   double next_frame_time() const;  ///< [s] time of the next frame; infinite after the last
   /// Adds a frame: the balls in the jar frame at `time` [s].

@@ -172,8 +172,9 @@ std::string engine_words(const results::Outcome& outcome) {
     return "an event-driven simulation of rough hard spheres with exact free flight and "
            "instantaneous collisions";
   const contact::ContactModel& model = outcome.mill_case.contact.model;
-  return fmt::format("the discrete element method (soft spheres, law {}, rolling {})",
-                     contact::name_of(*model.law), contact::rule_of(model.rolling).name);
+  return fmt::format("the discrete element method (soft spheres, law {}, rolling {}){}",
+                     contact::name_of(*model.law), contact::rule_of(model.rolling).name,
+                     outcome.engine == cases::EngineName::lammps ? " in LAMMPS" : "");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ struct Replicate {
 struct Outcome {
   cases::Case mill_case;
   std::vector<Replicate> replicates;
-  cases::EngineName engine = cases::EngineName::event;  ///< engine of the run: event or soft
+  cases::EngineName engine = cases::EngineName::event;  ///< engine of the run, never auto
   // Computed once, when the run ends:
   Summary summary = {};  ///< quantities (results/summarise.hpp)
   Notices notices = {};  ///< warnings and notes (results/notices/warnings.hpp)

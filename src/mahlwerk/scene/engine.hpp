@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
@@ -29,8 +30,11 @@ class Engine {
   /// The energy balance at the time reached.
   virtual EnergyBalance energy_balance() const = 0;
 
-  /// The balls at the time reached, in the jar frame.
+  /// The balls at the time reached, or at balls_time(), in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
+
+  /// [s] The time of balls(), for an engine that knows them at intervals only; else empty.
+  virtual std::optional<double> balls_time() const { return std::nullopt; }
 
   /// Contact force on each ball [N] at the time reached, by ball number, in laboratory axes; empty
   /// if contacts are instantaneous.

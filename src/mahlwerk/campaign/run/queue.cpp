@@ -17,6 +17,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/conclude.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/progress_reporter.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -256,19 +257,28 @@ class CampaignRunner {
     ActiveReplicate one{.index = replicate, .slot = {}, .job = replicate, .run = nullptr};
     if (queue_.checkpoint_slot) one.slot = queue_.checkpoint_slot(point.index);
     one.job += one.slot.first_job;
+    if (point.decided.run.engine == cases::EngineName::lammps)
+      one.slot.checkpoint = nullptr;  // it has restart files of its own
     Checkpoint* const states = one.slot.checkpoint;
     // A kept state is restored even after a stop, so that the outcome includes it.
     const bool begun = states != nullptr && states->has_state(one.job);
     one.run = std::make_unique<ReplicateRun>(
         point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
         options_.frames ? options_.frames(point.index, r) : nullptr, queue_.threads_per_replicate,
-        begun ? nullptr : options_.stop);
+        begun ? nullptr : options_.stop, launch(point, r));
     one.run->stop_on(options_.stop);
     if (options_.replays_of_all) one.run->record_replay();
     if (states != nullptr) states->restore(one.job, *one.run);
     progress_.add(weight(point) * one.run->energy_balance().time, 0,
                   0);  // simulated by an earlier process
     return one;
+  }
+
+  lammps::Launch launch(const ActivePoint& point, int replicate) const {
+    lammps::Launch made = options_.lammps;
+    if (made.ranks == 0) made.ranks = usual_ranks(point.decided, queue_.threads_per_replicate);
+    if (!made.folder.empty()) made.folder = lammps_folder(made.folder, point.index, queue_.size, replicate);
+    return made;
   }
 
   double weight(const ActivePoint& point) const {

@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/event/engine.hpp"
+#include "mahlwerk/lammps/engine.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
@@ -78,7 +80,10 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
 namespace {
 
 std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case, const scene::Chamber& mill,
-                                           const std::vector<scene::Ball>& balls, int threads) {
+                                           const std::vector<scene::Ball>& balls, int threads,
+                                           const lammps::Launch& launch) {
+  if (mill_case.run.engine == cases::EngineName::lammps)
+    return lammps::make_engine(mill_case, mill, balls, lammps_steps(mill_case), launch);
   if (mill_case.run.engine == cases::EngineName::soft) {
     soft::Settings rules = soft_settings(mill_case).rules;
     rules.threads = threads;
@@ -101,12 +106,21 @@ std::size_t replicates_together(const cases::Case& mill_case) {
   return in_soft_engine && balls <= soft::side_by_side_limit ? 8 : 1;
 }
 
-std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,
-                                      const std::atomic<bool>* stop) {
+std::vector<scene::Ball> start_of(const cases::Case& mill_case, int index, int threads,
+                                  const std::atomic<bool>* stop) {
+  // In the jar at rest the soft engine stands in for LAMMPS: the start is then the same each time.
+  cases::Case at_rest = mill_case;
+  if (at_rest.run.engine == cases::EngineName::lammps) at_rest.run.engine = cases::EngineName::soft;
   const auto make = [&](const scene::Chamber& mill, const std::vector<scene::Ball>& balls) {
-    return make_engine(mill_case, mill, balls, threads);
+    return make_engine(at_rest, mill, balls, threads, {});
   };
-  auto made = make(cases::chamber(mill_case), balls_at_start(mill_case, index, make, stop));
+  return balls_at_start(mill_case, index, make, stop);
+}
+
+std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,
+                                      const std::atomic<bool>* stop, const lammps::Launch& launch) {
+  auto made = make_engine(mill_case, cases::chamber(mill_case),
+                          start_of(mill_case, index, threads, stop), threads, launch);
   made->stop_on(stop);
   return made;
 }
@@ -126,7 +140,7 @@ double first_window_length(const cases::Case& mill_case) {
 ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
                            std::unique_ptr<scene::Observer> recorder,
                            std::unique_ptr<results::FrameFiles> frames, int threads,
-                           const std::atomic<bool>* stop)
+                           const std::atomic<bool>* stop, const lammps::Launch& launch)
     : mill_case_(&mill_case),
       index_(index),
       recorder_(std::move(recorder)),
@@ -136,7 +150,7 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
       window_length_(first_window_length(mill_case)),
       streams_(mill_case.grinding &&
                mill_case.grinding->method != cases::Grinding::Method::balance),
-      engine_(engine(mill_case, index, threads, stop)),
+      engine_(engine(mill_case, index, threads, stop, launch)),
       window_(mill_case.run.settle > 0 ? 0 : 1) {
   for (const cases::BallSet& set : mill_case.balls) balls_ += set.count;
   const scene::Chamber mill = cases::chamber(mill_case);
@@ -149,8 +163,11 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
 }
 
 void ReplicateRun::record_replay() {
+  const double shortest = mill_case_->run.engine == cases::EngineName::lammps
+                              ? lammps_steps(*mill_case_).frame_time()
+                              : 0;
   result_.replay = observe::Replay(cases::chamber(*mill_case_), static_cast<std::size_t>(balls_),
-                                   mill_case_->run.settle, mill_case_->run.time);
+                                   mill_case_->run.settle, mill_case_->run.time, shortest);
 }
 
 double ReplicateRun::window_end(int window) const {
@@ -185,7 +202,7 @@ double ReplicateRun::next_charge_sample() const {
 void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
                                        const scene::EnergyBalance& now) {
   constexpr std::int64_t steps = 512, collisions = 200, most = 20;
-  const std::int64_t work = mill_case_->run.engine == cases::EngineName::soft
+  const std::int64_t work = cases::in_time_steps(mill_case_->run.engine)
                                 ? (now.time_steps - before.time_steps) / steps
                                 : (now.collisions - before.collisions) / (collisions * balls_);
   charge_samples_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));
@@ -200,11 +217,12 @@ void ReplicateRun::take_samples() {
              film = result_.replay.next_frame_time() <= time, charge = next_charge_sample() <= time;
   if (!frame && !film && !charge) return;
   const std::vector<scene::Ball> balls = engine_->balls();
+  const double at = engine_->balls_time().value_or(time);
   for (; frames_ && frame_times_.next() <= time; frame_times_.advance())
-    frames_->add(time, balls, engine_->forces());
-  while (result_.replay.next_frame_time() <= time) result_.replay.add(time, balls);
+    frames_->add(at, balls, engine_->forces());
+  while (result_.replay.next_frame_time() <= time) result_.replay.add(at, balls);
   for (; next_charge_sample() <= time; ++charge_samples_taken_, ++charge_samples_ever_)
-    result_.charge.sample(time, balls, window_length_ / charge_samples_);
+    result_.charge.sample(at, balls, window_length_ / charge_samples_);
 }
 
 /// [s] The time at which the next slice ends, unless another replicate ends it earlier.
@@ -290,7 +308,7 @@ results::Replicate ReplicateRun::result() const {
   if (!given.complete) add_partial_window(given);
   if (given.complete && mill_case_->observe.final_state)
     given.balls_at_end =
-        seen_from_carrier(*mill_case_, engine_->balls(), given.energy_balance.time);
+        seen_from_carrier(*mill_case_, engine_->balls(), engine_->balls_time().value_or(given.energy_balance.time));
   results::grind(*mill_case_, given, index_);
   return given;
 }

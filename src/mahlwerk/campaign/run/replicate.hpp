@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/files/frames.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/engine.hpp"
@@ -23,7 +24,7 @@ class ReplicateRun {
   ReplicateRun(const cases::Case& mill_case, int index,
                std::unique_ptr<scene::Observer> recorder = nullptr,
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
-               const std::atomic<bool>* stop = nullptr);
+               const std::atomic<bool>* stop = nullptr, const lammps::Launch& launch = {});
 
   /// Keeps frames for pictures, as the first replicate always does. Call it before the first slice
   /// and before a state is read. It changes no number.
@@ -87,10 +88,17 @@ class ReplicateRun {
 /// there are as many: several for few balls in the soft engine.
 std::size_t replicates_together(const cases::Case& mill_case);
 
+/// The balls of a replicate when its mill starts (balls_at_start()), by the engine that run.engine
+/// names.
+std::vector<scene::Ball> start_of(const cases::Case& mill_case, int index, int threads = 1,
+                                  const std::atomic<bool>* stop = nullptr);
+
 /// The engine of one replicate at its start: run.engine, where "auto" counts as "event". `threads`
 /// threads share its work; the result does not depend on their number. `stop` takes effect from the
-/// placement of the balls on (scene::Engine::stop_on), where it throws Interrupted.
+/// placement of the balls on (scene::Engine::stop_on), where it throws Interrupted. `launch` is for
+/// "lammps".
 std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads = 1,
-                                      const std::atomic<bool>* stop = nullptr);
+                                      const std::atomic<bool>* stop = nullptr,
+                                      const lammps::Launch& launch = {});
 
 }  // namespace mahlwerk::campaign

@@ -55,7 +55,8 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
                                   const RunOptions& options) {
   Load load = load_of(points);
   RunOptions own = options;
-  own.threads = thread_count(options.threads);
+  own.threads = thread_count(options.threads) / std::max(1, options.lammps.ranks);
+  own.threads = std::max(1, own.threads);
   if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
   if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
   own.memory = std::nullopt;  // checked above for all points together

@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
@@ -45,6 +46,8 @@ struct RunOptions {
   /// [bytes] available for all concurrent replicates; a run that needs more is refused.
   std::optional<double> memory = memory_available();
   Checkpoint* checkpoint = nullptr;  ///< keeps states, and supplies them
+  /// Folders of runs by LAMMPS are replicate-1, ... in its folder; ranks 0: by the number of threads.
+  lammps::Launch lammps = {.folder = {}, .ranks = 0};
 };
 
 /// Runs every replicate of every case, several at a time; the result does not depend on their

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 
@@ -149,7 +151,9 @@ Notices overlap_warnings(const cases::Case& mill_case) {
 
 std::vector<Fault> run_faults(const cases::Case& mill_case) {
   std::vector<Fault> found = cases::engine_faults(mill_case);
-  if (mill_case.run.engine != cases::EngineName::soft || !found.empty()) return found;
+  if (mill_case.run.engine == cases::EngineName::lammps)
+    std::ranges::move(lammps::faults(mill_case), std::back_inserter(found));
+  if (!cases::in_time_steps(mill_case.run.engine) || !found.empty()) return found;
   const SoftSettings s = soft_settings(mill_case);
   if (s.steps.overlap > sinking)
     found.push_back({cases::location_of(mill_case, "contact.softening"),

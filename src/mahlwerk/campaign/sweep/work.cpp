@@ -16,7 +16,7 @@ double work_estimate(const cases::Case& mill_case) {
   constexpr double step = 2e-7, ball_step = 1e-7, ball_second = 2e-4;
   const auto balls = static_cast<double>(cases::balls_count(mill_case.balls));
   double each = ball_second * balls;
-  if (mill_case.run.engine == cases::EngineName::soft) {
+  if (cases::in_time_steps(mill_case.run.engine)) {
     const double dt = soft_settings(mill_case).rules.time_step;
     each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
   }

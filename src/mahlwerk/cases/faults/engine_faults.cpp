@@ -83,7 +83,7 @@ bool fits_exactly(const Case& c) {
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = geometry::exact_touches(*c.jar.shape);  // else "auto" chooses soft
   const bool soft =
-      c.run.engine == EngineName::soft || (!exact && c.run.engine == EngineName::automatic);
+      in_time_steps(c.run.engine) || (!exact && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

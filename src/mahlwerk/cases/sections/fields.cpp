@@ -70,7 +70,7 @@ const std::vector<std::string>& until_quantities() {
 }
 
 const std::vector<std::string>& engines() {
-  static const std::vector<std::string> words{"event", "soft", "auto"};
+  static const std::vector<std::string> words{"event", "soft", "auto", "lammps"};
   return words;
 }
 

@@ -114,7 +114,7 @@ void describe_start(KeyVisitor& v, Run& run) {
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
-  const NumberSpec step = NumberSpec("time_step", "s", positive, "time step of the soft engine")
+  const NumberSpec step = NumberSpec("time_step", "s", positive, "time step of the soft engine, and in LAMMPS")
                               .in_place_of("time_step_fraction"),
                    share(step_share);
   SectionReader* in = v.reader();
@@ -133,7 +133,8 @@ void describe(KeyVisitor& v, Run& run) {
           "chosen by what the case needs",
           "engine that computes the run",
           {"instantaneous collisions, from event to event", "contact forces and time steps",
-           "the program chooses by the case, and says why"}},
+           "the program chooses event or soft by the case, and says why",
+           "the soft engine's model in LAMMPS, an installed program, on one or many processors"}},
          run.engine);
   if (SectionReader* in = v.reader()) read_start_from(*in, run.start_from);
   describe_times(v, run);

@@ -44,7 +44,7 @@ bool jar_mesh_is_static(const Case& c) {
 
 double frame_bytes(const Case& c) {
   const auto balls = static_cast<double>(balls_count(c.balls));
-  const bool forces = c.run.engine != EngineName::event;
+  const bool forces = c.run.engine == EngineName::soft || c.run.engine == EngineName::automatic;
   double bytes = 0;
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;

@@ -28,10 +28,14 @@ bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
                                                      "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
+  static const std::vector<std::string_view> not_in_lammps{"hop", "rolling_damping", "curved_walls",
+                                                           "rescaled_unloading"};
   if (engine == EngineName::automatic) return true;
   const auto& of_other = engine == EngineName::event ? of_soft : of_event;
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // npos + 1 == 0 without a dot
   const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
+  if (engine == EngineName::lammps && std::ranges::find(not_in_lammps, key) != not_in_lammps.end())
+    return false;
   if (dotted.starts_with("kinetics.") || (elastic && c.capture)) return true;  // powder models
   const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
   return std::ranges::find(of_other, key) == of_other.end() &&

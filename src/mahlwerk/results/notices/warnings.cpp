@@ -111,7 +111,7 @@ bool appeared(const Outcome& outcome) {
 
 /// A collision that gains energy stops a run. This check finds negative losses in the sum.
 void energy_gained(const Outcome& outcome, Notices& list) {
-  const bool soft = outcome.engine == cases::EngineName::soft;
+  const bool soft = cases::in_time_steps(outcome.engine);
   const double rounding = soft ? closed_run_in_steps : 1e-9;
   for (const Replicate& r : outcome.replicates) {
     const scene::EnergyBalance& a = r.energy_balance;
@@ -139,7 +139,7 @@ void energy_balances(const Outcome& outcome, Notices& list) {
         fmt::format("The energy balance of a collision does not close: residual {:.1e}, at most "
                     "{:.0e} is expected.",
                     collision, closed_collision)));
-  const bool soft = outcome.engine == cases::EngineName::soft;
+  const bool soft = cases::in_time_steps(outcome.engine);
   const double run = value(outcome, "energy_balance");
   const double closed = soft ? closed_run_in_steps : closed_run;
   if (!(run <= closed))
@@ -154,7 +154,7 @@ void energy_balances(const Outcome& outcome, Notices& list) {
 /// Warns of overlaps beyond the range of the contact laws.
 void overlaps(const Outcome& outcome, Notices& list) {
   const double deepest = value(outcome, "deepest_overlap");
-  if (outcome.engine != cases::EngineName::soft || !(deepest > soft_overlap)) return;
+  if (!cases::in_time_steps(outcome.engine) || !(deepest > soft_overlap)) return;
   if (deepest > sunk)
     list.push_back(warning(
         "deep-overlap",

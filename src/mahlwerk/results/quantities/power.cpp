@@ -64,7 +64,7 @@ std::vector<Measure> loss_measures(const cases::Case& mill_case) {
 }
 
 std::vector<Measure> contact_time_measures(const cases::Case& mill_case) {
-  const bool soft = mill_case.run.engine == cases::EngineName::soft;  // has no TC rule
+  const bool soft = cases::in_time_steps(mill_case.run.engine);  // has no TC rule
   if (soft || mill_case.contact.lasting != cases::SustainedContactModel::tc) return {};
   return {{"tc_collision_share", "1", "share of the collisions that the TC rule made more elastic",
            [](const cases::Case&, const Replicate& r) {

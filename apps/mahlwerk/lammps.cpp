@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "lammps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
+#include "mahlwerk/lammps/program.hpp"
+#include "messages.hpp"
+#include "output.hpp"
+#include "slurm.hpp"
+
+namespace mahlwerk::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool by_lammps(const cases::Case& mill_case) {
+  return mill_case.run.engine == cases::EngineName::lammps;
+}
+
+void refuse(const std::string& where, std::string what, std::string remedy) {
+  throw InputError(Fault{where, std::move(what), std::move(remedy), "lammps"});
+}
+
+/// The first folder below `root` in which a run has begun; empty if there is none.
+fs::path begun_below(const fs::path& root) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(root, error), end; !error && at != end;
+       at.increment(error))
+    if (at->path().filename() == "from.0.txt") return at->path().parent_path();
+  return {};
+}
+
+}  // namespace
+
+Options lammps_options() {
+  return {{.name = "--engine",
+           .target = &Request::engine,
+           .about = "engine that computes the run; replaces run.engine",
+           .type = "NAME",
+           .values = {"event", "soft", "auto", "lammps"},
+           .completions = "event soft auto lammps"},
+          {.name = "--ranks",
+           .target = &Request::ranks,
+           .about = "with LAMMPS: number of processes of one run (default: cores, of at least 2000 "
+                    "balls each)",
+           .range = {1, 1000000}},
+          {.name = "--write-only",
+           .target = &Request::write_only,
+           .about = "with LAMMPS: write the folder of the run for another machine, start nothing"},
+          {.name = "--slurm",
+           .target = &Request::slurm_job,
+           .about = "with LAMMPS: the same, with a job script of Slurm"},
+          {.name = "--slurm-option",
+           .target = &Request::slurm_options,
+           .about = "a line of the job script: --slurm-option partition=long; may be repeated",
+           .needs = "--slurm"}};
+}
+
+bool writes_only(const Request& request) {
+  return request.write_only || request.slurm_job;
+}
+
+void check_lammps(const Request& request, const std::vector<cases::Case>& cases,
+                  const fs::path& root) {
+  const auto many = std::ranges::count_if(cases, by_lammps);
+  const bool asks = writes_only(request) || request.ranks > 0;
+  if (many == 0 && !asks) return;
+  if (std::cmp_less(many, cases.size()) || cases.empty()) {
+    if (!asks && !request.resume) return;
+    refuse("--engine", "some of the cases have another engine than \"lammps\"",
+           "give --engine lammps, or leave out --ranks, --write-only, --slurm and --resume");
+  }
+  for (const std::string& option : request.slurm_options)
+    refuse_control("--slurm-option " + option, option);
+  if (const fs::path begun = begun_below(root);
+      !begun.empty() && !request.resume && !request.force)
+    refuse(begun.string(), "LAMMPS has begun a run in this folder",
+           "give --resume to go on with it or read its results, --force to begin again, or another "
+           "--out");
+  if (writes_only(request)) return;
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (request.ranks > cores)
+    refuse("--ranks",
+           fmt::format("{} ranks on {} cores would wait for each other", request.ranks, cores),
+           fmt::format("give --ranks {} or less, or --write-only for another machine", cores));
+  const lammps::Installed lmp = lammps::installed(std::max(1, request.ranks));
+  if (!lmp.faults.empty()) throw InputError(lmp.faults);
+}
+
+int write_for_lammps(const Request& request, const std::vector<cases::Case>& cases,
+                     const fs::path& root) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const lammps::Launch launch{.folder = cases.size() > 1 ? root / fmt::format("point-{}", i + 1)
+                                                           : root,
+                                .ranks = std::max(1, request.ranks)};
+    for (const fs::path& folder : campaign::write_lammps_folders(
+             cases[i], launch, request.slurm_job, request.slurm_options))
+      if (!request.quiet)
+        to_stdout(fmt::format(
+            "written:  {}\nto run:   cd {} && {}\n", folder.string(), shell_word(folder.string()),
+            request.slurm_job ? "sbatch job.slurm"
+                              : fmt::format("mpirun -np {} lmp -in in.lammps", launch.ranks)));
+  }
+  if (!request.quiet)
+    to_stdout("results:  this command with --resume instead, once LAMMPS has ended\n");
+  return success;
+}
+
+}  // namespace mahlwerk::app

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/lammps/engine.hpp"
+#include "mahlwerk/results/files/folder.hpp"
+
+namespace mahlwerk::campaign {
+
+lammps::Steps lammps_steps(const cases::Case& mill_case) {
+  const SoftSettings s = soft_settings(mill_case);
+  const cases::Run& run = mill_case.run;
+  lammps::Steps steps = lammps::steps_of(mill_case, run.settle + run.time, run.time,
+                                         s.rules.time_step, s.steps.contact);
+  // Hits below the threshold are not counted apart; those just below may be found to be above it.
+  constexpr double share = 0.5, otherwise = 0.01;
+  steps.slowest_hit =
+      mill_case.observe.threshold > 0 ? share * mill_case.observe.threshold : otherwise * s.speed;
+  return steps;
+}
+
+int usual_ranks(const cases::Case& mill_case, int cores) {
+  constexpr std::int64_t balls_per_rank = 2000;
+  const std::int64_t most = cases::balls_count(mill_case.balls) / balls_per_rank;
+  return static_cast<int>(std::clamp<std::int64_t>(most, 1, std::max(1, cores)));
+}
+
+std::filesystem::path lammps_folder(const std::filesystem::path& root, std::size_t point,
+                                    std::size_t points, int replicate) {
+  const std::string own = fmt::format("replicate-{}", replicate + 1);
+  return points > 1 ? root / fmt::format("point-{}", point + 1) / own : root / own;
+}
+
+std::vector<std::filesystem::path> write_lammps_folders(
+    const cases::Case& mill_case, const lammps::Launch& launch, bool slurm,
+    const std::vector<std::string>& slurm_options) {
+  std::vector<std::filesystem::path> folders;
+  for (int replicate = 0; replicate < mill_case.run.replicates; ++replicate) {
+    folders.push_back(lammps_folder(launch.folder, 0, 1, replicate));
+    lammps::write_folder(folders.back(), mill_case, cases::chamber(mill_case),
+                         start_of(mill_case, replicate), lammps_steps(mill_case), launch.ranks);
+    if (slurm)
+      results::write_text(folders.back() / "job.slurm",
+                          lammps::slurm_script(launch.ranks, slurm_options));
+  }
+  return folders;
+}
+
+}  // namespace mahlwerk::campaign

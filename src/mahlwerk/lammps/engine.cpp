@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/lammps/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/lammps/hits.hpp"
+#include "mahlwerk/lammps/output_files.hpp"
+#include "mahlwerk/lammps/program.hpp"
+
+namespace mahlwerk::lammps {
+namespace fs = std::filesystem;
+namespace {
+
+/// A folder that is removed with this object, if nobody named one.
+class Place {
+ public:
+  explicit Place(const fs::path& named) : path_(named) {
+    if (!named.empty()) return;
+    std::string made = (fs::temp_directory_path() / "mahlwerk-lammps-XXXXXX").string();
+    if (::mkdtemp(made.data()) == nullptr)
+      throw RunError(fmt::format("the folder {} cannot be made", made));
+    path_ = made;
+    temporary_ = true;
+  }
+  ~Place() {
+    std::error_code ignored;
+    if (temporary_) fs::remove_all(path_, ignored);
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  bool temporary_ = false;
+};
+
+/// Columns of balance.N.txt.
+struct Balance {
+  double kinetic = 0;      // [J] in the jar frame, of translation
+  double turning = 0;      // [J] of rotation
+  Vec3 centre, velocity;   // [m], [m/s] of the charge's centre of mass in the jar frame
+  double wall_power = 0, body_power = 0;  // [W] means over the row
+  static constexpr std::size_t columns = 11;
+  explicit Balance(const double* v)
+      : kinetic(v[1]), turning(v[2]), centre{v[3], v[4], v[5]}, velocity{v[6], v[7], v[8]},
+        wall_power(v[9]), body_power(v[10]) {}
+};
+
+Vec3 vector_at(const double* v) {
+  return {v[0], v[1], v[2]};
+}
+
+class Engine final : public scene::Engine {
+ public:
+  Engine(const cases::Case& mill_case, scene::Chamber chamber, std::vector<scene::Ball> balls,
+         const Steps& steps, const Launch& launch)
+      : chamber_(std::move(chamber)),
+        steps_(steps),
+        place_(launch.folder),
+        hits_(mill_case, chamber_, balls, steps.slowest_hit),
+        balls_(std::move(balls)),
+        balance_(place_.path(), "balance", OutputFile::Kind::table, Balance::columns),
+        contacts_(place_.path(), "contacts", OutputFile::Kind::dump, contact_columns),
+        frames_(place_.path(), "balls", OutputFile::Kind::dump, ball_columns) {
+    for (std::size_t type = 1; type <= one_of_each_type(balls_).size(); ++type)
+      at_wall_.emplace_back(place_.path(), fmt::format("wall.{}", type), OutputFile::Kind::dump,
+                            ball_columns);
+    for (const scene::Ball& ball : balls_) {
+      mass_ += ball.mass();
+      centre_ = centre_ + ball.mass() * ball.position;
+      velocity_ = velocity_ + ball.mass() * ball.velocity;
+    }
+    centre_ = centre_ / mass_;
+    velocity_ = velocity_ / mass_;
+    begin_balance();
+    if (launch.resume) check_case(mill_case);
+    const bool resumes = launch.resume && fs::exists(place_.path() / "in.lammps");
+    if (!resumes) write_folder(place_.path(), mill_case, chamber_, balls_, steps, launch.ranks);
+    if (resumes && fs::exists(place_.path() / "restart.end")) return;
+    start(launch, resumes);
+  }
+
+  void advance(double time, scene::Observer& observer) override {
+    while (reached_.time < time && !stopped()) {
+      const bool ended = !running_ || running_->ended();
+      sessions_ = sessions(place_.path());
+      if (read_row(observer)) continue;
+      if (ended) end_early();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    if (stopped() && running_) running_->stop();
+  }
+  scene::EnergyBalance energy_balance() const override { return reached_; }
+  std::vector<scene::Ball> balls() const override { return balls_; }
+  std::optional<double> balls_time() const override { return balls_time_; }
+  void serialize(Archive&) override {
+    throw RunError("a run by LAMMPS keeps its state in restart files of its own");
+  }
+
+ private:
+  static constexpr std::size_t contact_columns = 8, ball_columns = 10;
+
+  /// What the folder holds must be of this case.
+  void check_case(const cases::Case& mill_case) const {
+    std::ifstream file(place_.path() / "case.toml");
+    const std::string kept(std::istreambuf_iterator<char>(file), {});
+    if (!kept.empty() && kept != cases::write(mill_case))
+      throw InputError(Fault{place_.path().string(), "the folder is that of another case, or of other values",
+                             "give the options of the run that is to be resumed, or begin again "
+                             "without --resume",
+                             "bad-checkpoint"});
+  }
+
+  /// From the newest restart file that LAMMPS can read, if there is one.
+  void start(const Launch& launch, bool resumes) {
+    const Installed lmp = installed(launch.ranks);
+    if (!lmp.faults.empty()) throw InputError(lmp.faults);
+    std::vector<std::string> words{lmp.command};
+    if (launch.ranks > 1) words = {"mpirun", "-np", std::to_string(launch.ranks), lmp.command};
+    if (launch.ranks > 1 && ::geteuid() == 0)  // Open MPI asks root twice
+      words.insert(words.begin(), {"env", "OMPI_ALLOW_RUN_AS_ROOT=1",
+                                   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+    for (const char* word : {"-in", "in.lammps", "-screen", "none"}) words.emplace_back(word);
+    if (!resumes) {
+      running_ = std::make_unique<Running>(place_.path(), words);
+      return;
+    }
+    const std::vector<fs::path> kept = restart_files();
+    for (const fs::path& file : kept) {
+      const std::size_t before = sessions(place_.path()).size();
+      std::vector<std::string> more = words;
+      for (const std::string& word : {std::string("-var"), std::string("from"), file.filename().string(),
+                                      std::string("-var"), std::string("session"),
+                                      std::to_string(before)})
+        more.push_back(word);
+      running_ = std::make_unique<Running>(place_.path(), more);
+      while (sessions(place_.path()).size() == before && !running_->ended() && !stopped())
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (sessions(place_.path()).size() > before) return;
+    }
+    if (!kept.empty()) end_early();
+    remove_output();  // it was ended before its first restart file
+    running_ = std::make_unique<Running>(place_.path(), words);
+  }
+
+  /// The newest first.
+  std::vector<fs::path> restart_files() const {
+    std::vector<fs::path> found;
+    for (const char* name : {"restart.a", "restart.b"})
+      if (fs::exists(place_.path() / name)) found.push_back(place_.path() / name);
+    std::ranges::sort(found, std::ranges::greater(),
+                      [](const fs::path& file) { return fs::last_write_time(file); });
+    return found;
+  }
+
+  void remove_output() const {
+    for (const auto& entry : fs::directory_iterator(place_.path()))
+      if (entry.path().extension() == ".txt") fs::remove(entry.path());
+  }
+
+  [[noreturn]] void end_early() const {
+    const std::string error = last_error(place_.path());
+    throw RunError(fmt::format("LAMMPS stopped at {:.6g} s{}. Its messages are in {}", reached_.time,
+                               error.empty() ? "" : ": " + error,
+                               (place_.path() / "log.lammps").string()));
+  }
+
+  /// Takes over what LAMMPS wrote up to the next line of the balance. False if that is not complete.
+  bool read_row(scene::Observer& observer) {
+    if (next_step_ == 0) {
+      const Rows* row = balance_.next(sessions_, INT64_MAX);
+      if (row == nullptr) return false;
+      next_step_ = row->step;
+      next_row_ = row->values;
+    }
+    while (frame_step_ + steps_.frame <= next_step_)
+      if (!read_frame()) return false;
+    for (OutputFile& file : at_wall_)
+      while (const Rows* rows = file.next(sessions_, next_step_ - 1)) read_wall(*rows);
+    if (contact_step_ < next_step_) {
+      const Rows* rows = contacts_.next(sessions_, next_step_);
+      if (rows == nullptr) return false;
+      contact_step_ = rows->step;
+      read_contacts(*rows);
+      if (contact_step_ < next_step_) return read_row(observer);
+    }
+    std::ranges::sort(found_, {}, [](const scene::Collision& c) { return c.time + c.duration; });
+    observer.collisions(found_);
+    reached_.collisions += std::ssize(found_);
+    found_.clear();
+    take_balance(next_step_, Balance(next_row_.data()));
+    next_step_ = 0;
+    return true;
+  }
+
+  bool read_frame() {
+    const Rows* rows = frames_.next(sessions_, next_step_);
+    if (rows == nullptr) return false;
+    frame_step_ = rows->step;
+    balls_time_ = static_cast<double>(rows->step) * steps_.time_step;
+    for (std::size_t i = 0; i < rows->count(); ++i) set_ball(rows->row(i), balls_);
+    if (rows->step > 0) hits_.sample_between_balls(balls_);
+    return true;
+  }
+
+  std::size_t ball_of(double id) const {
+    if (!(id >= 1 && id <= static_cast<double>(balls_.size())))
+      throw RunError(fmt::format("LAMMPS wrote of a ball {:.6g}, which the case does not have", id));
+    return static_cast<std::size_t>(id) - 1;
+  }
+
+  void set_ball(const double* row, std::vector<scene::Ball>& balls) const {
+    scene::Ball& ball = balls[ball_of(row[0])];
+    ball.position = vector_at(row + 1);
+    ball.velocity = vector_at(row + 4);
+    ball.spin = vector_at(row + 7);
+  }
+
+  void read_wall(const Rows& rows) {
+    const double time = static_cast<double>(rows.step) * steps_.time_step;
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      const double* row = rows.row(i);
+      scene::Ball ball = balls_[ball_of(row[0])];
+      ball.position = vector_at(row + 1);
+      ball.velocity = vector_at(row + 4);
+      ball.spin = vector_at(row + 7);
+      hits_.sample_at_jar(static_cast<std::int32_t>(ball_of(row[0])), ball, time, found_);
+    }
+  }
+
+  void read_contacts(const Rows& rows) {
+    for (std::size_t i = 0; i < rows.count(); ++i) {
+      const double* row = rows.row(i);
+      found_.push_back(hits_.between_balls({.one = static_cast<std::int32_t>(ball_of(row[0])),
+                                            .other = static_cast<std::int32_t>(ball_of(row[1])),
+                                            .began = row[2] * steps_.time_step,
+                                            .ended = row[3] * steps_.time_step,
+                                            .distance = row[4],
+                                            .middle = vector_at(row + 5)}));
+    }
+  }
+
+  /// Kinetic and potential energy in the axes of the laboratory, from those in the jar frame.
+  void set_energies(scene::EnergyBalance& a, double kinetic, double time) const {
+    const kinematics::FrameMotion frame = kinematics::frame_motion(*chamber_.motion, time);
+    a.kinetic = kinetic + mass_ * (dot(frame.velocity, velocity_) + 0.5 * squared(frame.velocity));
+    a.potential = -mass_ * dot(chamber_.gravity, centre_ + frame.centre);
+  }
+
+  void begin_balance() {
+    double kinetic = 0;
+    for (const scene::Ball& b : balls_)
+      kinetic += 0.5 * (b.mass() * squared(b.velocity) + b.inertia() * squared(b.spin));
+    set_energies(reached_, kinetic, 0);
+    reached_.initial_energy = reached_.kinetic + reached_.potential;
+    in_jar_frame_ = kinetic - mass_ * dot(chamber_.gravity, centre_);
+  }
+
+  /// Losses follow from the balance in the jar frame, where the body force and the turning wall do
+  /// work; the jar's work in laboratory axes is that plus what the frames differ by (lmp.7).
+  void take_balance(std::int64_t step, const Balance& b) {
+    const double time = static_cast<double>(step) * steps_.time_step, took = time - reached_.time;
+    centre_ = b.centre;
+    velocity_ = b.velocity;
+    const double kinetic = b.kinetic + b.turning;
+    const double in_jar_frame = kinetic - mass_ * dot(chamber_.gravity, centre_);
+    const double lost = took * (b.wall_power + b.body_power) - (in_jar_frame - in_jar_frame_);
+    in_jar_frame_ = in_jar_frame;
+    const double before = reached_.kinetic + reached_.potential;
+    set_energies(reached_, kinetic, time);
+    reached_.wall_work += reached_.kinetic + reached_.potential - before + lost;
+    reached_.lost_normal += lost;  // of all kinds: LAMMPS does not tell them apart
+    reached_.time = time;
+    reached_.time_steps = step;
+    reached_.deepest_overlap = hits_.deepest_overlap();
+  }
+
+  scene::Chamber chamber_;
+  Steps steps_;
+  Place place_;
+  Hits hits_;
+  std::vector<scene::Ball> balls_;  // of the last frame
+  double balls_time_ = 0;
+  OutputFile balance_, contacts_, frames_;
+  std::vector<OutputFile> at_wall_;  // by type
+  std::vector<Session> sessions_;
+  std::unique_ptr<Running> running_;
+
+  std::int64_t next_step_ = 0;      // of a line of the balance whose row is not complete
+  std::vector<double> next_row_;
+  std::int64_t frame_step_ = 0, contact_step_ = 0;
+  std::vector<scene::Collision> found_;
+
+  double mass_ = 0;        // of all balls
+  Vec3 centre_, velocity_;  // of the charge, in the jar frame
+  double in_jar_frame_ = 0;  // kinetic and potential energy
+  scene::EnergyBalance reached_;
+};
+
+}  // namespace
+
+std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
+                                           const scene::Chamber& chamber,
+                                           const std::vector<scene::Ball>& balls,
+                                           const Steps& steps, const Launch& launch) {
+  return std::make_unique<Engine>(mill_case, chamber, balls, steps, launch);
+}
+
+}  // namespace mahlwerk::lammps

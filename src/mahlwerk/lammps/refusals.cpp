@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// What LAMMPS cannot compute, and what it computes in another way.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/lammps/deck.hpp"
+#include "mahlwerk/lammps/jar_terms.hpp"
+#include "mahlwerk/lammps/notices.hpp"
+
+namespace mahlwerk::lammps {
+namespace {
+
+bool faces_differ(const cases::Case& c) {
+  const contact::PairTable table = cases::pair_table(c);
+  for (int kind = 0; kind < table.kinds(); ++kind)
+    for (int face = 1; face < table.faces(); ++face)
+      if (!(table.wall(kind, face) == table.wall(kind, 0))) return true;
+  return false;
+}
+
+bool resists_rolling(const cases::Case& c) {
+  if (!contact::rule_of(c.contact.model.rolling).resists) return false;
+  const contact::PairTable table = cases::pair_table(c);
+  return std::ranges::any_of(table.all(), [](const auto& p) { return p.rolling_friction > 0; });
+}
+
+}  // namespace
+
+std::vector<Fault> faults(const cases::Case& c) {
+  std::vector<Fault> found;
+  const auto refuse = [&](bool bad, const char* key, std::string what, std::string can) {
+    if (bad)
+      found.push_back({cases::location_of(c, key), "LAMMPS cannot compute " + std::move(what),
+                       std::move(can) + ", or write engine = \"soft\"", "not-for-lammps"});
+  };
+  const geometry::AnyShape& jar = *c.jar.shape;
+  const kinematics::AnyMotion& mill = *c.mill.motion;
+  const std::string law(contact::name_of(*c.contact.model.law));
+  refuse(!has_region(jar), "jar.kind", fmt::format("a jar of kind \"{}\"", geometry::name_of(jar)),
+         "take one of the kinds " + known_regions());
+  refuse(!has_body_force(mill), "mill.kind",
+         fmt::format("a mill of kind \"{}\"", kinematics::name_of(mill)),
+         "take one of the kinds " + known_motions());
+  refuse(law != "hertz-mindlin" && law != "linear-spring", "contact.law",
+         fmt::format("law = \"{}\"", law), "write law = \"hertz-mindlin\" or \"linear-spring\"");
+  refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
+         "rolling = \"viscous\"", "write rolling = \"cdt\" or \"none\"");
+  refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",
+         "give a time");
+  refuse(faces_differ(c), "contact", "faces of the jar with different contact values",
+         "give the same values to all faces");
+  return found;
+}
+
+Notices notices(const cases::Case& c) {
+  Notices list{note(
+      "lammps",
+          "Computed by LAMMPS. How its numbers were got: power from the torque of the wall "
+          "and the body force; dissipated power from the balance of energy; approach speed of two "
+          "balls from the largest overlap of their contact, with the contact law (lmp.8), and its "
+          "sliding speed from contacts of the same speed in the frames; collisions with the jar "
+          "from samples of all contacts, one in a shortest collision (lmp.9). Contacts that other "
+          "bodies press together read as other speeds.")};
+  if (resists_rolling(c))
+    list.push_back(note(
+        "lammps-rolling",
+        "Rolling resistance in LAMMPS is a spring with a slider of constant torque, rolling = "
+        "\"epsd\" without its damper; its spring is that of a contact at 1 m/s."));
+  if (!c.contact.model.curved_walls)
+    list.push_back(note("lammps-walls",
+                        "Walls of LAMMPS include the wall's curvature in the radius of contact, as "
+                        "curved_walls = true does in the soft engine."));
+  return list;
+}
+
+}  // namespace mahlwerk::lammps
