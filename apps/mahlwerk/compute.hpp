@@ -14,12 +14,13 @@ class ProgressLine;
 /// Run options: threads of `request`, progress on `line`, stop on Ctrl-C.
 campaign::RunOptions options_of(const Request& request, ProgressLine& line);
 
-/// Computes all points together. `checkpoint` may be null. `lammps`: the folder of runs by LAMMPS.
+/// Computes all points together. `checkpoint` may be null. `lammps`: the folder of
+/// runs by LAMMPS; empty: temporary ones.
 std::vector<results::Outcome> compute(const Request& request,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
                                       campaign::Checkpoint* checkpoint,
-                                      const std::filesystem::path& lammps);
+                                      const std::filesystem::path& lammps = {});
 /// The same, resuming from the checkpoints in `kept`. `replays_of_all`: every replicate keeps
 /// frames (campaign::RunOptions).
 std::vector<results::Outcome> compute(const Request& request,

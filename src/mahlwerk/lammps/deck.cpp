@@ -51,22 +51,29 @@ std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& types
   for (std::size_t a = 0; a < types.size(); ++a)  // the wall is the same on all faces (faults)
     text += fmt::format(
         "group type{0} type {0}\n"
-        "fix wall{0} type{0} wall/gran/region granular {1} region jar contacts\n",
+        "fix wall{0} type{0} wall/gran/region granular {1} region jar\n",
         a + 1, contact_terms(c.contact.model,
                              {table.wall(types[a].kind, 0), types[a].radius, types[a].mass()}));
   return text;
 }
 
-/// Balls in contact with the jar, without those that touch it too gently: half the square of the
-/// normal speed, and of the speed that the force stands for, is above that of `slowest_hit`.
-std::string wall_samples(const std::vector<scene::Ball>& types, const Steps& steps) {
+/// Balls that have come into contact with a face of the jar, or left it, since the last sample. A
+/// dump of its own for each face: LAST is what a formula was before. Frames as frequent as that
+/// show it, too.
+std::string wall_samples(const scene::Chamber& chamber, const std::vector<scene::Ball>& types,
+                         const Steps& steps) {
   std::string text;
-  for (std::size_t a = 0; a < types.size(); ++a)
-    text += fmt::format(
-        "dump wall{0} type{0} custom {1} wall.{0}.${{session}}.txt id x y z vx vy vz omegax omegay "
-        "omegaz\n"
-        "dump_modify wall{0} thresh f_wall{0}[1] != 0 format float %.10g\n",
-        a + 1, steps.wall);
+  if (steps.frames_show_wall()) return text;
+  for (std::size_t a = 0; a < types.size(); ++a) {
+    int face = 0;
+    for (const std::string& formula : touch_formulas(chamber, types[a].radius))
+      text += fmt::format(
+          "variable touch{0}_{1} atom {2}\n"
+          "dump wall{0}_{1} type{0} custom {3} wall.{0}.{1}.${{session}}.txt id x y z vx vy vz "
+          "omegax omegay omegaz\n"
+          "dump_modify wall{0}_{1} thresh v_touch{0}_{1} |^ LAST format float %.10g\n",
+          a + 1, ++face, formula, steps.wall);
+  }
   return text;
 }
 
@@ -82,7 +89,7 @@ std::string measurements(const scene::Chamber& chamber, const std::vector<scene:
       "dump_modify contacts format float %.12g\n"
       "dump balls all custom {3} balls.${{session}}.txt id x y z vx vy vz omegax omegay omegaz\n"
       "dump_modify balls format float %.10g\n",
-      steps.row, steps.power, steps.row / steps.power, steps.frame) + wall_samples(types, steps) +
+      steps.row, steps.power, steps.row / steps.power, steps.frame) + wall_samples(chamber, types, steps) +
       fmt::format("thermo_style custom step atoms c_motion c_spins cpu\n"
                   "thermo_modify lost error norm no\nthermo {}\n", steps.row);
 }
@@ -108,22 +115,35 @@ std::vector<scene::Ball> one_of_each_type(const std::vector<scene::Ball>& balls)
 
 Steps steps_of(const cases::Case& c, double time, double counted, double time_step,
                double contact) {
-  constexpr double rows = 400, frame_bytes = 4e8, ball_bytes = 150;
+  constexpr double rows = 400, frame_bytes = 2.5e8, ball_bytes = 150;
   constexpr std::int64_t usual_power = 100, least_frames = 20;
   const double balls = static_cast<double>(cases::balls_count(c.balls));
   Steps s{.time_step = time_step};
   double every = counted / rows;  // [s]
   if (c.observe.frames) every = std::min(every, *c.observe.frames);
   const auto steps = [&](double t) { return static_cast<std::int64_t>(t / time_step); };
+  constexpr double soon = 0.15;  // of the shortest collision (hits.cpp)
+  s.wall = std::max<std::int64_t>(2, steps(soon * contact));
   s.row = std::max<std::int64_t>(1, steps(every));
   s.power = std::min(usual_power, s.row);
-  s.row -= s.row % s.power;
-  const auto wanted = static_cast<std::int64_t>(frame_bytes / (ball_bytes * balls));
-  const std::int64_t frames = c.observe.frames ? steps(time) : std::max(least_frames, wanted);
-  s.frame = s.row * std::max<std::int64_t>(1, steps(time) / s.row / frames);
-  while (static_cast<double>(s.total) * time_step < time * (1 + 1e-12)) s.total += s.frame;
-  s.restart = s.frame * std::max<std::int64_t>(1, s.total / s.frame / 50);
-  s.wall = std::max<std::int64_t>(1, steps(0.8 * contact));
+  const auto affordable = static_cast<std::int64_t>(frame_bytes / (ball_bytes * balls));
+  // Frames of few balls take less than the heads of looks at each face.
+  constexpr double few = 20;
+  const bool all = c.observe.frames || balls <= few;
+  const std::int64_t frames = all ? steps(time) : std::max(least_frames, affordable);
+  s.frame = std::max(s.wall, steps(time) / frames);
+  // Rows are multiples of both, or frames of rows.
+  if (s.frame < s.row) {
+    s.power = std::min(s.power, s.frame);
+    s.frame -= s.frame % s.power;
+    s.row -= s.row % s.frame;
+  } else {
+    s.row -= s.row % s.power;
+    s.frame -= s.frame % s.row;
+  }
+  const std::int64_t block = std::max(s.row, s.frame);
+  while (static_cast<double>(s.total) * time_step < time * (1 + 1e-12)) s.total += block;
+  s.restart = block * std::max<std::int64_t>(1, s.total / block / 50);
   return s;
 }
 
@@ -133,7 +153,7 @@ std::string script(const cases::Case& c, const scene::Chamber& chamber,
   return "# A case of Mahlwerk in the jar frame; README.md says how to run it.\n"
          "variable from index none\nvariable session index 0\n"
          "units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
-         "if \"${from} == none\" then \"read_data balls.data\" else \"read_restart ${from}\"\n" +
+         "if \"${session} == 0\" then \"read_data balls.data\" else \"read_restart ${from}\"\n" +
          fmt::format("timestep {:.15g}\n", steps.time_step) + neighbours(types) +
          jar_commands(chamber, steps.time_step) + contacts(c, types, steps) +
          "fix motion all nve/sphere\n" +

@@ -20,11 +20,12 @@ struct Steps {
   std::int64_t power = 1;       ///< between two samples of the power
   std::int64_t row = 1;         ///< between two lines of the balance, and of contacts that ended
   std::int64_t frame = 1;       ///< between two frames of all balls
-  std::int64_t wall = 1;        ///< between two samples of the contacts with the jar
+  std::int64_t wall = 1;        ///< between two looks for new contacts with the jar
   std::int64_t restart = 1;     ///< between two restart files
   std::int64_t total = 0;
-  double slowest_hit = 0;       ///< [m/s] slowest contact with the jar that counts
 
+  /// Whether frames are frequent enough to show contacts with the jar.
+  bool frames_show_wall() const { return frame <= wall; }
   double frame_time() const { return static_cast<double>(frame) * time_step; }  // [s]
 };
 

@@ -18,6 +18,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/hits.hpp"
+#include "mahlwerk/lammps/jar_terms.hpp"
 #include "mahlwerk/lammps/output_files.hpp"
 #include "mahlwerk/lammps/program.hpp"
 
@@ -72,14 +73,16 @@ class Engine final : public scene::Engine {
       : chamber_(std::move(chamber)),
         steps_(steps),
         place_(launch.folder),
-        hits_(mill_case, chamber_, balls, steps.slowest_hit),
+        hits_(mill_case, chamber_, balls, steps.time_step),
         balls_(std::move(balls)),
         balance_(place_.path(), "balance", OutputFile::Kind::table, Balance::columns),
         contacts_(place_.path(), "contacts", OutputFile::Kind::dump, contact_columns),
         frames_(place_.path(), "balls", OutputFile::Kind::dump, ball_columns) {
-    for (std::size_t type = 1; type <= one_of_each_type(balls_).size(); ++type)
-      at_wall_.emplace_back(place_.path(), fmt::format("wall.{}", type), OutputFile::Kind::dump,
-                            ball_columns);
+    const std::vector<scene::Ball> types = one_of_each_type(balls_);
+    for (std::size_t type = 0; type < types.size() && !steps.frames_show_wall(); ++type)
+      for (std::size_t face = 0; face < touch_formulas(chamber_, types[type].radius).size(); ++face)
+        at_wall_.emplace_back(place_.path(), fmt::format("wall.{}.{}", type + 1, face + 1),
+                              OutputFile::Kind::dump, ball_columns);
     for (const scene::Ball& ball : balls_) {
       mass_ += ball.mass();
       centre_ = centre_ + ball.mass() * ball.position;
@@ -190,8 +193,8 @@ class Engine final : public scene::Engine {
     }
     while (frame_step_ + steps_.frame <= next_step_)
       if (!read_frame()) return false;
-    for (OutputFile& file : at_wall_)
-      while (const Rows* rows = file.next(sessions_, next_step_ - 1)) read_wall(*rows);
+    while (!at_wall_.empty() && wall_step_ + steps_.wall < next_step_)
+      if (!read_walls()) return false;
     if (contact_step_ < next_step_) {
       const Rows* rows = contacts_.next(sessions_, next_step_);
       if (rows == nullptr) return false;
@@ -201,6 +204,10 @@ class Engine final : public scene::Engine {
     }
     std::ranges::sort(found_, {}, [](const scene::Collision& c) { return c.time + c.duration; });
     observer.collisions(found_);
+    for (const scene::Collision& c : found_) {
+      reached_.lost_normal += c.lost_normal;
+      reached_.lost_tangential += c.lost_tangential;
+    }
     reached_.collisions += std::ssize(found_);
     found_.clear();
     take_balance(next_step_, Balance(next_row_.data()));
@@ -214,7 +221,11 @@ class Engine final : public scene::Engine {
     frame_step_ = rows->step;
     balls_time_ = static_cast<double>(rows->step) * steps_.time_step;
     for (std::size_t i = 0; i < rows->count(); ++i) set_ball(rows->row(i), balls_);
-    if (rows->step > 0) hits_.sample_between_balls(balls_);
+    if (rows->step == 0) return true;
+    const double share = static_cast<double>(hits_.look(balls_, rows->step));
+    reached_.contact_time += share * steps_.frame_time();
+    for (std::size_t i = 0; i < balls_.size() && at_wall_.empty(); ++i)
+      hits_.at_jar(static_cast<std::int32_t>(i), balls_[i], rows->step, found_);
     return true;
   }
 
@@ -231,15 +242,27 @@ class Engine final : public scene::Engine {
     ball.spin = vector_at(row + 7);
   }
 
+  /// The looks at all faces at the next step, in order of time: a ball may change faces.
+  bool read_walls() {
+    for (; walls_read_ < at_wall_.size(); ++walls_read_) {
+      const Rows* rows = at_wall_[walls_read_].next(sessions_, wall_step_ + steps_.wall);
+      if (rows == nullptr) return false;
+      if (rows->step <= wall_step_) --walls_read_;  // of the start
+      else read_wall(*rows);
+    }
+    walls_read_ = 0;
+    wall_step_ += steps_.wall;
+    return true;
+  }
+
   void read_wall(const Rows& rows) {
-    const double time = static_cast<double>(rows.step) * steps_.time_step;
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const double* row = rows.row(i);
       scene::Ball ball = balls_[ball_of(row[0])];
       ball.position = vector_at(row + 1);
       ball.velocity = vector_at(row + 4);
       ball.spin = vector_at(row + 7);
-      hits_.sample_at_jar(static_cast<std::int32_t>(ball_of(row[0])), ball, time, found_);
+      hits_.at_jar(static_cast<std::int32_t>(ball_of(row[0])), ball, rows.step, found_);
     }
   }
 
@@ -248,8 +271,8 @@ class Engine final : public scene::Engine {
       const double* row = rows.row(i);
       found_.push_back(hits_.between_balls({.one = static_cast<std::int32_t>(ball_of(row[0])),
                                             .other = static_cast<std::int32_t>(ball_of(row[1])),
-                                            .began = row[2] * steps_.time_step,
-                                            .ended = row[3] * steps_.time_step,
+                                            .began = std::llround(row[2] / steps_.time_step),
+                                            .ended = std::llround(row[3] / steps_.time_step),
                                             .distance = row[4],
                                             .middle = vector_at(row + 5)}));
     }
@@ -284,10 +307,12 @@ class Engine final : public scene::Engine {
     const double before = reached_.kinetic + reached_.potential;
     set_energies(reached_, kinetic, time);
     reached_.wall_work += reached_.kinetic + reached_.potential - before + lost;
-    reached_.lost_normal += lost;  // of all kinds: LAMMPS does not tell them apart
+    lost_ += lost;
+    reached_.lost_lasting = lost_ - reached_.lost_normal - reached_.lost_tangential;
     reached_.time = time;
     reached_.time_steps = step;
     reached_.deepest_overlap = hits_.deepest_overlap();
+    reached_.lasting_contacts = hits_.lasting();
   }
 
   scene::Chamber chamber_;
@@ -303,12 +328,14 @@ class Engine final : public scene::Engine {
 
   std::int64_t next_step_ = 0;      // of a line of the balance whose row is not complete
   std::vector<double> next_row_;
-  std::int64_t frame_step_ = 0, contact_step_ = 0;
+  std::int64_t frame_step_ = 0, contact_step_ = 0, wall_step_ = 0;
+  std::size_t walls_read_ = 0;  // files of this look
   std::vector<scene::Collision> found_;
 
   double mass_ = 0;        // of all balls
   Vec3 centre_, velocity_;  // of the charge, in the jar frame
   double in_jar_frame_ = 0;  // kinetic and potential energy
+  double lost_ = 0;          // of all kinds
   scene::EnergyBalance reached_;
 };
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -17,62 +17,94 @@
 
 namespace mahlwerk::lammps {
 
+/// Speeds at first touch [m/s]: along the normal; across it, of the touching surfaces and of the
+/// centres.
+struct TouchSpeeds {
+  double approach = 0, slip = 0, glide = 0;
+};
+
+/// Speeds of the contacts that were seen soon after their first touch, for those that were not:
+/// each gets the speeds of a seen one of the same pair of types, with about the same strongest
+/// compression, and with a duration of the same kind (lmp.10). By turns, so that many contacts get
+/// the distribution of the seen ones.
+class SeenContacts {
+ public:
+  /// `strength` [m/s]: speed of an undisturbed collision with the contact's largest overlap.
+  /// `brief`: whether it lasted about as long as such a collision.
+  void add(std::pair<int, int> types, double strength, bool brief, const TouchSpeeds& speeds);
+  /// Their approach is in proportion to `strength`. Without any seen contact of these types:
+  /// `strength` alone.
+  TouchSpeeds like(std::pair<int, int> types, double strength, bool brief);
+
+ private:
+  static constexpr int classes = 64;  // of a factor sqrt(2) from 1e-6 m/s on
+  static int class_of(double strength);
+  struct Class {
+    std::vector<TouchSpeeds> kept;  // the approach over strength
+    std::size_t next = 0, given = 0;
+  };
+  std::map<std::pair<int, int>, std::vector<Class>> seen_;  // brief ones first
+};
+
 /// Makes records of collisions from what LAMMPS tells of contacts (lmp.8 to lmp.11).
 class Hits {
  public:
-  /// `balls` give radii and masses. Contacts with the jar below `slowest` [m/s] are left out, and
-  /// sliding speeds of two balls are kept above it.
+  /// `balls` give radii and masses. Steps are numbers of `time_step` [s].
   Hits(const cases::Case& mill_case, const scene::Chamber& chamber, std::vector<scene::Ball> balls,
-       double slowest);
+       double time_step);
 
-  /// A contact of two balls that ended: between which, when [s], their least distance [m] and the
-  /// middle of the contact in the jar frame [m].
+  /// A contact of two balls that ended: between which, at which steps, their least distance [m] and
+  /// the middle of the contact in the jar frame [m].
   struct BallContact {
     std::int32_t one = 0, other = 0;
-    double began = 0, ended = 0, distance = 0;
+    std::int64_t began = 0, ended = 0;
+    double distance = 0;
     Vec3 middle;
   };
   scene::Collision between_balls(const BallContact& contact);
 
-  /// Adds to `found` the collisions of a ball near the jar that no earlier sample has shown. `now`:
-  /// the ball at `time` [s] in the jar frame. Samples of a ball must come in order of time.
-  void sample_at_jar(std::int32_t ball, const scene::Ball& now, double time,
-                     std::vector<scene::Collision>& found);
+  /// A ball, in the jar frame at `step`, which has come into contact with a face of the jar or left
+  /// one since the last look. Adds to `found` the collisions that ended.
+  void at_jar(std::int32_t ball, const scene::Ball& now, std::int64_t step,
+              std::vector<scene::Collision>& found);
 
-  /// Takes the sliding speeds of all contacts of two balls in a frame.
-  void sample_between_balls(const std::vector<scene::Ball>& balls);
+  /// Looks at all contacts of two balls in a frame. Returns the number of balls in contact.
+  std::int64_t look(const std::vector<scene::Ball>& balls, std::int64_t step);
 
   double deepest_overlap() const { return deepest_; }  ///< [1] over the smaller radius
+  /// Number of contacts that lasted five times as long as a collision.
+  std::int64_t lasting() const { return lasting_; }
 
  private:
-  /// Speeds of a contact across its normal [m/s]: of the touching surfaces, and of the centres.
-  struct Sliding {
-    double slip = 0, glide = 0;
+  struct Seen {
+    std::int64_t step = 0;
+    TouchSpeeds speeds;
   };
-  /// The last contacts of one class of approach speed.
-  struct SlidingClass {
-    std::vector<Sliding> kept;
-    std::size_t next = 0, given = 0;
-  };
-  static constexpr int classes = 24;  // of a factor sqrt(2) from `slowest_` on
-  using SlidingByClass = std::array<SlidingClass, classes>;
-
-  const Impact& impact_of_balls(int one, int other);
-  const Impact& impact_at_jar(int type, int face, double curvature);
-  int class_of(double speed) const;
-  SlidingByClass& sliding_of(int one, int other);
-  Sliding sliding_at(SlidingByClass& classes, double speed) const;
-  void sample_pair(const scene::Ball& a, const scene::Ball& b, int one, int other);
+  const Impact& impact_of_balls(std::int32_t one, std::int32_t other);
+  const Impact& impact_at_jar(std::int32_t ball, int face, double curvature);
+  std::pair<int, int> types_of_pair(std::int32_t one, std::int32_t other) const;
+  bool look_at_pair(const scene::Ball& a, const scene::Ball& b, std::int32_t one,
+                    std::int32_t other, std::int64_t step);
+  /// The speeds of a contact that a look has shown within `soon` [s] of its begin, if one has.
+  std::optional<TouchSpeeds> seen(const BallContact& contact, double soon);
+  scene::Collision begin_at_jar(std::int32_t ball, const scene::Ball& now, const scene::Wall& wall,
+                                int face, double time);
+  /// [s] How long after first touch a contact of this duration [s] still shows its speed then.
+  double soon(double duration) const;
+  double time_of(std::int64_t step) const { return static_cast<double>(step) * time_step_; }
+  bool touches_jar(const scene::Ball& ball, double time) const;
 
   const cases::Case* mill_case_;
   contact::PairTable pairs_;
   Jar jar_;
   std::vector<scene::Ball> balls_;
   std::vector<int> types_;
-  double slowest_, deepest_ = 0;
+  double time_step_, deepest_ = 0;
+  std::int64_t lasting_ = 0;
   std::map<std::pair<int, int>, Impact> between_, at_jar_;
-  std::map<std::pair<int, int>, SlidingByClass> sliding_;
-  std::unordered_map<std::int64_t, double> touching_;  // end of the last contact of ball and face
+  std::unordered_map<std::uint64_t, std::vector<Seen>> looked_at_;  // contacts in looks, by pair
+  SeenContacts seen_;
+  std::unordered_map<std::int64_t, scene::Collision> touching_;  // the jar, by ball and face
 };
 
 }  // namespace mahlwerk::lammps

@@ -61,14 +61,20 @@ double Impact::speed_of_largest(double overlap) const {
   return overlap > 0 ? scale(overlap, largest_) : 0;
 }
 
+double Impact::duration(double speed) const {
+  const double overlap = math::pow(speed / frequency_, 1 / exponent_);  // where the curve has 1
+  return curve_.back().time * overlap / speed;
+}
+
 Impact::Found Impact::found(double overlap, double rate) const {
   if (!(overlap > 0)) return {};
   const double phase = rate / (frequency_ * math::pow(overlap, exponent_));
   const auto at = std::ranges::lower_bound(curve_, phase, std::ranges::greater(), &Instant::phase);
   const Instant& is = at == curve_.end() ? curve_.back() : *at;
-  const double speed = scale(overlap, is.overlap);
-  const double unit = overlap / (is.overlap * speed);  // [s] of the curve's time
-  return {speed, is.time * unit, curve_.back().time * unit};
+  // Of the two, the one that changes little from instant to instant.
+  const double speed = is.rate > 0.5 ? rate / is.rate : scale(overlap, is.overlap);
+  const double whole = duration(speed);
+  return {speed, is.time / curve_.back().time * whole, whole};
 }
 
 }  // namespace mahlwerk::lammps

@@ -30,6 +30,9 @@ class Impact {
   /// From an overlap > 0 [m] and its rate [m/s], > 0 while the bodies approach (lmp.9).
   Found found(double overlap, double rate) const;
 
+  /// [s] Duration of a collision at `speed` > 0 [m/s].
+  double duration(double speed) const;
+
   double mass() const { return mass_; }                ///< [kg] m*
   double restitution() const { return restitution_; }
   double friction() const { return friction_; }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <numbers>
+#include <utility>
 
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
@@ -93,6 +94,14 @@ Motion motion_of(const kinematics::AnyMotion& motion) {
 
 }  // namespace
 
+namespace {
+
+bool is_lying(const scene::Chamber& chamber) {
+  return dot(chamber.mount * Vec3{0, 0, 1}, Vec3{1, 0, 0}) > 0.5;
+}
+
+}  // namespace
+
 bool has_region(const geometry::AnyShape& shape) {
   return geometry::as<geometry::Cylinder>(shape) || geometry::as<geometry::Sphere>(shape) ||
          geometry::as<geometry::Box>(shape) || geometry::as<geometry::Capsule>(shape);
@@ -112,7 +121,7 @@ std::string known_motions() {
 
 std::string jar_commands(const scene::Chamber& chamber, double time_step) {
   const Motion motion = motion_of(*chamber.motion);
-  const Mounting mounting{dot(chamber.mount * Vec3{0, 0, 1}, Vec3{1, 0, 0}) > 0.5};
+  const Mounting mounting{is_lying(chamber)};
   std::string commands = fmt::format("variable time equal step*{}\n", text(time_step)), turns;
   if (!motion.angle.empty()) {
     commands += fmt::format("variable angle equal {}\n", motion.angle);
@@ -131,6 +140,56 @@ std::string jar_commands(const scene::Chamber& chamber, double time_step) {
     commands += fmt::format("fix gravity all gravity {} vector {} {} {}\n", text(norm(g)), text(g.x),
                             text(g.y), text(g.z));
   return commands;
+}
+
+namespace {
+
+/// The jar's own coordinates of a ball, as formulas.
+std::array<std::string, 3> own_coordinates(const scene::Chamber& chamber) {
+  const Motion motion = motion_of(*chamber.motion);
+  const bool lying = is_lying(chamber);
+  std::array<std::string, 3> at{"x", "y", "z"};
+  const bool sphere = geometry::as<geometry::Sphere>(*chamber.shape) != nullptr;
+  const bool along = motion.axis == (lying ? "1 0 0" : "0 0 1");
+  if (!motion.axis.empty() && !sphere && !(along && geometry::axisymmetric(*chamber.shape))) {
+    const std::size_t a = motion.axis.starts_with('1') ? 1 : 0, b = a + 1;  // the axes across
+    const char first = "xyz"[a], second = "xyz"[b];
+    at[a] = fmt::format("({0}*cos(v_angle)+{1}*sin(v_angle))", first, second);
+    at[b] = fmt::format("({1}*cos(v_angle)-{0}*sin(v_angle))", first, second);
+  }
+  if (lying) return {"(-" + at[2] + ")", at[1], at[0]};
+  return at;
+}
+
+}  // namespace
+
+std::vector<std::string> touch_formulas(const scene::Chamber& chamber, double radius) {
+  const auto [x, y, z] = own_coordinates(chamber);
+  const auto beyond = [&](const std::string& squares, double diameter) {
+    const double room = 0.5 * diameter - radius;
+    return fmt::format("{}>{:.15g}", squares, room * room);
+  };
+  const auto planes = [&](const std::string& at, double width) {
+    const std::string room = text(0.5 * width - radius);
+    return std::vector{fmt::format("{}<-{}", at, room), fmt::format("{}>{}", at, room)};
+  };
+  const std::string across = fmt::format("{0}*{0}+{1}*{1}", x, y);
+  const geometry::AnyShape& shape = *chamber.shape;
+  std::vector<std::string> formulas;
+  if (const auto* s = geometry::as<geometry::Cylinder>(shape)) {
+    formulas = planes(z, s->height);
+    formulas.push_back(beyond(across, s->diameter));
+  } else if (const auto* b = geometry::as<geometry::Box>(shape)) {
+    for (const auto& [at, width] : {std::pair{x, b->width}, {y, b->depth}, {z, b->height}})
+      for (std::string& plane : planes(at, width)) formulas.push_back(std::move(plane));
+  } else if (const auto* c = geometry::as<geometry::Capsule>(shape)) {
+    const std::string above = fmt::format("(abs({0})-{1})", z, text(0.5 * c->height));
+    formulas = {beyond(fmt::format("{0}+({1}>0)*{1}*{1}", across, above), c->diameter)};
+  } else {
+    formulas = {beyond(fmt::format("{0}+{1}*{1}", across, z),
+                       geometry::as<geometry::Sphere>(shape)->diameter)};
+  }
+  return formulas;
 }
 
 std::string power_commands(const scene::Chamber& chamber) {

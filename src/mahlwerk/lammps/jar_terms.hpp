@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -22,6 +23,10 @@ std::string known_motions();
 /// Commands that make the region `jar` and the variables of its motion and of the force on a ball
 /// by its mass, in the jar frame (lmp.5, lmp.6). `time_step` [s].
 std::string jar_commands(const scene::Chamber& chamber, double time_step);
+
+/// For each face of the jar, a formula that is 1 for balls of `radius` [m] in contact with it, and
+/// else 0.
+std::vector<std::string> touch_formulas(const scene::Chamber& chamber, double radius);
 
 /// Commands that make the variables `wall_power` and `body_power` [W]: the work of the turning wall
 /// and of the body force on the balls by time (lmp.7). The torque of the wall follows from all

@@ -18,13 +18,8 @@ namespace mahlwerk::campaign {
 lammps::Steps lammps_steps(const cases::Case& mill_case) {
   const SoftSettings s = soft_settings(mill_case);
   const cases::Run& run = mill_case.run;
-  lammps::Steps steps = lammps::steps_of(mill_case, run.settle + run.time, run.time,
-                                         s.rules.time_step, s.steps.contact);
-  // Hits below the threshold are not counted apart; those just below may be found to be above it.
-  constexpr double share = 0.5, otherwise = 0.01;
-  steps.slowest_hit =
-      mill_case.observe.threshold > 0 ? share * mill_case.observe.threshold : otherwise * s.speed;
-  return steps;
+  return lammps::steps_of(mill_case, run.settle + run.time, run.time, s.rules.time_step,
+                          s.steps.contact);
 }
 
 int usual_ranks(const cases::Case& mill_case, int cores) {
