@@ -160,7 +160,7 @@ std::string script(const cases::Case& c, const scene::Chamber& chamber,
          "fix balance_load all balance 1000 1.1 shift xyz 10 1.05\n" +
          measurements(chamber, types, steps) +
          fmt::format("print \"$(step)\" file from.${{session}}.txt screen no\n"
-                     "restart {} restart.a restart.b\nrun {} upto\nwrite_restart restart.end\n",
+                     "restart {0} restart.a restart.b\nrun {1} upto\nwrite_restart restart.end\n",
                      steps.restart, steps.total);
 }
 

@@ -266,13 +266,27 @@ class Engine final : public scene::Engine {
     }
   }
 
+  /// The steps at which a contact began and ended. LAMMPS counts time from the start of a session,
+  /// and a contact from before it keeps the time of its own session.
+  std::pair<std::int64_t, std::int64_t> steps_of_contact(const double* row,
+                                                         std::int64_t ended_by) const {
+    auto session = std::ranges::find_if(
+        sessions_, [&](const Session& s) { return ended_by <= s.last; });
+    const std::int64_t start = session->first,
+                       ended = start + std::llround(row[3] / steps_.time_step),
+                       began = std::llround(row[2] / steps_.time_step);
+    while (session != sessions_.begin() && began + session->first > ended) --session;
+    return {began + session->first, ended};
+  }
+
   void read_contacts(const Rows& rows) {
     for (std::size_t i = 0; i < rows.count(); ++i) {
       const double* row = rows.row(i);
+      const auto [began, ended] = steps_of_contact(row, rows.step);
       found_.push_back(hits_.between_balls({.one = static_cast<std::int32_t>(ball_of(row[0])),
                                             .other = static_cast<std::int32_t>(ball_of(row[1])),
-                                            .began = std::llround(row[2] / steps_.time_step),
-                                            .ended = std::llround(row[3] / steps_.time_step),
+                                            .began = began,
+                                            .ended = ended,
                                             .distance = row[4],
                                             .middle = vector_at(row + 5)}));
     }

@@ -55,7 +55,7 @@ std::string region(const geometry::AnyShape& shape, const Mounting& m, const std
     return fmt::format("region jar block{} side in{}\n", ends, more);
   }
   const auto& c = *geometry::as<geometry::Capsule>(shape);
-  return cylinder("side", m, c.diameter, c.height, " open 1 open 2") +
+  return cylinder("side", m, c.diameter, c.height, "") +
          sphere("bottom", m, -0.5 * c.height, c.diameter, "") +
          sphere("top", m, 0.5 * c.height, c.diameter, "") +
          fmt::format("region jar union 3 side bottom top side in{}\n", more);

@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/lammps/jar_terms.hpp"
 #include "mahlwerk/lammps/notices.hpp"
@@ -49,6 +50,9 @@ std::vector<Fault> faults(const cases::Case& c) {
   refuse(!has_body_force(mill), "mill.kind",
          fmt::format("a mill of kind \"{}\"", kinematics::name_of(mill)),
          "take one of the kinds " + known_motions());
+  refuse(geometry::as<geometry::Capsule>(jar) && kinematics::bounds(mill).spin > 0, "jar.kind",
+         "a jar of kind \"capsule\" that turns: its regions are a union, which cannot turn",
+         "take a cylinder");
   refuse(law != "hertz-mindlin" && law != "linear-spring", "contact.law",
          fmt::format("law = \"{}\"", law), "write law = \"hertz-mindlin\" or \"linear-spring\"");
   refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
