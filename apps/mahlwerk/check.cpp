@@ -86,9 +86,9 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   add(cases::jar_warnings(first), c.notes);
   add(cases::unusual_values(first), c.notes);
   add(cases::ignored_keys(first, choice.engine), c.notes);
-  if (choice.engine == cases::EngineName::soft) {
+  if (cases::in_time_steps(choice.engine)) {
     const campaign::SoftSettings s = campaign::soft_settings(decided);
-    c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine"});
+    c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine, and in LAMMPS"});
     c.follows.push_back(
         {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (dem.28)"});
     c.follows.push_back(

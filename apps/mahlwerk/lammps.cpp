@@ -78,8 +78,7 @@ void check_lammps(const Request& request, const std::vector<cases::Case>& cases,
   }
   for (const std::string& option : request.slurm_options)
     refuse_control("--slurm-option " + option, option);
-  if (const fs::path begun = begun_below(root);
-      !begun.empty() && !request.resume && !request.force)
+  if (const fs::path begun = begun_below(root); !begun.empty() && !request.resume && !request.force)
     refuse(begun.string(), "LAMMPS has begun a run in this folder",
            "give --resume to go on with it or read its results, --force to begin again, or another "
            "--out");
@@ -96,11 +95,11 @@ void check_lammps(const Request& request, const std::vector<cases::Case>& cases,
 int write_for_lammps(const Request& request, const std::vector<cases::Case>& cases,
                      const fs::path& root) {
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const lammps::Launch launch{.folder = cases.size() > 1 ? root / fmt::format("point-{}", i + 1)
-                                                           : root,
-                                .ranks = std::max(1, request.ranks)};
-    for (const fs::path& folder : campaign::write_lammps_folders(
-             cases[i], launch, request.slurm_job, request.slurm_options))
+    const lammps::Launch launch{
+        .folder = cases.size() > 1 ? root / fmt::format("point-{}", i + 1) : root,
+        .ranks = std::max(1, request.ranks)};
+    for (const fs::path& folder :
+         campaign::write_lammps_folders(cases[i], launch, request.slurm_job, request.slurm_options))
       if (!request.quiet)
         to_stdout(fmt::format(
             "written:  {}\nto run:   cd {} && {}\n", folder.string(), shell_word(folder.string()),

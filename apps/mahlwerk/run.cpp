@@ -187,7 +187,8 @@ int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));
-  if (writes_only(request)) return write_for_lammps(request, plain_cases(plain), lammps_root(plain));
+  if (writes_only(request))
+    return write_for_lammps(request, plain_cases(plain), lammps_root(plain));
   int worst = plain.empty() ? success : run_cases(request, plain);
   for (const RunJob& job : campaigns) {
     if (worst == interrupted) break;

@@ -6,13 +6,13 @@ import pathlib
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
 THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "charge", "statistics", "observe",
-          "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
+          "lammps", "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {
     "Start": ["install", "tutorial/index"],
     "How-to": ["howto/*"],
-    "Use": ["cases", "cli", "formats", "campaigns", "papers", "examples/index"],
+    "Use": ["cases", "cli", "formats", "campaigns", "cluster", "papers", "examples/index"],
     "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
                   "warnings", "conventions", "glossary"],
     "Trust": ["limits", "validation", "verification", "performance", "publications/index"],

@@ -162,7 +162,7 @@ class Result:
 
     @property
     def engine(self) -> str:
-        """The engine that ran: "event" or "soft"."""
+        """The engine that ran: "event", "soft" or "lammps"."""
         return self.about["engine"]
 
     @property

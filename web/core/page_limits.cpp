@@ -24,6 +24,10 @@ std::vector<Fault> page_faults(const cases::Case& mill_case) {
            fmt::format("the page computes at most {} {}, here are {}", most, what, given),
            "compute this case with the program", ""});
   };
+  if (mill_case.run.engine == cases::EngineName::lammps)
+    found.push_back({cases::location_of(mill_case, "run.engine"),
+                     "LAMMPS is a program of its own, which a page cannot start",
+                     "write engine = \"soft\", or compute this case with the program", "lammps"});
   limit("balls.1.count", cases::balls_count(mill_case.balls), most_balls, "balls");
   limit("run.replicates", mill_case.run.replicates, most_replicates, "replicates");
   return found;

@@ -16,8 +16,7 @@ namespace {
 /// LAMMPS's damping coefficient for an input e.
 double alpha_of(double e) {
   return 1.2728 +
-         e * (-4.2783 +
-              e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
+         e * (-4.2783 + e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
 }
 
 /// A friction that is never reached, for pairs without sliding.
@@ -65,7 +64,8 @@ double tsuji_input(double alpha) {
 }
 
 std::string contact_terms(const contact::ContactModel& model, const contact::EffectivePair& pair) {
-  const auto* linear = std::get_if<contact::LinearSpring>(&static_cast<const contact::Laws&>(*model.law));
+  const auto* linear =
+      std::get_if<contact::LinearSpring>(&static_cast<const contact::Laws&>(*model.law));
   const Springs s = linear ? springs(*linear, pair) : springs(contact::HertzMindlin{}, pair);
   return fmt::format("{} {:.12g} tangential {} {:.12g} {:.12g}{} damping tsuji", s.normal,
                      tsuji_input(s.alpha), s.tangential, s.damping_ratio,

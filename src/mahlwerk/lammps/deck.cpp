@@ -45,15 +45,16 @@ std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& types
     for (std::size_t b = a; b < types.size(); ++b)
       text += fmt::format(
           "pair_coeff {} {} granular {}\n", a + 1, b + 1,
-          contact_terms(c.contact.model, pair_of(table.balls(types[a].kind, types[b].kind),
-                                                 types[a], types[b])));
+          contact_terms(c.contact.model,
+                        pair_of(table.balls(types[a].kind, types[b].kind), types[a], types[b])));
   text += "pair_coeff * * tracker\n";
   for (std::size_t a = 0; a < types.size(); ++a)  // the wall is the same on all faces (faults)
     text += fmt::format(
         "group type{0} type {0}\n"
         "fix wall{0} type{0} wall/gran/region granular {1} region jar\n",
-        a + 1, contact_terms(c.contact.model,
-                             {table.wall(types[a].kind, 0), types[a].radius, types[a].mass()}));
+        a + 1,
+        contact_terms(c.contact.model,
+                      {table.wall(types[a].kind, 0), types[a].radius, types[a].mass()}));
   return text;
 }
 
@@ -79,19 +80,33 @@ std::string wall_samples(const scene::Chamber& chamber, const std::vector<scene:
 
 std::string measurements(const scene::Chamber& chamber, const std::vector<scene::Ball>& types,
                          const Steps& steps) {
-  return power_commands(chamber) + fmt::format(
-      "compute motion all ke\ncompute spins all erotate/sphere\n"
-      "fix power all ave/time {1} {2} {0} v_wall_power v_body_power\n"
-      "fix balance all print {0} \"$(step) $(c_motion) $(c_spins) $(xcm(all,x)) $(xcm(all,y)) "
-      "$(xcm(all,z)) $(vcm(all,x)) $(vcm(all,y)) $(vcm(all,z)) $(f_power[1]) $(f_power[2])\" file "
-      "balance.${{session}}.txt screen no title \"\"\n"
-      "dump contacts all local {0} contacts.${{session}}.txt f_contacts[*]\n"
-      "dump_modify contacts format float %.12g\n"
-      "dump balls all custom {3} balls.${{session}}.txt id x y z vx vy vz omegax omegay omegaz\n"
-      "dump_modify balls format float %.10g\n",
-      steps.row, steps.power, steps.row / steps.power, steps.frame) + wall_samples(chamber, types, steps) +
-      fmt::format("thermo_style custom step atoms c_motion c_spins cpu\n"
-                  "thermo_modify lost error norm no\nthermo {}\n", steps.row);
+  return power_commands(chamber) +
+         fmt::format(
+             "compute motion all ke\ncompute spins all erotate/sphere\n"
+             "fix power all ave/time {1} {2} {0} v_wall_power v_body_power\n"
+             "fix balance all print {0} \"$(step) $(c_motion) $(c_spins) $(xcm(all,x)) "
+             "$(xcm(all,y)) "
+             "$(xcm(all,z)) $(vcm(all,x)) $(vcm(all,y)) $(vcm(all,z)) $(f_power[1]) "
+             "$(f_power[2])\" file "
+             "balance.${{session}}.txt screen no title \"\"\n"
+             "dump contacts all local {0} contacts.${{session}}.txt f_contacts[*]\n"
+             "dump_modify contacts format float %.12g\n"
+             "dump balls all custom {3} balls.${{session}}.txt id x y z vx vy vz omegax omegay "
+             "omegaz\n"
+             "dump_modify balls format float %.10g\n",
+             steps.row, steps.power, steps.row / steps.power, steps.frame) +
+         wall_samples(chamber, types, steps) +
+         fmt::format(
+             "thermo_style custom step atoms c_motion c_spins cpu\n"
+             "thermo_modify lost error norm no\nthermo {}\n",
+             steps.row);
+}
+
+/// Few domains are slices along the jar's axis, which share the bed evenly.
+std::string processors(const scene::Chamber& chamber, int ranks) {
+  constexpr int few = 8;
+  if (ranks > few) return "";
+  return fmt::format("processors {}\n", is_lying(chamber) ? "* 1 1" : "1 1 *");
 }
 
 }  // namespace
@@ -148,28 +163,30 @@ Steps steps_of(const cases::Case& c, double time, double counted, double time_st
 }
 
 std::string script(const cases::Case& c, const scene::Chamber& chamber,
-                   const std::vector<scene::Ball>& balls, const Steps& steps) {
+                   const std::vector<scene::Ball>& balls, const Steps& steps, int ranks) {
   const std::vector<scene::Ball> types = one_of_each_type(balls);
   return "# A case of Mahlwerk in the jar frame; README.md says how to run it.\n"
          "variable from index none\nvariable session index 0\n"
-         "units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n"
+         "units si\natom_style sphere\nboundary f f f\nnewton off\ncomm_modify vel yes\n" +
+         processors(chamber, ranks) +
          "if \"${session} == 0\" then \"read_data balls.data\" else \"read_restart ${from}\"\n" +
          fmt::format("timestep {:.15g}\n", steps.time_step) + neighbours(types) +
          jar_commands(chamber, steps.time_step) + contacts(c, types, steps) +
          "fix motion all nve/sphere\n" +
          "fix balance_load all balance 1000 1.1 shift xyz 10 1.05\n" +
          measurements(chamber, types, steps) +
-         fmt::format("print \"$(step)\" file from.${{session}}.txt screen no\n"
-                     "restart {0} restart.a restart.b\nrun {1} upto\nwrite_restart restart.end\n",
-                     steps.restart, steps.total);
+         fmt::format(
+             "print \"$(step)\" file from.${{session}}.txt screen no\n"
+             "restart {0} restart.a restart.b\nrun {1} upto\nwrite_restart restart.end\n",
+             steps.restart, steps.total);
 }
 
 std::string ball_file(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls) {
   const double reach = 1.1 * geometry::reach(*chamber.shape);
   const std::vector<int> types = types_of(balls);
-  std::string text = fmt::format(
-      "balls of a case of Mahlwerk, in the jar frame\n\n{} atoms\n{} atom types\n\n", balls.size(),
-      std::ranges::max(types) + 1);
+  std::string text =
+      fmt::format("balls of a case of Mahlwerk, in the jar frame\n\n{} atoms\n{} atom types\n\n",
+                  balls.size(), std::ranges::max(types) + 1);
   for (const char axis : {'x', 'y', 'z'})
     text += fmt::format("{:.15g} {:.15g} {}lo {}hi\n", -reach, reach, axis, axis);
   text += "\nAtoms # sphere\n\n";

@@ -16,12 +16,12 @@ namespace mahlwerk::lammps {
 
 /// Time stepping of a run, and how often LAMMPS writes. All are numbers of steps.
 struct Steps {
-  double time_step = 0;         ///< [s]
-  std::int64_t power = 1;       ///< between two samples of the power
-  std::int64_t row = 1;         ///< between two lines of the balance, and of contacts that ended
-  std::int64_t frame = 1;       ///< between two frames of all balls
-  std::int64_t wall = 1;        ///< between two looks for new contacts with the jar
-  std::int64_t restart = 1;     ///< between two restart files
+  double time_step = 0;      ///< [s]
+  std::int64_t power = 1;    ///< between two samples of the power
+  std::int64_t row = 1;      ///< between two lines of the balance, and of contacts that ended
+  std::int64_t frame = 1;    ///< between two frames of all balls
+  std::int64_t wall = 1;     ///< between two looks for new contacts with the jar
+  std::int64_t restart = 1;  ///< between two restart files
   std::int64_t total = 0;
 
   /// Whether frames are frequent enough to show contacts with the jar.
@@ -29,8 +29,8 @@ struct Steps {
   double frame_time() const { return static_cast<double>(frame) * time_step; }  // [s]
 };
 
-/// Steps of a run of `time` [s] of `balls` balls in steps of `time_step` [s], of which `counted` [s]
-/// count. `contact` [s] is the shortest collision.
+/// Steps of a run of `time` [s] of `balls` balls in steps of `time_step` [s], of which `counted`
+/// [s] count. `contact` [s] is the shortest collision.
 Steps steps_of(const cases::Case& mill_case, double time, double counted, double time_step,
                double contact);
 
@@ -44,9 +44,9 @@ std::vector<int> types_of(const std::vector<scene::Ball>& balls);
 std::vector<scene::Ball> one_of_each_type(const std::vector<scene::Ball>& balls);
 
 /// The input script: `lmp -in in.lammps` begins the run, and with `-var from restart.a -var session
-/// 1` goes on with it. The case must have no faults().
+/// 1` goes on with it. `ranks` decides on the domains. The case must have no faults().
 std::string script(const cases::Case& mill_case, const scene::Chamber& chamber,
-                   const std::vector<scene::Ball>& balls, const Steps& steps);
+                   const std::vector<scene::Ball>& balls, const Steps& steps, int ranks);
 /// The balls at the start, in the jar frame, as a data file.
 std::string ball_file(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls);
 

@@ -3,7 +3,6 @@
 #include "mahlwerk/lammps/engine.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -52,14 +51,18 @@ class Place {
 
 /// Columns of balance.N.txt.
 struct Balance {
-  double kinetic = 0;      // [J] in the jar frame, of translation
-  double turning = 0;      // [J] of rotation
-  Vec3 centre, velocity;   // [m], [m/s] of the charge's centre of mass in the jar frame
+  double kinetic = 0;     // [J] in the jar frame, of translation
+  double turning = 0;     // [J] of rotation
+  Vec3 centre, velocity;  // [m], [m/s] of the charge's centre of mass in the jar frame
   double wall_power = 0, body_power = 0;  // [W] means over the row
   static constexpr std::size_t columns = 11;
   explicit Balance(const double* v)
-      : kinetic(v[1]), turning(v[2]), centre{v[3], v[4], v[5]}, velocity{v[6], v[7], v[8]},
-        wall_power(v[9]), body_power(v[10]) {}
+      : kinetic(v[1]),
+        turning(v[2]),
+        centre{v[3], v[4], v[5]},
+        velocity{v[6], v[7], v[8]},
+        wall_power(v[9]),
+        body_power(v[10]) {}
 };
 
 Vec3 vector_at(const double* v) {
@@ -123,7 +126,8 @@ class Engine final : public scene::Engine {
     std::ifstream file(place_.path() / "case.toml");
     const std::string kept(std::istreambuf_iterator<char>(file), {});
     if (!kept.empty() && kept != cases::write(mill_case))
-      throw InputError(Fault{place_.path().string(), "the folder is that of another case, or of other values",
+      throw InputError(Fault{place_.path().string(),
+                             "the folder is that of another case, or of other values",
                              "give the options of the run that is to be resumed, or begin again "
                              "without --resume",
                              "bad-checkpoint"});
@@ -136,8 +140,8 @@ class Engine final : public scene::Engine {
     std::vector<std::string> words{lmp.command};
     if (launch.ranks > 1) words = {"mpirun", "-np", std::to_string(launch.ranks), lmp.command};
     if (launch.ranks > 1 && ::geteuid() == 0)  // Open MPI asks root twice
-      words.insert(words.begin(), {"env", "OMPI_ALLOW_RUN_AS_ROOT=1",
-                                   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+      words.insert(words.begin(),
+                   {"env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
     for (const char* word : {"-in", "in.lammps", "-screen", "none"}) words.emplace_back(word);
     if (!resumes) {
       running_ = std::make_unique<Running>(place_.path(), words);
@@ -147,9 +151,9 @@ class Engine final : public scene::Engine {
     for (const fs::path& file : kept) {
       const std::size_t before = sessions(place_.path()).size();
       std::vector<std::string> more = words;
-      for (const std::string& word : {std::string("-var"), std::string("from"), file.filename().string(),
-                                      std::string("-var"), std::string("session"),
-                                      std::to_string(before)})
+      for (const std::string& word :
+           {std::string("-var"), std::string("from"), file.filename().string(), std::string("-var"),
+            std::string("session"), std::to_string(before)})
         more.push_back(word);
       running_ = std::make_unique<Running>(place_.path(), more);
       while (sessions(place_.path()).size() == before && !running_->ended() && !stopped())
@@ -178,12 +182,13 @@ class Engine final : public scene::Engine {
 
   [[noreturn]] void end_early() const {
     const std::string error = last_error(place_.path());
-    throw RunError(fmt::format("LAMMPS stopped at {:.6g} s{}. Its messages are in {}", reached_.time,
-                               error.empty() ? "" : ": " + error,
+    throw RunError(fmt::format("LAMMPS stopped at {:.6g} s{}. Its messages are in {}",
+                               reached_.time, error.empty() ? "" : ": " + error,
                                (place_.path() / "log.lammps").string()));
   }
 
-  /// Takes over what LAMMPS wrote up to the next line of the balance. False if that is not complete.
+  /// Takes over what LAMMPS wrote up to the next line of the balance. False if that is not
+  /// complete.
   bool read_row(scene::Observer& observer) {
     if (next_step_ == 0) {
       const Rows* row = balance_.next(sessions_, INT64_MAX);
@@ -231,7 +236,8 @@ class Engine final : public scene::Engine {
 
   std::size_t ball_of(double id) const {
     if (!(id >= 1 && id <= static_cast<double>(balls_.size())))
-      throw RunError(fmt::format("LAMMPS wrote of a ball {:.6g}, which the case does not have", id));
+      throw RunError(
+          fmt::format("LAMMPS wrote of a ball {:.6g}, which the case does not have", id));
     return static_cast<std::size_t>(id) - 1;
   }
 
@@ -247,8 +253,10 @@ class Engine final : public scene::Engine {
     for (; walls_read_ < at_wall_.size(); ++walls_read_) {
       const Rows* rows = at_wall_[walls_read_].next(sessions_, wall_step_ + steps_.wall);
       if (rows == nullptr) return false;
-      if (rows->step <= wall_step_) --walls_read_;  // of the start
-      else read_wall(*rows);
+      if (rows->step <= wall_step_)
+        --walls_read_;  // of the start
+      else
+        read_wall(*rows);
     }
     walls_read_ = 0;
     wall_step_ += steps_.wall;
@@ -270,8 +278,8 @@ class Engine final : public scene::Engine {
   /// and a contact from before it keeps the time of its own session.
   std::pair<std::int64_t, std::int64_t> steps_of_contact(const double* row,
                                                          std::int64_t ended_by) const {
-    auto session = std::ranges::find_if(
-        sessions_, [&](const Session& s) { return ended_by <= s.last; });
+    auto session =
+        std::ranges::find_if(sessions_, [&](const Session& s) { return ended_by <= s.last; });
     const std::int64_t start = session->first,
                        ended = start + std::llround(row[3] / steps_.time_step),
                        began = std::llround(row[2] / steps_.time_step);
@@ -340,14 +348,14 @@ class Engine final : public scene::Engine {
   std::vector<Session> sessions_;
   std::unique_ptr<Running> running_;
 
-  std::int64_t next_step_ = 0;      // of a line of the balance whose row is not complete
+  std::int64_t next_step_ = 0;  // of a line of the balance whose row is not complete
   std::vector<double> next_row_;
   std::int64_t frame_step_ = 0, contact_step_ = 0, wall_step_ = 0;
   std::size_t walls_read_ = 0;  // files of this look
   std::vector<scene::Collision> found_;
 
-  double mass_ = 0;        // of all balls
-  Vec3 centre_, velocity_;  // of the charge, in the jar frame
+  double mass_ = 0;          // of all balls
+  Vec3 centre_, velocity_;   // of the charge, in the jar frame
   double in_jar_frame_ = 0;  // kinetic and potential energy
   double lost_ = 0;          // of all kinds
   scene::EnergyBalance reached_;

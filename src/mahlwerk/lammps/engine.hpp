@@ -21,13 +21,15 @@ void write_folder(const std::filesystem::path& folder, const cases::Case& mill_c
                   const scene::Chamber& chamber, const std::vector<scene::Ball>& balls,
                   const Steps& steps, int ranks);
 
-/// The job script of Slurm for such a folder, to be submitted in it; with more lines of #SBATCH.
-std::string slurm_script(int ranks, const std::vector<std::string>& options);
+/// Adds job.slurm to such a folder, a job script of Slurm to be submitted there; with more lines of
+/// #SBATCH.
+void write_slurm_script(const std::filesystem::path& folder, int ranks,
+                        const std::vector<std::string>& options);
 
-/// A run by LAMMPS as an engine: its process computes ahead, and advance() hands over the collisions
-/// of what it has written, in rows of several steps; so a run goes on to the end of the row in which
-/// the time lies. Throws InputError if LAMMPS is missing or lacks a package, RunError where it
-/// stops.
+/// A run by LAMMPS as an engine: its process computes ahead, and advance() hands over the
+/// collisions of what it has written, in rows of several steps; so a run goes on to the end of the
+/// row in which the time lies. Throws InputError if LAMMPS is missing or lacks a package, RunError
+/// where it stops.
 std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case,
                                            const scene::Chamber& chamber,
                                            const std::vector<scene::Ball>& balls,

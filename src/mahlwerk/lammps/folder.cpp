@@ -41,7 +41,8 @@ std::string readme(const cases::Case& c, const Steps& s, std::size_t balls, int 
   return fmt::format(
       "# {0}\n\n"
       "A run of Mahlwerk for LAMMPS (29 Sep 2021 or later, with the packages GRANULAR and MISC):\n"
-      "{1} balls, {2} steps of {3:.6g} s. Axes are those of the laboratory, with the origin at the\n"
+      "{1} balls, {2} steps of {3:.6g} s. Axes are those of the laboratory, with the origin at "
+      "the\n"
       "jar's centre. SI units.\n\n"
       "Begin, in this folder:\n\n"
       "    mpirun -np {4} lmp -in in.lammps\n\n"
@@ -49,7 +50,8 @@ std::string readme(const cases::Case& c, const Steps& s, std::size_t balls, int 
       "sessions 1, 2, ...:\n\n"
       "    mpirun -np {4} lmp -in in.lammps -var from restart.a -var session 1\n\n"
       "Results: copy this folder back to where it was written, and give the command that wrote it\n"
-      "again, with --resume instead of --write-only or --slurm. It goes on with an unfinished run.\n\n"
+      "again, with --resume instead of --write-only or --slurm. It goes on with an unfinished "
+      "run.\n\n"
       "| file | content |\n|---|---|\n"
       "| in.lammps, balls.data | input script; balls at the start |\n"
       "| case.toml | the case of Mahlwerk |\n"
@@ -69,27 +71,29 @@ void write_folder(const fs::path& folder, const cases::Case& mill_case,
   write(folder / "balls.data", ball_file(chamber, balls));
   write(folder / "case.toml", cases::write(mill_case));
   write(folder / "README.md", readme(mill_case, steps, balls.size(), ranks));
-  write(folder / "in.lammps", script(mill_case, chamber, balls, steps));
+  write(folder / "in.lammps", script(mill_case, chamber, balls, steps, ranks));
 }
 
-std::string slurm_script(int ranks, const std::vector<std::string>& options) {
+void write_slurm_script(const fs::path& folder, int ranks,
+                        const std::vector<std::string>& options) {
   std::string more;
   for (const std::string& option : options)
     more += fmt::format("#SBATCH {}{}\n", option.starts_with("-") ? "" : "--", option);
-  return fmt::format(
-      "#!/bin/bash\n"
-      "# A run of Mahlwerk by LAMMPS. Submitted again, it goes on from its newest restart file.\n"
-      "#SBATCH --job-name=mahlwerk-lammps\n"
-      "#SBATCH --ntasks={}\n"
-      "#SBATCH --output=slurm-%j.out\n"
-      "{}"
-      "cd \"${{SLURM_SUBMIT_DIR:-.}}\" || exit 1\n"
-      "session=$(ls from.*.txt 2>/dev/null | wc -l)\n"
-      "newest=$(ls -t restart.a restart.b 2>/dev/null | head -n 1)\n"
-      "from=()\n"
-      "[ -n \"$newest\" ] && from=(-var from \"$newest\" -var session \"$session\")\n"
-      "[ -e restart.end ] || srun lmp -in in.lammps -screen none \"${{from[@]}}\"\n",
-      ranks, more);
+  write(folder / "job.slurm",
+        fmt::format("#!/bin/bash\n"
+                    "# A run of Mahlwerk by LAMMPS. Submitted again, it goes on from its newest "
+                    "restart file.\n"
+                    "#SBATCH --job-name=mahlwerk-lammps\n"
+                    "#SBATCH --ntasks={}\n"
+                    "#SBATCH --output=slurm-%j.out\n"
+                    "{}"
+                    "cd \"${{SLURM_SUBMIT_DIR:-.}}\" || exit 1\n"
+                    "session=$(ls from.*.txt 2>/dev/null | wc -l)\n"
+                    "newest=$(ls -t restart.a restart.b 2>/dev/null | head -n 1)\n"
+                    "from=()\n"
+                    "[ -n \"$newest\" ] && from=(-var from \"$newest\" -var session \"$session\")\n"
+                    "[ -e restart.end ] || srun lmp -in in.lammps -screen none \"${{from[@]}}\"\n",
+                    ranks, more));
 }
 
 }  // namespace mahlwerk::lammps

@@ -34,17 +34,17 @@ void set_losses(scene::Collision& c, const Impact& impact) {
   const double e = impact.restitution();
   c.impulse = c.mass * c.approach * (1 + e);
   c.lost_normal = 0.5 * c.mass * c.approach * c.approach * (1 - e * e);
-  const double left =
-      std::max(0.0, c.slip - std::min(impact.friction(), 1e6) * (1 + e) * c.approach / sliding_mass);
+  const double left = std::max(
+      0.0, c.slip - std::min(impact.friction(), 1e6) * (1 + e) * c.approach / sliding_mass);
   c.lost_tangential = 0.5 * sliding_mass * c.mass * (c.slip * c.slip - left * left);
 }
 
 TouchSpeeds touch_speeds(const Impact::Found& hit, double rate, const Vec3& normal,
                          const Vec3& centres, const Vec3& surfaces, double friction) {
-  return {hit.speed,
-          slip_at_touch(norm(tangential_part(surfaces, normal)), hit.speed - rate, hit.speed,
-                        friction),
-          norm(tangential_part(centres, normal))};
+  return {
+      hit.speed,
+      slip_at_touch(norm(tangential_part(surfaces, normal)), hit.speed - rate, hit.speed, friction),
+      norm(tangential_part(centres, normal))};
 }
 
 std::uint64_t pair_key(std::int32_t one, std::int32_t other) {
@@ -62,9 +62,9 @@ bool is_lasting(double duration, const Impact& impact, double approach) {
 
 int SeenContacts::class_of(double strength) {
   constexpr double least = 1e-6;
-  return std::clamp(static_cast<int>(2 * math::log(std::max(strength, least) / least) /
-                                     math::log(2.0)),
-                    0, classes - 1);
+  return std::clamp(
+      static_cast<int>(2 * math::log(std::max(strength, least) / least) / math::log(2.0)), 0,
+      classes - 1);
 }
 
 void SeenContacts::add(std::pair<int, int> types, double strength, bool brief,
@@ -111,7 +111,8 @@ double Hits::soon(double duration) const {
 }
 
 std::pair<int, int> Hits::types_of_pair(std::int32_t one, std::int32_t other) const {
-  return std::minmax(types_[static_cast<std::size_t>(one)], types_[static_cast<std::size_t>(other)]);
+  return std::minmax(types_[static_cast<std::size_t>(one)],
+                     types_[static_cast<std::size_t>(other)]);
 }
 
 const Impact& Hits::impact_of_balls(std::int32_t one, std::int32_t other) {
@@ -233,7 +234,8 @@ bool Hits::look_at_pair(const scene::Ball& a, const scene::Ball& b, std::int32_t
   const Impact& impact = impact_of_balls(one, other);
   const Impact::Found hit = impact.found(reach - distance, rate);
   if (hit.since > soon(hit.lasts)) return true;
-  const Vec3 surface = relative + cross(a.spin, a.radius * normal) + cross(b.spin, b.radius * normal);
+  const Vec3 surface =
+      relative + cross(a.spin, a.radius * normal) + cross(b.spin, b.radius * normal);
   looked_at_[pair_key(one, other)].push_back(
       {step, touch_speeds(hit, rate, normal, relative, surface, impact.friction())});
   return true;
@@ -269,7 +271,8 @@ std::int64_t Hits::look(const std::vector<scene::Ball>& balls, std::int64_t step
       for (const int i : small->second)
         grid.for_each_near(at(i).position, [&](int j) {
           if ((small != large || j > i) && look_at_pair(at(i), at(j), i, j, step))
-            in_contact[static_cast<std::size_t>(i)] = in_contact[static_cast<std::size_t>(j)] = true;
+            in_contact[static_cast<std::size_t>(i)] = in_contact[static_cast<std::size_t>(j)] =
+                true;
           return true;
         });
   }

@@ -24,8 +24,8 @@ struct Spring {
   }
 };
 
-constexpr double step = 1e-3;    // a collision without damping takes about 3
-constexpr double longest = 50;   // of a collision that never ends, at e = 0
+constexpr double step = 1e-3;   // a collision without damping takes about 3
+constexpr double longest = 50;  // of a collision that never ends, at e = 0
 
 }  // namespace
 
@@ -35,8 +35,8 @@ Impact::Impact(const contact::AnyLaw& law, const contact::EffectivePair& pair)
   const double b = contact::damping_ratio(restitution_);
   const Spring spring{linear == nullptr, linear ? -2 * b : -std::sqrt(5.0) * b};
   exponent_ = linear ? 1 : 1.25;
-  frequency_ = std::sqrt((linear ? linear->stiffness_of(pair) : contact::hertz_stiffness(pair)) /
-                         mass_);
+  frequency_ =
+      std::sqrt((linear ? linear->stiffness_of(pair) : contact::hertz_stiffness(pair)) / mass_);
   double x = 0, v = 1;
   for (double time = step; time < longest; time += step) {
     const double v1 = v, a1 = spring.acceleration(x, v);

@@ -23,9 +23,9 @@ class Impact {
 
   /// A collision, found from one instant of it.
   struct Found {
-    double speed = 0;   ///< [m/s] at first touch
-    double since = 0;   ///< [s] since first touch
-    double lasts = 0;   ///< [s] whole collision
+    double speed = 0;  ///< [m/s] at first touch
+    double since = 0;  ///< [s] since first touch
+    double lasts = 0;  ///< [s] whole collision
   };
   /// From an overlap > 0 [m] and its rate [m/s], > 0 while the bodies approach (lmp.9).
   Found found(double overlap, double rate) const;
@@ -33,7 +33,7 @@ class Impact {
   /// [s] Duration of a collision at `speed` > 0 [m/s].
   double duration(double speed) const;
 
-  double mass() const { return mass_; }                ///< [kg] m*
+  double mass() const { return mass_; }  ///< [kg] m*
   double restitution() const { return restitution_; }
   double friction() const { return friction_; }
 

@@ -75,7 +75,8 @@ Motion motion_of(const kinematics::AnyMotion& motion) {
                                       fmt::format("{}*sin({})", size, turning(w)), ""};
   };
   if (const auto* m = kinematics::as<kinematics::Planetary>(motion))
-    return {turning(m->jar_spin()), "0 0 1", text(m->jar_spin()), circle(m->speed, m->orbit_radius)};
+    return {turning(m->jar_spin()), "0 0 1", text(m->jar_spin()),
+            circle(m->speed, m->orbit_radius)};
   if (const auto* m = kinematics::as<kinematics::Circular>(motion))
     return {"", "", "", circle(m->speed, m->radius)};
   if (const auto* m = kinematics::as<kinematics::Tumbling>(motion))
@@ -94,13 +95,9 @@ Motion motion_of(const kinematics::AnyMotion& motion) {
 
 }  // namespace
 
-namespace {
-
 bool is_lying(const scene::Chamber& chamber) {
   return dot(chamber.mount * Vec3{0, 0, 1}, Vec3{1, 0, 0}) > 0.5;
 }
-
-}  // namespace
 
 bool has_region(const geometry::AnyShape& shape) {
   return geometry::as<geometry::Cylinder>(shape) || geometry::as<geometry::Sphere>(shape) ||
@@ -111,9 +108,11 @@ std::string known_regions() {
 }
 
 bool has_body_force(const kinematics::AnyMotion& motion) {
-  return kinematics::as<kinematics::Still>(motion) || kinematics::as<kinematics::Vibration>(motion) ||
+  return kinematics::as<kinematics::Still>(motion) ||
+         kinematics::as<kinematics::Vibration>(motion) ||
          kinematics::as<kinematics::Planetary>(motion) ||
-         kinematics::as<kinematics::Tumbling>(motion) || kinematics::as<kinematics::Circular>(motion);
+         kinematics::as<kinematics::Tumbling>(motion) ||
+         kinematics::as<kinematics::Circular>(motion);
 }
 std::string known_motions() {
   return "still, vibration, planetary, tumbling and circular";
@@ -132,13 +131,14 @@ std::string jar_commands(const scene::Chamber& chamber, double time_step) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (motion.force[i].empty()) continue;
     const char name = "xyz"[i];
-    commands += fmt::format("variable force_{} equal {}\nfix force_{} all gravity v_force_{} vector {}\n",
-                            name, motion.force[i], name, name, axes[i]);
+    commands +=
+        fmt::format("variable force_{} equal {}\nfix force_{} all gravity v_force_{} vector {}\n",
+                    name, motion.force[i], name, name, axes[i]);
   }
   const Vec3& g = chamber.gravity;
   if (norm(g) > 0)
-    commands += fmt::format("fix gravity all gravity {} vector {} {} {}\n", text(norm(g)), text(g.x),
-                            text(g.y), text(g.z));
+    commands += fmt::format("fix gravity all gravity {} vector {} {} {}\n", text(norm(g)),
+                            text(g.x), text(g.y), text(g.z));
   return commands;
 }
 
@@ -211,10 +211,10 @@ std::string power_commands(const scene::Chamber& chamber) {
                        motion.angular_speed, "xyz"[a], "xyz"[b], field(a), field(b));
   }
   for (std::size_t i = 0; i < 3; ++i)
-    if (!motion.force[i].empty())
-      force += fmt::format("+v_force_{0}*vcm(all,{0})", "xyz"[i]);
-  return commands + fmt::format(
-      "variable wall_power equal {}\nvariable body_power equal mass(all)*({})\n", wall, force);
+    if (!motion.force[i].empty()) force += fmt::format("+v_force_{0}*vcm(all,{0})", "xyz"[i]);
+  return commands +
+         fmt::format("variable wall_power equal {}\nvariable body_power equal mass(all)*({})\n",
+                     wall, force);
 }
 
 }  // namespace mahlwerk::lammps

@@ -12,6 +12,9 @@
 // Jars as regions of LAMMPS, and mills as body forces and turning walls.
 namespace mahlwerk::lammps {
 
+/// Whether the jar's own z axis lies along x of the jar frame; else it is upright.
+bool is_lying(const scene::Chamber& chamber);
+
 bool has_region(const geometry::AnyShape& shape);
 /// The jars of has_region(), as words of a case.
 std::string known_regions();

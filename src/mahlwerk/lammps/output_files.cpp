@@ -139,8 +139,8 @@ const Rows* OutputFile::next(const std::vector<Session>& sessions, std::int64_t 
   while (session_ < sessions.size()) {
     const Session& session = sessions[session_];
     if (!file_)
-      file_ = std::make_unique<GrowingFile>(
-          folder_ / fmt::format("{}.{}.txt", name_, session.number));
+      file_ =
+          std::make_unique<GrowingFile>(folder_ / fmt::format("{}.{}.txt", name_, session.number));
     if (!waiting_) waiting_ = read();
     if (!waiting_ || rows_.step > session.last) {  // the end of this session's file
       if (session_ + 1 == sessions.size()) return nullptr;

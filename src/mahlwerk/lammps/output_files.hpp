@@ -19,8 +19,8 @@ namespace mahlwerk::lammps {
 /// process wrote after its last restart file is computed again.
 struct Session {
   int number = 0;
-  std::int64_t first = 0;                 ///< step at its start
-  std::int64_t last = INT64_MAX;          ///< step at which the next one starts
+  std::int64_t first = 0;         ///< step at its start
+  std::int64_t last = INT64_MAX;  ///< step at which the next one starts
 };
 /// The sessions of a folder, in order; none if LAMMPS has not begun.
 std::vector<Session> sessions(const std::filesystem::path& folder);
@@ -44,7 +44,7 @@ class GrowingFile {
   };
   std::filesystem::path path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::string text_;         // read, not yet given
+  std::string text_;  // read, not yet given
   std::size_t at_ = 0, mark_ = 0;
 };
 
@@ -66,8 +66,8 @@ class OutputFile {
   OutputFile(std::filesystem::path folder, std::string name, Kind kind, std::size_t columns)
       : folder_(std::move(folder)), name_(std::move(name)), kind_(kind), columns_(columns) {}
 
-  /// The next snapshot or line at a step of at most `until`, once it is complete; each step is given
-  /// once. Throws RunError if the file is damaged. The result is valid until the next call.
+  /// The next snapshot or line at a step of at most `until`, once it is complete; each step is
+  /// given once. Throws RunError if the file is damaged. The result is valid until the next call.
   const Rows* next(const std::vector<Session>& sessions, std::int64_t until);
 
  private:

@@ -79,11 +79,12 @@ Fault missing(std::string what, std::string remedy) {
   return {"run.engine = \"lammps\"", std::move(what), std::move(remedy), code};
 }
 
-const std::string install = "install it (Debian: apt install lammps), or name the program in the "
-                            "environment variable MAHLWERK_LAMMPS, or give --write-only";
+const std::string install =
+    "install it (Debian: apt install lammps), or name the program in the "
+    "environment variable MAHLWERK_LAMMPS, or give --write-only";
 
 /// The styles of an input script that not every LAMMPS has, with their packages.
-std::vector<Fault> lacking(const Installed& lmp, const std::string& help) {
+std::vector<Fault> missing_styles(const Installed& lmp, const std::string& help) {
   struct Style {
     const char *name, *package;
   };
@@ -97,10 +98,10 @@ std::vector<Fault> lacking(const Installed& lmp, const std::string& help) {
                             install));
   for (const Style& style : styles)
     if (!has_word(help, style.name))
-      found.push_back(missing(fmt::format("{} lacks the style {} of its package {}", lmp.command,
-                                          style.name, style.package),
-                              "take a LAMMPS that was built with the packages GRANULAR and MISC: " +
-                                  install));
+      found.push_back(
+          missing(fmt::format("{} lacks the style {} of its package {}", lmp.command, style.name,
+                              style.package),
+                  "take a LAMMPS that was built with the packages GRANULAR and MISC: " + install));
   return found;
 }
 
@@ -109,15 +110,16 @@ std::vector<Fault> lacking(const Installed& lmp, const std::string& help) {
 Installed installed(int ranks) {
   Installed lmp;
   const char* named = std::getenv("MAHLWERK_LAMMPS");
-  const std::vector<std::string> names =
-      named != nullptr ? std::vector<std::string>{named} : std::vector<std::string>{"lmp", "lmp_mpi"};
+  const std::vector<std::string> names = named != nullptr
+                                             ? std::vector<std::string>{named}
+                                             : std::vector<std::string>{"lmp", "lmp_mpi"};
   for (const std::string& name : names)
     if (lmp.command.empty() && on_path(name)) lmp.command = name;
   if (lmp.command.empty()) {
-    lmp.faults.push_back(
-        missing(named != nullptr ? fmt::format("MAHLWERK_LAMMPS names {}, which is no program", named)
-                                 : "LAMMPS is not installed: there is no program lmp or lmp_mpi",
-                install));
+    lmp.faults.push_back(missing(
+        named != nullptr ? fmt::format("MAHLWERK_LAMMPS names {}, which is no program", named)
+                         : "LAMMPS is not installed: there is no program lmp or lmp_mpi",
+        install));
     return lmp;
   }
   const std::string help = help_of(lmp.command);
@@ -126,14 +128,16 @@ Installed installed(int ranks) {
     lmp.version = help.substr(at + before.size(), help.find('\n', at) - at - before.size());
     lmp.version = lmp.version.substr(0, lmp.version.find(" - "));
   }
-  lmp.faults = lacking(lmp, help);
+  lmp.faults = missing_styles(lmp, help);
   if (ranks > 1 && !on_path("mpirun"))
-    lmp.faults.push_back(missing("there is no program mpirun, which starts several ranks",
-                                 "install it (Debian: apt install openmpi-bin), or give --ranks 1"));
+    lmp.faults.push_back(
+        missing("there is no program mpirun, which starts several ranks",
+                "install it (Debian: apt install openmpi-bin), or give --ranks 1"));
   return lmp;
 }
 
-Running::Running(const fs::path& folder, std::vector<std::string> words) {
+Running::Running(const fs::path& folder, const std::vector<std::string>& given) {
+  std::vector<std::string> words = given;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);

@@ -13,9 +13,9 @@ namespace mahlwerk::lammps {
 
 /// The LAMMPS of this machine, and what it cannot do.
 struct Installed {
-  std::string command;           ///< "lmp"
-  std::string version;           ///< "29 Sep 2021"
-  std::vector<Fault> faults;     ///< what is missing, and how to install it; empty if nothing is
+  std::string command;        ///< "lmp"
+  std::string version;        ///< "29 Sep 2021"
+  std::vector<Fault> faults;  ///< what is missing, and how to install it; empty if nothing is
 };
 /// Looks for `lmp` or `lmp_mpi` on the search path, or the program that the environment variable
 /// MAHLWERK_LAMMPS names, and for `mpirun` if there is more than one rank.
@@ -25,14 +25,14 @@ Installed installed(int ranks);
 class Running {
  public:
   /// Starts `words` in `folder`, with its output in the file screen.txt there. Throws RunError.
-  Running(const std::filesystem::path& folder, std::vector<std::string> words);
+  Running(const std::filesystem::path& folder, const std::vector<std::string>& words);
   ~Running() { stop(); }
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  bool ended();     ///< whether it has ended by itself
+  bool ended();  ///< whether it has ended by itself
   bool succeeded() const { return status_ == 0; }
-  void stop();      ///< ends it and all its ranks, and waits
+  void stop();  ///< ends it and all its ranks, and waits
 
  private:
   int child_ = -1, status_ = -1;

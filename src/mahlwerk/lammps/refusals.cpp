@@ -65,19 +65,19 @@ std::vector<Fault> faults(const cases::Case& c) {
 }
 
 Notices notices(const cases::Case& c) {
-  Notices list{note(
-      "lammps",
-          "Computed by LAMMPS. How its numbers were got: power from the torque of the wall "
-          "and the body force; dissipated power from the balance of energy; approach speed of two "
-          "balls from the largest overlap of their contact, with the contact law (lmp.8), and its "
-          "sliding speed from contacts of the same speed in the frames; collisions with the jar "
-          "from samples of all contacts, one in a shortest collision (lmp.9). Contacts that other "
-          "bodies press together read as other speeds.")};
+  Notices list{
+      note("lammps",
+           "Computed by LAMMPS. How its numbers were got: power from the torque of the wall "
+           "and the body force; dissipated power from the balance of energy; approach speed of two "
+           "balls from the largest overlap of their contact, with the contact law (lmp.8), and its "
+           "sliding speed from contacts of the same speed in the frames; collisions with the jar "
+           "from samples of all contacts, one in a shortest collision (lmp.9). Contacts that other "
+           "bodies press together read as other speeds.")};
   if (resists_rolling(c))
-    list.push_back(note(
-        "lammps-rolling",
-        "Rolling resistance in LAMMPS is a spring with a slider of constant torque, rolling = "
-        "\"epsd\" without its damper; its spring is that of a contact at 1 m/s."));
+    list.push_back(
+        note("lammps-rolling",
+             "Rolling resistance in LAMMPS is a spring with a slider of constant torque, rolling = "
+             "\"epsd\" without its damper; its spring is that of a contact at 1 m/s."));
   if (!c.contact.model.curved_walls)
     list.push_back(note("lammps-walls",
                         "Walls of LAMMPS include the wall's curvature in the radius of contact, as "

@@ -36,7 +36,8 @@ TEST(Hits, a_contact_with_the_jar_is_a_record_when_it_ends) {
   const scene::Collision& c = found.front();
   tests::states("approach", c.approach, 2, 1e-3, "lmp.9");
   tests::states("glide", c.glide, 0.5, 1e-12, "speed along the wall");
-  tests::states("duration", c.duration, 30 * dt, 1e-3 * 30 * dt + 1e-6, "steps between, and the age at the first look");
+  tests::states("duration", c.duration, 30 * dt, 1e-3 * 30 * dt + 1e-6,
+                "steps between, and the age at the first look");
   tests::states("normal", c.normal.x, 1, 1e-12, "towards the wall");
   EXPECT_EQ(c.ball, 0);
   EXPECT_LT(c.other, 0);
@@ -53,16 +54,20 @@ TEST(Hits, two_balls_have_the_speed_that_a_look_shows) {
   now[1].position = now[0].position + Vec3{reach - 2e-6, 0, 0};  // one step of 2 m/s
   EXPECT_EQ(box.hits.look(now, 101), 2);
   const auto strongest = [&](double overlap) {
-    return Hits::BallContact{.one = 1, .other = 0, .began = 100, .ended = 140,
-                             .distance = reach - overlap, .middle = {}};
+    return Hits::BallContact{.one = 1,
+                             .other = 0,
+                             .began = 100,
+                             .ended = 140,
+                             .distance = reach - overlap,
+                             .middle = {}};
   };
   const scene::Collision c = box.hits.between_balls(strongest(1e-4));  // pressed by others later
   tests::states("approach", c.approach, 2, 4e-3, "lmp.10");
   tests::states("sliding of the centres", c.glide, 0.3, 1e-12, "lmp.10");
   // The next contact was not seen: it gets the speeds of the one that was, as it is alike.
   const scene::Collision alike = box.hits.between_balls(strongest(1.01e-4));
-  tests::states("approach of one like it", alike.approach, c.approach * std::pow(1.01, 1.25),
-                1e-3, "lmp.10");
+  tests::states("approach of one like it", alike.approach, c.approach * std::pow(1.01, 1.25), 1e-3,
+                "lmp.10");
 }
 
 TEST(SeenContacts, many_unseen_contacts_get_the_distribution_of_the_seen_ones) {

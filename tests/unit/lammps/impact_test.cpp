@@ -27,7 +27,8 @@ Plain plain_collision(const L& law, const contact::EffectivePair& t, double spee
   Plain made;
   double x = 0, v = speed;
   for (int i = 0; i < 2'000'000; ++i) {
-    if (x > 0) v -= step * L::evaluate(k.data(), static_cast<double*>(nullptr), x, v).force / t.mass;
+    if (x > 0)
+      v -= step * L::evaluate(k.data(), static_cast<double*>(nullptr), x, v).force / t.mass;
     x += step * v;
     if (x <= 0) break;
     made.deepest = std::max(made.deepest, x);
@@ -47,7 +48,8 @@ void finds_the_speed_of(const L& law, double e, double speed) {
   // Steps of 1/200 000 of a collision, and the curve's of 1/3000: errors of their size.
   tests::states(what + "speed from the deepest overlap", impact.speed_of_largest(plain.deepest),
                 speed, 1e-3 * speed, "lmp.8");
-  tests::states(what + "duration", impact.duration(speed), plain.lasts, 2e-3 * plain.lasts, "lmp.9");
+  tests::states(what + "duration", impact.duration(speed), plain.lasts, 2e-3 * plain.lasts,
+                "lmp.9");
   double worst = 0, late = 0;
   for (const Plain::Instant& at : plain.instants) {
     if (at.time > 0.9 * plain.lasts) break;  // the force nearly vanishes there
@@ -100,7 +102,9 @@ TEST(Impact, contacts_without_rebound_have_a_speed_too) {
 
 TEST(ContactTerms, lammps_is_given_the_restitution_that_makes_the_damping_right) {
   // Found by hand for the decks of shared/peers: 0.2066 gives 0.35, 0.36665 gives 0.5.
-  const auto input = [](double e) { return tsuji_input(-std::sqrt(5.0) * contact::damping_ratio(e)); };
+  const auto input = [](double e) {
+    return tsuji_input(-std::sqrt(5.0) * contact::damping_ratio(e));
+  };
   tests::states("input for e = 0.35", input(0.35), 0.2066, 1e-4, "found by hand");
   tests::states("input for e = 0.5", input(0.5), 0.36665, 1e-4, "found by hand");
   EXPECT_LT(input(0), input(0.1));

@@ -50,7 +50,8 @@ void follows_the_soft_engine(const std::string& mill, const std::string& jar,
   for (double until = 0.001; until < 0.4 && here.all.size() < 2; until += 0.001) {
     theirs->advance(until, there);
     ours->advance(*theirs->balls_time(), here);
-    apart = std::max(apart, norm(theirs->balls().front().position - ours->balls().front().position));
+    apart =
+        std::max(apart, norm(theirs->balls().front().position - ours->balls().front().position));
   }
   const scene::Ball a = theirs->balls().front(), b = ours->balls().front();
   const std::string what = fmt::format("{} in a {}: ", mill, jar);
@@ -58,7 +59,8 @@ void follows_the_soft_engine(const std::string& mill, const std::string& jar,
   // Both take steps of about 1/50 of a collision, whose errors are 1 to 3 % of a rebound (dem.30):
   // at 2 m/s a millimetre after 50 ms.
   stays_below(what + "path apart [m]", apart, 1e-3, "the soft engine");
-  stays_below(what + "velocity apart [m/s]", norm(a.velocity - b.velocity), 0.05, "the soft engine");
+  stays_below(what + "velocity apart [m/s]", norm(a.velocity - b.velocity), 0.05,
+              "the soft engine");
   stays_below(what + "spin apart [rad/s]", norm(a.spin - b.spin), 15, "the soft engine");
   for (std::size_t k = 0; k < 2; ++k) {
     const scene::Collision &c = there.all[k], &d = here.all[k];
@@ -83,8 +85,8 @@ TEST_F(Lammps, a_ball_in_each_jar_on_each_mill_follows_the_soft_engine) {
 TEST_F(Lammps, two_balls_rebound_with_the_restitution_of_the_case) {
   for (const char* law : {"hertz-mindlin", "linear-spring"})
     for (const double e : {0.05, 0.35, 0.5, 0.9, 1.0}) {
-      cases::Case mill_case = lammps_case("still", "box", 2, {{"contact.law", law},
-                                                              {"contact.restitution", fmt::format("{}", e)}});
+      cases::Case mill_case = lammps_case(
+          "still", "box", 2, {{"contact.law", law}, {"contact.restitution", fmt::format("{}", e)}});
       mill_case.gravity = 0;
       std::vector<scene::Ball> balls = cases::balls_by_set(mill_case.balls);
       balls[0].position = {-0.008, 0, 0};
@@ -118,15 +120,16 @@ Means means_of(const cases::Case& mill_case, int ranks) {
     hits.push_back(static_cast<double>(r.tally.above.count) / r.time());
     energy.push_back(r.tally.above.energy_normal / r.time());
     double sum = 0;
-    for (const results::Window& w : r.windows) sum += w.kinetic / static_cast<double>(r.windows.size());
+    for (const results::Window& w : r.windows)
+      sum += w.kinetic / static_cast<double>(r.windows.size());
     kinetic.push_back(sum);
   }
   return {observe::estimate(power), observe::estimate(hits), observe::estimate(kinetic),
           observe::estimate(energy)};
 }
 
-void agree(const std::string& what, const observe::Estimate& found, const observe::Estimate& expected,
-           double known) {
+void agree(const std::string& what, const observe::Estimate& found,
+           const observe::Estimate& expected, double known) {
   states(what, found.mean, expected.mean,
          std::hypot(found.ci95, expected.ci95) + known * expected.mean,
          "both 95 % intervals, and what lmp.10 leaves open");
@@ -134,8 +137,10 @@ void agree(const std::string& what, const observe::Estimate& found, const observ
 
 TEST_F(Lammps, a_drum_draws_the_power_and_has_the_hits_of_the_soft_engine) {
   cases::Case mill_case = lammps_case("tumbling", "cylinder", 40,
-                                      {{"run.replicates", "4"}, {"run.settle", "0.5 s"},
-                                       {"run.time", "1 s"}, {"run.time_step", "10 us"}});
+                                      {{"run.replicates", "4"},
+                                       {"run.settle", "0.5 s"},
+                                       {"run.time", "1 s"},
+                                       {"run.time_step", "10 us"}});
   const Means ours = means_of(in_soft_engine(mill_case), 1), theirs = means_of(mill_case, 1);
   agree("power [W]", theirs.power, ours.power, 0);
   agree("kinetic energy [J]", theirs.kinetic, ours.kinetic, 0);
@@ -163,7 +168,8 @@ TEST_F(Lammps, a_run_that_was_stopped_goes_on_from_its_restart_file) {
   engine->advance(0.2, rest);
   EXPECT_TRUE(std::filesystem::exists(launch.folder / "from.1.txt"));
   // Contacts that are open at the restart lose their beginning; after it, chaos parts the two.
-  states("records of the resumed run", count(rest), count(whole), 0.1 * count(whole), "the run in one piece");
+  states("records of the resumed run", count(rest), count(whole), 0.1 * count(whole),
+         "the run in one piece");
   const std::size_t before = static_cast<std::size_t>(0.1 * count(whole));
   for (std::size_t k = 0; k < before; ++k)
     EXPECT_EQ(rest.all[k].time, whole.all[k].time) << "record " << k;

@@ -200,8 +200,7 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.mill_case); !grains.empty())
     notes.push_back(note("powder-as-grains", std::move(grains)));
-  if (choice.engine == cases::EngineName::lammps)
-    append(notes, lammps::notices(outcome.mill_case));
+  if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
     return notes;

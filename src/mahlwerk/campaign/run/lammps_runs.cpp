@@ -11,7 +11,6 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/lammps/engine.hpp"
-#include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::campaign {
 
@@ -42,9 +41,7 @@ std::vector<std::filesystem::path> write_lammps_folders(
     folders.push_back(lammps_folder(launch.folder, 0, 1, replicate));
     lammps::write_folder(folders.back(), mill_case, cases::chamber(mill_case),
                          start_of(mill_case, replicate), lammps_steps(mill_case), launch.ranks);
-    if (slurm)
-      results::write_text(folders.back() / "job.slurm",
-                          lammps::slurm_script(launch.ranks, slurm_options));
+    if (slurm) lammps::write_slurm_script(folders.back(), launch.ranks, slurm_options);
   }
   return folders;
 }

@@ -277,7 +277,8 @@ class CampaignRunner {
   lammps::Launch launch(const ActivePoint& point, int replicate) const {
     lammps::Launch made = options_.lammps;
     if (made.ranks == 0) made.ranks = usual_ranks(point.decided, queue_.threads_per_replicate);
-    if (!made.folder.empty()) made.folder = lammps_folder(made.folder, point.index, queue_.size, replicate);
+    if (!made.folder.empty())
+      made.folder = lammps_folder(made.folder, point.index, queue_.size, replicate);
     return made;
   }
 

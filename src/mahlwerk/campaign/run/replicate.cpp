@@ -307,8 +307,8 @@ results::Replicate ReplicateRun::result() const {
   given.precision_reached = !mill_case_->run.until || converged_;
   if (!given.complete) add_partial_window(given);
   if (given.complete && mill_case_->observe.final_state)
-    given.balls_at_end =
-        seen_from_carrier(*mill_case_, engine_->balls(), engine_->balls_time().value_or(given.energy_balance.time));
+    given.balls_at_end = seen_from_carrier(
+        *mill_case_, engine_->balls(), engine_->balls_time().value_or(given.energy_balance.time));
   results::grind(*mill_case_, given, index_);
   return given;
 }

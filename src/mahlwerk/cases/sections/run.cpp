@@ -114,7 +114,8 @@ void describe_start(KeyVisitor& v, Run& run) {
 
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
-  const NumberSpec step = NumberSpec("time_step", "s", positive, "time step of the soft engine, and in LAMMPS")
+  const NumberSpec step = NumberSpec("time_step", "s", positive,
+                                     "time step of the soft engine, and in LAMMPS")
                               .in_place_of("time_step_fraction"),
                    share(step_share);
   SectionReader* in = v.reader();

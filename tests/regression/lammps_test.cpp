@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// `run --engine lammps` as a user gives it: folders, refusals, and results where LAMMPS is
+// installed.
+#include "lammps_cases.hpp"
+#include "mahlwerk/lammps/program.hpp"
+#include "program.hpp"
+
+namespace mahlwerk::tests::lammps_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class LammpsRun : public ProgramTest {
+ protected:
+  void SetUp() override {
+    ProgramTest::SetUp();
+    write_case(lammps_case_text("tumbling", "cylinder", 20));
+  }
+  void write_case(const std::string& text) const { std::ofstream(here_ / "drum.toml") << text; }
+  void replace(const std::string& what, const std::string& by) const {
+    std::string all = text("drum.toml");
+    all.replace(all.find(what), what.size(), by);
+    write_case(all);
+  }
+  void refuses(const std::string& words, const std::string& because) const {
+    const ProgramResult r = mahlwerk("run drum.toml --out out " + words);
+    EXPECT_EQ(r.code, 2) << words << "\n" << r.output;
+    EXPECT_NE(r.output.find(because), std::string::npos) << words << "\n" << r.output;
+    EXPECT_FALSE(fs::exists(here_ / "out")) << words;
+    EXPECT_FALSE(fs::exists(here_ / "out.lammps")) << words;
+  }
+  static bool has_lammps() { return lammps::installed(1).faults.empty(); }
+};
+
+TEST_F(LammpsRun, a_folder_for_another_machine_is_complete_and_starts_nothing) {
+  const ProgramResult r = mahlwerk(
+      "run drum.toml --out out --ranks 64 --slurm --slurm-option time=10:00:00 --set "
+      "run.replicates=2");
+  ASSERT_EQ(r.code, 0) << r.output;
+  for (const char* file : {"in.lammps", "balls.data", "case.toml", "README.md", "job.slurm"})
+    for (const char* replicate : {"replicate-1", "replicate-2"})
+      EXPECT_TRUE(fs::exists(here_ / "out.lammps" / replicate / file)) << file;
+  const std::string job = text("out.lammps/replicate-1/job.slurm");
+  for (const char* line : {"#SBATCH --ntasks=64\n", "#SBATCH --time=10:00:00\n"})
+    EXPECT_NE(job.find(line), std::string::npos) << job;
+  EXPECT_NE(text("out.lammps/replicate-1/README.md").find("mpirun -np 64 lmp -in in.lammps"),
+            std::string::npos);
+  EXPECT_NE(text("out.lammps/replicate-1/balls.data"), text("out.lammps/replicate-2/balls.data"));
+  EXPECT_FALSE(fs::exists(here_ / "out"));
+}
+
+TEST_F(LammpsRun, what_lammps_cannot_compute_is_refused_with_what_it_can) {
+  const std::string can = "write engine = \"soft\"";
+  replace("law = \"hertz-mindlin\"", "law = \"jkr\"\nsurface_energy = \"1 J/m2\"");
+  refuses("", "LAMMPS cannot compute law = \"jkr\"");
+  refuses("", "hertz-mindlin");
+  write_case(lammps_case_text("planetary", "capsule"));
+  refuses("", "a jar of kind \"capsule\" that turns");
+  write_case(lammps_case_text("tumbling", "cylinder"));
+  replace("time = \"0.2 s\"", "time = \"until 5 %\"");
+  refuses("", "its runs have a given length");
+  write_case(lammps_case_text("tumbling", "cylinder"));
+  replace("restitution = 0.8",
+          "restitution = 0.8\nrestitution_law = \"viscoelastic\"\nrestitution_speed = \"1 m/s\"");
+  refuses("", "one restitution for all");
+  refuses("--write-only", "one restitution for all");
+}
+
+TEST_F(LammpsRun, what_is_missing_is_said_with_how_to_install_it) {
+  const auto without = [&](const std::string& set) {
+    FILE* pipe = popen(("cd '" + here_.string() + "' && " + set + " '" + MAHLWERK_PROGRAM +
+                        "' run drum.toml --out out 2>&1")
+                           .c_str(),
+                       "r");
+    std::string said;
+    char part[4096];
+    while (const std::size_t n = fread(part, 1, sizeof part, pipe)) said.append(part, n);
+    EXPECT_EQ(WEXITSTATUS(pclose(pipe)), 2) << said;
+    EXPECT_FALSE(fs::exists(here_ / "out")) << said;
+    return said;
+  };
+  fs::create_directory(here_ / "bin");
+  const std::string here = "PATH='" + (here_ / "bin").string() + "'";
+  EXPECT_NE(without(here).find("apt install lammps"), std::string::npos);
+  EXPECT_NE(without("MAHLWERK_LAMMPS=/nowhere/lmp").find("/nowhere/lmp, which is no program"),
+            std::string::npos);
+  const auto program = [&](const std::string& help) {
+    std::ofstream(here_ / "bin" / "lmp") << "#!/bin/sh\ncat <<'END'\n" << help << "\nEND\n";
+    fs::permissions(here_ / "bin" / "lmp", fs::perms::owner_all);
+    return "MAHLWERK_LAMMPS='" + (here_ / "bin" / "lmp").string() + "'";
+  };
+  const std::string head = "Large-scale Atomic/Molecular Massively Parallel Simulator - ";
+  EXPECT_NE(without(program(head + "3 Mar 2020\ngranular wall/gran/region tracker pair/tracker"))
+                .find("is LAMMPS of 3 Mar 2020, older than 29 Sep 2021"),
+            std::string::npos);
+  EXPECT_NE(without(program(head + "29 Sep 2021 - Update 2\ntracker pair/tracker"))
+                .find("lacks the style granular of its package GRANULAR"),
+            std::string::npos);
+  EXPECT_NE(without(program("what?")).find("an unknown date"), std::string::npos);
+}
+
+TEST_F(LammpsRun, options_without_lammps_are_refused) {
+  for (const char* words : {"--ranks 2", "--write-only", "--slurm"})
+    refuses(std::string("--engine soft ") + words, "another engine than \"lammps\"");
+  refuses("--write-only --slurm-option x=1", "--slurm");
+  refuses("--slurm --slurm-option 'x\ny'", "line end");
+  refuses("--ranks 100000", "would wait for each other");
+  refuses("--ranks 0", "--ranks");
+}
+
+TEST_F(LammpsRun, results_are_those_of_a_run_and_can_start_another) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string quick = " --set run.time='0.05 s' --set run.time_step='4 us' --quiet ";
+  ProgramResult r =
+      mahlwerk("run drum.toml --out there" + quick + "--set observe.final_state=true");
+  ASSERT_EQ(r.code, 0) << r.output;
+  for (const char* file : {"summary.json", "report.html", "spectrum.csv", "final-1.csv"})
+    EXPECT_TRUE(fs::exists(here_ / "there" / file)) << file;
+  EXPECT_NE(text("there/summary.json").find("Computed by LAMMPS"), std::string::npos);
+  r = mahlwerk("run drum.toml --out here --engine soft --set run.start_from=there" + quick +
+               "--set observe.final_state=true");
+  EXPECT_EQ(r.code, 0) << r.output;
+  r = mahlwerk("run drum.toml --out back --set run.start_from=here" + quick);
+  EXPECT_EQ(r.code, 0) << r.output;
+  // The same again is refused, replaced, or read.
+  r = mahlwerk("run drum.toml --out back --set run.start_from=here" + quick);
+  EXPECT_EQ(r.code, 2) << r.output;
+  fs::remove_all(here_ / "back");
+  r = mahlwerk("run drum.toml --out back --set run.start_from=here" + quick);
+  EXPECT_NE(r.output.find("--resume to go on with it or read its results"), std::string::npos)
+      << r.output;
+  r = mahlwerk("run drum.toml --out back --resume --set run.start_from=here" + quick);
+  EXPECT_EQ(r.code, 0) << r.output;
+  r = mahlwerk("run drum.toml --out back --resume --set contact.friction=0.1" + quick);
+  EXPECT_NE(r.output.find("is that of another case"), std::string::npos) << r.output;
+  r = mahlwerk("run drum.toml --out back --force --set run.start_from=here" + quick);
+  EXPECT_EQ(r.code, 0) << r.output;
+}
+
+TEST_F(LammpsRun, ctrl_c_ends_lammps_and_the_run_goes_on) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string words = "run drum.toml --out out --set run.time='2 s'";
+  ProgramResult r = mahlwerk_until("out.lammps/replicate-1/restart.a", SIGINT, words);
+  EXPECT_EQ(r.code, 130) << r.output;
+  EXPECT_NE(r.output.find("--resume"), std::string::npos) << r.output;
+  EXPECT_FALSE(fs::exists(here_ / "out.lammps/replicate-1/restart.end"));
+  r = mahlwerk(words + " --resume");
+  EXPECT_EQ(r.code, 0) << r.output;
+  EXPECT_TRUE(fs::exists(here_ / "out.lammps/replicate-1/restart.end"));
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests::lammps_test
