@@ -47,7 +47,7 @@ class Step:
     slow: bool = False
     exit: int = 0
     first: list = dataclasses.field(default_factory=list)
-    needs: list = dataclasses.field(default_factory=list)  # modules; without them not run
+    needs: list = dataclasses.field(default_factory=list)  # modules, or programs; without them not run
 
 
 def annotation(where: str, text: str) -> Annotation:
@@ -106,8 +106,8 @@ def step(where: str, text: str, notes: list[Annotation], used: set[int]) -> Step
             made.slow = True
         elif note.verb == "exit":
             made.exit = int(note.text)
-        elif note.verb == "first":
-            made.first.append(note.text)
+        elif note.verb in ("first", "needs"):
+            getattr(made, note.verb).append(note.text)
         elif note.verb == "add":
             made.text += " " + note.text
         elif note.verb != "with":

@@ -16,6 +16,7 @@ import pathlib
 import re
 import resource
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -72,8 +73,8 @@ class Runner:
                 if step.file:
                     with (place / step.file).open("a" if step.append else "w") as out:
                         out.write("\n" * step.append + step.text)
-                elif step.skip:
-                    self.skipped.append((step, step.skip))
+                elif why := step.skip or next((f"no {p}" for p in step.needs if not shutil.which(p)), ""):
+                    self.skipped.append((step, why))
                     self.preset(step.where, shlex.split(step.text))
                 elif step.slow and not slow:
                     if check := as_check(step.text):

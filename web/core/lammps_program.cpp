@@ -18,7 +18,7 @@ Running::Running(const std::filesystem::path&, const std::vector<std::string>&) 
   throw RunError("a page cannot start LAMMPS");
 }
 bool Running::ended() {
-  return true;
+  return child_ < 0;
 }
 void Running::stop() {}
 

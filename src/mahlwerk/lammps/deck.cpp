@@ -133,7 +133,7 @@ Steps steps_of(const cases::Case& c, double time, double counted, double time_st
   constexpr double rows = 400, frame_bytes = 2.5e8, ball_bytes = 150;
   constexpr std::int64_t usual_power = 100, least_frames = 20;
   const double balls = static_cast<double>(cases::balls_count(c.balls));
-  Steps s{.time_step = time_step};
+  Steps s{.time_step = time_step, .time = time};
   double every = counted / rows;  // [s]
   if (c.observe.frames) every = std::min(every, *c.observe.frames);
   const auto steps = [&](double t) { return static_cast<std::int64_t>(t / time_step); };
@@ -144,9 +144,9 @@ Steps steps_of(const cases::Case& c, double time, double counted, double time_st
   const auto affordable = static_cast<std::int64_t>(frame_bytes / (ball_bytes * balls));
   // Frames of few balls take less than the heads of looks at each face.
   constexpr double few = 20;
-  const bool all = c.observe.frames || balls <= few;
-  const std::int64_t frames = all ? steps(time) : std::max(least_frames, affordable);
-  s.frame = std::max(s.wall, steps(time) / frames);
+  s.frame =
+      balls <= few ? s.wall : std::max(s.wall, steps(time) / std::max(least_frames, affordable));
+  if (c.observe.frames) s.frame = std::min(s.frame, s.row);
   // Rows are multiples of both, or frames of rows.
   if (s.frame < s.row) {
     s.power = std::min(s.power, s.frame);

@@ -22,7 +22,8 @@ struct Steps {
   std::int64_t frame = 1;    ///< between two frames of all balls
   std::int64_t wall = 1;     ///< between two looks for new contacts with the jar
   std::int64_t restart = 1;  ///< between two restart files
-  std::int64_t total = 0;
+  std::int64_t total = 0;    ///< to the next frame after `time`
+  double time = 0;           ///< [s] that is asked for
 
   /// Whether frames are frequent enough to show contacts with the jar.
   bool frames_show_wall() const { return frame <= wall; }

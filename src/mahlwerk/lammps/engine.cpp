@@ -96,10 +96,19 @@ class Engine final : public scene::Engine {
     begin_balance();
     if (launch.resume) check_case(mill_case);
     const bool resumes = launch.resume && fs::exists(place_.path() / "in.lammps");
-    if (!resumes) write_folder(place_.path(), mill_case, chamber_, balls_, steps, launch.ranks);
+    if (!resumes)
+      write_folder(place_.path(), mill_case, chamber_, balls_, steps, std::max(1, launch.ranks));
     if (resumes && fs::exists(place_.path() / "restart.end")) return;
     start(launch, resumes);
   }
+
+  /// A run that has reached its end may write its last files.
+  ~Engine() override {
+    while (running_ && !stopped() && reached_.time >= steps_.time && !running_->ended())
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
 
   void advance(double time, scene::Observer& observer) override {
     while (reached_.time < time && !stopped()) {
@@ -135,11 +144,12 @@ class Engine final : public scene::Engine {
 
   /// From the newest restart file that LAMMPS can read, if there is one.
   void start(const Launch& launch, bool resumes) {
-    const Installed lmp = installed(launch.ranks);
+    const int ranks = std::max(1, launch.ranks);
+    const Installed lmp = installed(ranks);
     if (!lmp.faults.empty()) throw InputError(lmp.faults);
     std::vector<std::string> words{lmp.command};
-    if (launch.ranks > 1) words = {"mpirun", "-np", std::to_string(launch.ranks), lmp.command};
-    if (launch.ranks > 1 && ::geteuid() == 0)  // Open MPI asks root twice
+    if (ranks > 1) words = {"mpirun", "-np", std::to_string(ranks), lmp.command};
+    if (ranks > 1 && ::geteuid() == 0)  // Open MPI asks root twice
       words.insert(words.begin(),
                    {"env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
     for (const char* word : {"-in", "in.lammps", "-screen", "none"}) words.emplace_back(word);

@@ -46,9 +46,7 @@ struct RunOptions {
   /// [bytes] available for all concurrent replicates; a run that needs more is refused.
   std::optional<double> memory = memory_available();
   Checkpoint* checkpoint = nullptr;  ///< keeps states, and supplies them
-  /// Folders of runs by LAMMPS are replicate-1, ... in its folder; ranks 0: by the number of
-  /// threads.
-  lammps::Launch lammps = {.folder = {}, .ranks = 0};
+  lammps::Launch lammps;  ///< in its folder each run has one of its own (lammps_folder())
 };
 
 /// Runs every replicate of every case, several at a time; the result does not depend on their
