@@ -67,12 +67,12 @@ std::vector<Fault> faults(const cases::Case& c) {
 Notices notices(const cases::Case& c) {
   Notices list{
       note("lammps",
-           "Computed by LAMMPS. How its numbers were got: power from the torque of the wall "
-           "and the body force; dissipated power from the balance of energy; approach speed of two "
-           "balls from the largest overlap of their contact, with the contact law (lmp.8), and its "
-           "sliding speed from contacts of the same speed in the frames; collisions with the jar "
-           "from samples of all contacts, one in a shortest collision (lmp.9). Contacts that other "
-           "bodies press together read as other speeds.")};
+           "Computed by LAMMPS. How its numbers were got: drawn power from the torque of the wall and "
+           "the body force; dissipated power from the balance of energy (lmp.7); every contact of "
+           "two balls is counted, and its speeds are those at first touch in a frame, or of a like "
+           "contact that a frame shows (lmp.10); collisions with the jar from frequent looks for "
+           "new contacts (lmp.9, lmp.11). The losses of a collision are those of an undisturbed "
+           "one; what contacts lose after that is dissipated_power_of_lasting_contacts.")};
   if (resists_rolling(c))
     list.push_back(
         note("lammps-rolling",
