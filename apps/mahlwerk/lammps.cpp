@@ -9,7 +9,9 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/lammps_runs.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/lammps/program.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "slurm.hpp"
@@ -25,6 +27,12 @@ bool by_lammps(const cases::Case& mill_case) {
 
 void refuse(const std::string& where, std::string what, std::string remedy) {
   throw InputError(Fault{where, std::move(what), std::move(remedy), "lammps"});
+}
+
+/// Ranks on another machine, whose cores are not known: one for 20 000 balls.
+int ranks_elsewhere(const cases::Case& mill_case) {
+  constexpr std::int64_t balls_per_rank = 20'000;
+  return static_cast<int>(1 + (cases::balls_count(mill_case.balls) - 1) / balls_per_rank);
 }
 
 /// The first folder below `root` in which a run has begun; empty if there is none.
@@ -48,7 +56,7 @@ Options lammps_options() {
           {.name = "--ranks",
            .target = &Request::ranks,
            .about = "with LAMMPS: number of processes of one run (default: cores, of at least 2000 "
-                    "balls each)",
+                    "balls each; elsewhere one for 20 000 balls)",
            .range = {1, 1000000}},
           {.name = "--write-only",
            .target = &Request::write_only,
@@ -71,8 +79,10 @@ void check_lammps(const Request& request, const std::vector<cases::Case>& cases,
   const auto many = std::ranges::count_if(cases, by_lammps);
   const bool asks = writes_only(request) || request.ranks > 0;
   if (many == 0 && !asks) return;
-  if (std::cmp_less(many, cases.size()) || cases.empty()) {
-    if (!asks && !request.resume) return;
+  if (asks && !std::ranges::all_of(cases, [](const auto& c) { return c.sweep.empty(); }))
+    refuse("--ranks, --write-only, --slurm", "a case has [sweep], whose runs have one rank each",
+           "leave out these options, or run the settings as cases of their own");
+  if (std::cmp_less(many, cases.size()) && (asks || request.resume)) {
     refuse("--engine", "some of the cases have another engine than \"lammps\"",
            "give --engine lammps, or leave out --ranks, --write-only, --slurm and --resume");
   }
@@ -94,19 +104,23 @@ void check_lammps(const Request& request, const std::vector<cases::Case>& cases,
 
 int write_for_lammps(const Request& request, const std::vector<cases::Case>& cases,
                      const fs::path& root) {
+  results::Json written = results::Json::array();
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const lammps::Launch launch{
         .folder = cases.size() > 1 ? root / fmt::format("point-{}", i + 1) : root,
-        .ranks = std::max(1, request.ranks)};
-    for (const fs::path& folder :
-         campaign::write_lammps_folders(cases[i], launch, request.slurm_job, request.slurm_options))
-      if (!request.quiet)
+        .ranks = request.ranks > 0 ? request.ranks : ranks_elsewhere(cases[i])};
+    for (const fs::path& folder : campaign::write_lammps_folders(
+             cases[i], launch, request.slurm_job, request.slurm_options)) {
+      written.push_back(folder.string());
+      if (!request.quiet && !request.json)
         to_stdout(fmt::format(
             "written:  {}\nto run:   cd {} && {}\n", folder.string(), shell_word(folder.string()),
             request.slurm_job ? "sbatch job.slurm"
                               : fmt::format("mpirun -np {} lmp -in in.lammps", launch.ranks)));
+    }
   }
-  if (!request.quiet)
+  if (request.json) json_to_stdout(written);
+  if (!request.quiet && !request.json)
     to_stdout("results:  this command with --resume instead, once LAMMPS has ended\n");
   return success;
 }

@@ -97,14 +97,16 @@ void print_json(const std::vector<RunJob>& jobs) {
 
 /// The folder of all runs by LAMMPS, beside the results.
 fs::path lammps_root(const std::vector<RunJob>& jobs) {
-  const fs::path place = jobs.size() > 1 ? jobs.front().place.parent_path() : jobs.front().place;
+  const auto plain = std::ranges::count_if(jobs, [](const RunJob& job) { return !job.sweeps(); });
+  fs::path place = jobs.front().place;
+  if (!place.has_filename()) place = place.parent_path();  // "out/"
+  if (plain > 1) place = place.parent_path();
   return place.string() + ".lammps";
 }
 
-std::vector<cases::Case> plain_cases(const std::vector<RunJob>& jobs) {
+std::vector<cases::Case> cases_of(const std::vector<RunJob>& jobs) {
   std::vector<cases::Case> found;
-  for (const RunJob& job : jobs)
-    if (!job.sweeps()) found.push_back(job.mill_case);
+  for (const RunJob& job : jobs) found.push_back(job.mill_case);
   return found;
 }
 
@@ -120,7 +122,7 @@ std::vector<RunJob> prepare_all(const Request& request) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
-  check_lammps(request, plain_cases(jobs), lammps_root(jobs));
+  check_lammps(request, cases_of(jobs), lammps_root(jobs));
   return jobs;
 }
 
@@ -187,8 +189,7 @@ int run(const Request& request) {
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(request))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));
-  if (writes_only(request))
-    return write_for_lammps(request, plain_cases(plain), lammps_root(plain));
+  if (writes_only(request)) return write_for_lammps(request, cases_of(plain), lammps_root(plain));
   int worst = plain.empty() ? success : run_cases(request, plain);
   for (const RunJob& job : campaigns) {
     if (worst == interrupted) break;

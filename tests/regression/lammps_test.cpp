@@ -139,9 +139,77 @@ TEST_F(LammpsRun, results_are_those_of_a_run_and_can_start_another) {
   EXPECT_EQ(r.code, 0) << r.output;
 }
 
+TEST_F(LammpsRun, a_damaged_folder_is_not_taken_for_results) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string words =
+      "run drum.toml --out out/ --quiet --set run.time='0.05 s' --set run.time_step='4 us'";
+  ProgramResult r = mahlwerk(words);
+  ASSERT_EQ(r.code, 0) << r.output;
+  const fs::path folder = here_ / "out.lammps/replicate-1";
+  const std::string whole = text("out.lammps/replicate-1/contacts.0.txt");
+  const auto read_again = [&](int code, const std::string& because) {
+    const ProgramResult again = mahlwerk(words + " --resume");
+    EXPECT_EQ(again.code, code) << because << "\n" << again.output;
+    EXPECT_NE(again.output.find(because), std::string::npos) << because << "\n" << again.output;
+  };
+  read_again(0, "");
+  const std::size_t hole = whole.find("ITEM: TIMESTEP", whole.size() / 2),
+                    end = whole.find("ITEM: TIMESTEP", hole + 1);
+  std::ofstream(folder / "contacts.0.txt") << whole.substr(0, hole) + whole.substr(end);
+  read_again(3, "the files contacts.*.txt");
+  std::ofstream(folder / "contacts.0.txt") << whole.substr(0, whole.size() / 2) << "nonsense\n"
+                                           << whole.substr(whole.size() / 2);
+  read_again(3, "contacts.0.txt holds a line that is not LAMMPS's");
+  std::ofstream(folder / "contacts.0.txt") << whole;
+  // A disk that was full ends the balance early, though LAMMPS wrote its last file: the restart
+  // files are behind the hole.
+  std::string balance = text("out.lammps/replicate-1/balance.0.txt");
+  std::ofstream(folder / "balance.0.txt") << balance.substr(0, balance.size() / 2);
+  read_again(3, "the files balance.*.txt");
+  fs::remove(folder / "case.toml");
+  read_again(2, "is that of another case");
+}
+
+TEST_F(LammpsRun, nobody_writes_into_the_folder_of_a_run_at_work) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string words = "run drum.toml --out out --set run.time='20 s' ";
+  const ProgramResult r =
+      mahlwerk(words + "--quiet & first=$!; cd '" + here_.string() +
+               "'; until [ -e out.lammps/replicate-1/from.0.txt ]; do sleep 0.05; done; '" +
+               std::string(MAHLWERK_PROGRAM) + "' " + words +
+               "--write-only --force; code=$?; kill $first; wait $first; exit $code");
+  EXPECT_EQ(r.code, 2) << r.output;
+  EXPECT_NE(r.output.find("is still at work in this folder"), std::string::npos) << r.output;
+  EXPECT_TRUE(fs::exists(here_ / "out.lammps/replicate-1/balance.0.txt")) << r.output;
+}
+
+TEST_F(LammpsRun, a_start_with_deep_overlaps_is_refused_as_in_the_soft_engine) {
+  std::ofstream(here_ / "start.csv")
+      << "kind,radius_m,x_m,y_m,z_m,velocity_x_m_per_s,velocity_y_m_per_s,velocity_z_m_per_s,"
+         "spin_x_rad_per_s,spin_y_rad_per_s,spin_z_rad_per_s\n"
+         "1,0.005,0,0,0,0,0,0,0,0,0\n1,0.005,0.004,0,0,0,0,0,0,0,0\n";
+  const std::string words = "--set balls.1.count=2 --set run.start_from=start.csv --quiet";
+  const ProgramResult soft = mahlwerk("run drum.toml --out soft --engine soft " + words);
+  const ProgramResult by_lammps = mahlwerk("run drum.toml --out out --write-only " + words);
+  EXPECT_EQ(soft.code, 2) << soft.output;
+  EXPECT_EQ(by_lammps.code, 2) << by_lammps.output;
+  EXPECT_NE(by_lammps.output.find("ball 1 overlaps ball 2"), std::string::npos) << by_lammps.output;
+}
+
+TEST_F(LammpsRun, a_campaign_has_no_ranks_and_is_not_dropped) {
+  std::ofstream(here_ / "sweep.toml")
+      << text("drum.toml") << "[sweep]\n\"contact.friction\" = [0.1, 0.2]\n";
+  for (const char* words : {"run sweep.toml --ranks 2", "run . --write-only", "run . --slurm"}) {
+    const ProgramResult r = mahlwerk(words);
+    EXPECT_EQ(r.code, 2) << r.output;
+    EXPECT_NE(r.output.find("whose runs have one rank each"), std::string::npos) << r.output;
+  }
+}
+
 TEST_F(LammpsRun, ctrl_c_ends_lammps_and_the_run_goes_on) {
   if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
-  const std::string words = "run drum.toml --out out --set run.time='2 s'";
+  const std::string words =
+      "run drum.toml --out out --set run.time='2 s' --set run.time_step='4 us'";
   ProgramResult r = mahlwerk_until("out.lammps/replicate-1/restart.a", SIGINT, words);
   EXPECT_EQ(r.code, 130) << r.output;
   EXPECT_NE(r.output.find("--resume"), std::string::npos) << r.output;

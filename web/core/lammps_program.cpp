@@ -21,6 +21,7 @@ bool Running::ended() {
   return child_ < 0;
 }
 void Running::stop() {}
+void wait_for_others(const std::filesystem::path&) {}
 
 std::string last_error(const std::filesystem::path&) {
   return "";

@@ -48,38 +48,33 @@ std::string contacts(const cases::Case& c, const std::vector<scene::Ball>& types
           contact_terms(c.contact.model,
                         pair_of(table.balls(types[a].kind, types[b].kind), types[a], types[b])));
   text += "pair_coeff * * tracker\n";
-  for (std::size_t a = 0; a < types.size(); ++a)  // the wall is the same on all faces (faults)
+  // The wall is the same on all faces (faults). LAMMPS has at most 32 groups.
+  std::map<std::string, std::string> types_at_wall;
+  for (std::size_t a = 0; a < types.size(); ++a)
+    types_at_wall[contact_terms(c.contact.model, {table.wall(types[a].kind, 0), types[a].radius,
+                                                  types[a].mass()})] += fmt::format(" {}", a + 1);
+  int wall = 0;
+  for (const auto& [terms, of] : types_at_wall) {
     text += fmt::format(
-        "group type{0} type {0}\n"
-        "fix wall{0} type{0} wall/gran/region granular {1} region jar\n",
-        a + 1,
-        contact_terms(c.contact.model,
-                      {table.wall(types[a].kind, 0), types[a].radius, types[a].mass()}));
-  return text;
-}
-
-/// Balls that have come into contact with a face of the jar, or left it, since the last sample. A
-/// dump of its own for each face: LAST is what a formula was before. Frames as frequent as that
-/// show it, too.
-std::string wall_samples(const scene::Chamber& chamber, const std::vector<scene::Ball>& types,
-                         const Steps& steps) {
-  std::string text;
-  if (steps.frames_show_wall()) return text;
-  for (std::size_t a = 0; a < types.size(); ++a) {
-    int face = 0;
-    for (const std::string& formula : touch_formulas(chamber, types[a].radius))
-      text += fmt::format(
-          "variable touch{0}_{1} atom {2}\n"
-          "dump wall{0}_{1} type{0} custom {3} wall.{0}.{1}.${{session}}.txt id x y z vx vy vz "
-          "omegax omegay omegaz\n"
-          "dump_modify wall{0}_{1} thresh v_touch{0}_{1} |^ LAST format float %.10g\n",
-          a + 1, ++face, formula, steps.wall);
+        "group wall{0} type{1}\nfix wall{0} wall{0} wall/gran/region granular {2} region jar\n",
+        wall + 1, of, terms);
+    ++wall;
   }
   return text;
 }
 
-std::string measurements(const scene::Chamber& chamber, const std::vector<scene::Ball>& types,
-                         const Steps& steps) {
+/// Balls that have come into contact with a face of the jar, or left one, since the last look: LAST
+/// is what the formula was then. Frames as frequent as that show it, too.
+std::string wall_looks(const scene::Chamber& chamber, const Steps& steps) {
+  if (steps.frames_show_wall()) return "";
+  return fmt::format(
+      "compute radius all property/atom radius\nvariable touch atom {}\n"
+      "dump wall all custom {} wall.${{session}}.txt id x y z vx vy vz omegax omegay omegaz\n"
+      "dump_modify wall thresh v_touch != LAST format float %.10g\n",
+      touch_formula(chamber), steps.wall);
+}
+
+std::string measurements(const scene::Chamber& chamber, const Steps& steps) {
   return power_commands(chamber) +
          fmt::format(
              "compute motion all ke\ncompute spins all erotate/sphere\n"
@@ -95,7 +90,7 @@ std::string measurements(const scene::Chamber& chamber, const std::vector<scene:
              "omegaz\n"
              "dump_modify balls format float %.10g\n",
              steps.row, steps.power, steps.row / steps.power, steps.frame) +
-         wall_samples(chamber, types, steps) +
+         wall_looks(chamber, steps) +
          fmt::format(
              "thermo_style custom step atoms c_motion c_spins cpu\n"
              "thermo_modify lost error norm no\nthermo {}\n",
@@ -134,7 +129,8 @@ Steps steps_of(const cases::Case& c, double time, double counted, double time_st
   constexpr std::int64_t usual_power = 100, least_frames = 20;
   const double balls = static_cast<double>(cases::balls_count(c.balls));
   Steps s{.time_step = time_step, .time = time};
-  double every = counted / rows;  // [s]
+  // At most 20 000 rows in all, if settling takes much longer than what counts.
+  double every = std::max(counted / rows, time / (50 * rows));  // [s]
   if (c.observe.frames) every = std::min(every, *c.observe.frames);
   const auto steps = [&](double t) { return static_cast<std::int64_t>(t / time_step); };
   constexpr double soon = 0.15;  // of the shortest collision (hits.cpp)
@@ -142,10 +138,7 @@ Steps steps_of(const cases::Case& c, double time, double counted, double time_st
   s.row = std::max<std::int64_t>(1, steps(every));
   s.power = std::min(usual_power, s.row);
   const auto affordable = static_cast<std::int64_t>(frame_bytes / (ball_bytes * balls));
-  // Frames of few balls take less than the heads of looks at each face.
-  constexpr double few = 20;
-  s.frame =
-      balls <= few ? s.wall : std::max(s.wall, steps(time) / std::max(least_frames, affordable));
+  s.frame = std::max(s.wall, steps(time) / std::max(least_frames, affordable));
   if (c.observe.frames) s.frame = std::min(s.frame, s.row);
   // Rows are multiples of both, or frames of rows.
   if (s.frame < s.row) {
@@ -174,7 +167,7 @@ std::string script(const cases::Case& c, const scene::Chamber& chamber,
          jar_commands(chamber, steps.time_step) + contacts(c, types, steps) +
          "fix motion all nve/sphere\n" +
          "fix balance_load all balance 1000 1.1 shift xyz 10 1.05\n" +
-         measurements(chamber, types, steps) +
+         measurements(chamber, steps) +
          fmt::format(
              "print \"$(step)\" file from.${{session}}.txt screen no\n"
              "restart {0} restart.a restart.b\nrun {1} upto\nwrite_restart restart.end\n",

@@ -17,7 +17,6 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/hits.hpp"
-#include "mahlwerk/lammps/jar_terms.hpp"
 #include "mahlwerk/lammps/output_files.hpp"
 #include "mahlwerk/lammps/program.hpp"
 
@@ -80,12 +79,8 @@ class Engine final : public scene::Engine {
         balls_(std::move(balls)),
         balance_(place_.path(), "balance", OutputFile::Kind::table, Balance::columns),
         contacts_(place_.path(), "contacts", OutputFile::Kind::dump, contact_columns),
-        frames_(place_.path(), "balls", OutputFile::Kind::dump, ball_columns) {
-    const std::vector<scene::Ball> types = one_of_each_type(balls_);
-    for (std::size_t type = 0; type < types.size() && !steps.frames_show_wall(); ++type)
-      for (std::size_t face = 0; face < touch_formulas(chamber_, types[type].radius).size(); ++face)
-        at_wall_.emplace_back(place_.path(), fmt::format("wall.{}.{}", type + 1, face + 1),
-                              OutputFile::Kind::dump, ball_columns);
+        frames_(place_.path(), "balls", OutputFile::Kind::dump, ball_columns),
+        walls_(place_.path(), "wall", OutputFile::Kind::dump, ball_columns) {
     for (const scene::Ball& ball : balls_) {
       mass_ += ball.mass();
       centre_ = centre_ + ball.mass() * ball.position;
@@ -94,11 +89,14 @@ class Engine final : public scene::Engine {
     centre_ = centre_ / mass_;
     velocity_ = velocity_ / mass_;
     begin_balance();
-    if (launch.resume) check_case(mill_case);
     const bool resumes = launch.resume && fs::exists(place_.path() / "in.lammps");
+    if (resumes) {
+      wait_for_others(place_.path());
+      check_case(mill_case);
+    }
     if (!resumes)
       write_folder(place_.path(), mill_case, chamber_, balls_, steps, std::max(1, launch.ranks));
-    if (resumes && fs::exists(place_.path() / "restart.end")) return;
+    if (resumes && is_complete()) return;
     start(launch, resumes);
   }
 
@@ -134,12 +132,21 @@ class Engine final : public scene::Engine {
   void check_case(const cases::Case& mill_case) const {
     std::ifstream file(place_.path() / "case.toml");
     const std::string kept(std::istreambuf_iterator<char>(file), {});
-    if (!kept.empty() && kept != cases::write(mill_case))
+    if (kept != cases::write(mill_case))
       throw InputError(Fault{place_.path().string(),
                              "the folder is that of another case, or of other values",
                              "give the options of the run that is to be resumed, or begin again "
                              "without --resume",
                              "bad-checkpoint"});
+  }
+
+  /// Whether LAMMPS has written the last line of the balance.
+  bool is_complete() const {
+    OutputFile balance(place_.path(), "balance", OutputFile::Kind::table, Balance::columns);
+    const std::vector<Session> all = sessions(place_.path());
+    std::int64_t last = 0;
+    while (const Rows* row = balance.next(all)) last = row->step;
+    return last == steps_.total;
   }
 
   /// From the newest restart file that LAMMPS can read, if there is one.
@@ -192,31 +199,38 @@ class Engine final : public scene::Engine {
 
   [[noreturn]] void end_early() const {
     const std::string error = last_error(place_.path());
-    throw RunError(fmt::format("LAMMPS stopped at {:.6g} s{}. Its messages are in {}",
-                               reached_.time, error.empty() ? "" : ": " + error,
-                               (place_.path() / "log.lammps").string()));
+    const char* log = fs::exists(place_.path() / "log.lammps") ? "log.lammps" : "screen.txt";
+    throw RunError(fmt::format(
+        "LAMMPS stopped at {:.6g} s{}. Its messages are in {}. --resume goes on from its last "
+        "restart file, once the cause is removed (a full disk leaves no message)",
+        reached_.time, error.empty() ? "" : ": " + error, (place_.path() / log).string()));
+  }
+
+  /// What LAMMPS writes at intervals must have no holes.
+  void check_step(const char* name, std::int64_t found, std::int64_t expected) const {
+    if (found == expected) return;
+    throw RunError(fmt::format(
+        "the files {}.*.txt in {} have no step {}, but {}: they are damaged, or two LAMMPS wrote "
+        "them. Begin again with --force",
+        name, place_.path().string(), expected, found));
   }
 
   /// Takes over what LAMMPS wrote up to the next line of the balance. False if that is not
   /// complete.
   bool read_row(scene::Observer& observer) {
     if (next_step_ == 0) {
-      const Rows* row = balance_.next(sessions_, INT64_MAX);
+      const Rows* row = balance_.next(sessions_);
       if (row == nullptr) return false;
+      if (row->step > 0) check_step("balance", row->step, reached_.time_steps + steps_.row);
       next_step_ = row->step;
       next_row_ = row->values;
     }
     while (frame_step_ + steps_.frame <= next_step_)
       if (!read_frame()) return false;
-    while (!at_wall_.empty() && wall_step_ + steps_.wall < next_step_)
+    while (!steps_.frames_show_wall() && wall_step_ + steps_.wall < next_step_)
       if (!read_walls()) return false;
-    if (contact_step_ < next_step_) {
-      const Rows* rows = contacts_.next(sessions_, next_step_);
-      if (rows == nullptr) return false;
-      contact_step_ = rows->step;
-      read_contacts(*rows);
-      if (contact_step_ < next_step_) return read_row(observer);
-    }
+    while (contact_step_ < next_step_)
+      if (!read_contacts()) return false;
     std::ranges::sort(found_, {}, [](const scene::Collision& c) { return c.time + c.duration; });
     observer.collisions(found_);
     for (const scene::Collision& c : found_) {
@@ -231,15 +245,21 @@ class Engine final : public scene::Engine {
   }
 
   bool read_frame() {
-    const Rows* rows = frames_.next(sessions_, next_step_);
+    const Rows* rows = frames_.next(sessions_);
     if (rows == nullptr) return false;
+    if (rows->step > 0) check_step("balls", rows->step, frame_step_ + steps_.frame);
     frame_step_ = rows->step;
     balls_time_ = static_cast<double>(rows->step) * steps_.time_step;
     for (std::size_t i = 0; i < rows->count(); ++i) set_ball(rows->row(i), balls_);
     if (rows->step == 0) return true;
     const double share = static_cast<double>(hits_.look(balls_, rows->step));
     reached_.contact_time += share * steps_.frame_time();
-    for (std::size_t i = 0; i < balls_.size() && at_wall_.empty(); ++i)
+    if (const auto lost = hits_.outside())
+      throw RunError(fmt::format(
+          "ball {} is outside the jar at {:.6g} s. Use stiffer contacts, a shorter run.time_step, "
+          "or a start in which all balls are inside",
+          *lost + 1, balls_time_));
+    for (std::size_t i = 0; i < balls_.size() && steps_.frames_show_wall(); ++i)
       hits_.at_jar(static_cast<std::int32_t>(i), balls_[i], rows->step, found_);
     return true;
   }
@@ -258,18 +278,12 @@ class Engine final : public scene::Engine {
     ball.spin = vector_at(row + 7);
   }
 
-  /// The looks at all faces at the next step, in order of time: a ball may change faces.
   bool read_walls() {
-    for (; walls_read_ < at_wall_.size(); ++walls_read_) {
-      const Rows* rows = at_wall_[walls_read_].next(sessions_, wall_step_ + steps_.wall);
-      if (rows == nullptr) return false;
-      if (rows->step <= wall_step_)
-        --walls_read_;  // of the start
-      else
-        read_wall(*rows);
-    }
-    walls_read_ = 0;
-    wall_step_ += steps_.wall;
+    const Rows* rows = walls_.next(sessions_);
+    if (rows == nullptr) return false;
+    if (rows->step > 0) check_step("wall", rows->step, wall_step_ + steps_.wall);
+    wall_step_ = rows->step;
+    read_wall(*rows);
     return true;
   }
 
@@ -297,10 +311,14 @@ class Engine final : public scene::Engine {
     return {began + session->first, ended};
   }
 
-  void read_contacts(const Rows& rows) {
-    for (std::size_t i = 0; i < rows.count(); ++i) {
-      const double* row = rows.row(i);
-      const auto [began, ended] = steps_of_contact(row, rows.step);
+  bool read_contacts() {
+    const Rows* rows = contacts_.next(sessions_);
+    if (rows == nullptr) return false;
+    if (rows->step > 0) check_step("contacts", rows->step, next_step_);
+    contact_step_ = rows->step;
+    for (std::size_t i = 0; i < rows->count(); ++i) {
+      const double* row = rows->row(i);
+      const auto [began, ended] = steps_of_contact(row, rows->step);
       found_.push_back(hits_.between_balls({.one = static_cast<std::int32_t>(ball_of(row[0])),
                                             .other = static_cast<std::int32_t>(ball_of(row[1])),
                                             .began = began,
@@ -308,6 +326,7 @@ class Engine final : public scene::Engine {
                                             .distance = row[4],
                                             .middle = vector_at(row + 5)}));
     }
+    return true;
   }
 
   /// Kinetic and potential energy in the axes of the laboratory, from those in the jar frame.
@@ -353,15 +372,13 @@ class Engine final : public scene::Engine {
   Hits hits_;
   std::vector<scene::Ball> balls_;  // of the last frame
   double balls_time_ = 0;
-  OutputFile balance_, contacts_, frames_;
-  std::vector<OutputFile> at_wall_;  // by type
+  OutputFile balance_, contacts_, frames_, walls_;
   std::vector<Session> sessions_;
   std::unique_ptr<Running> running_;
 
   std::int64_t next_step_ = 0;  // of a line of the balance whose row is not complete
   std::vector<double> next_row_;
   std::int64_t frame_step_ = 0, contact_step_ = 0, wall_step_ = 0;
-  std::size_t walls_read_ = 0;  // files of this look
   std::vector<scene::Collision> found_;
 
   double mass_ = 0;          // of all balls

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/engine.hpp"
+#include "mahlwerk/lammps/program.hpp"
 
 namespace mahlwerk::lammps {
 namespace fs = std::filesystem;
@@ -25,6 +26,7 @@ void write(const fs::path& file, const std::string& text) {
 
 /// Removes the files of an earlier run, and nothing else.
 void clear(const fs::path& folder) {
+  wait_for_others(folder);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -57,7 +59,7 @@ std::string readme(const cases::Case& c, const Steps& s, std::size_t balls, int 
       "| case.toml | the case of Mahlwerk |\n"
       "| balance.N.txt | energies, centre of mass, power: a line in {5} steps |\n"
       "| contacts.N.txt | contacts of two balls that ended |\n"
-      "| wall.T.N.txt | balls of type T in contact with the jar, every {6} steps |\n"
+      "| wall.N.txt | balls that began or ended a contact with the jar, every {6} steps |\n"
       "| balls.N.txt | all balls, every {7} steps |\n",
       c.title, balls, s.total, s.time_step, ranks, s.row, s.wall, s.frame);
 }
@@ -89,10 +91,15 @@ void write_slurm_script(const fs::path& folder, int ranks,
                     "{}"
                     "cd \"${{SLURM_SUBMIT_DIR:-.}}\" || exit 1\n"
                     "session=$(ls from.*.txt 2>/dev/null | wc -l)\n"
-                    "newest=$(ls -t restart.a restart.b 2>/dev/null | head -n 1)\n"
-                    "from=()\n"
-                    "[ -n \"$newest\" ] && from=(-var from \"$newest\" -var session \"$session\")\n"
-                    "[ -e restart.end ] || srun lmp -in in.lammps -screen none \"${{from[@]}}\"\n",
+                    "lammps() {{ srun lmp -in in.lammps -screen none \"$@\"; }}\n"
+                    "[ -s restart.end ] && exit 0\n"
+                    "[ \"$session\" = 0 ] && {{ lammps; exit; }}\n"
+                    "# A restart file that was being written when the job ended cannot be read.\n"
+                    "for file in $(ls -t restart.a restart.b 2>/dev/null); do\n"
+                    "  lammps -var from \"$file\" -var session \"$session\" && exit 0\n"
+                    "  [ -e \"from.$session.txt\" ] && exit 1\n"
+                    "done\n"
+                    "[ -e restart.a ] || {{ rm -f ./*.txt; lammps; }}\n",
                     ranks, more));
 }
 

@@ -22,11 +22,11 @@ constexpr double sliding_mass = 2.0 / 7.0;
 constexpr double soon_share = 0.1;
 
 /// [m/s] Sliding speed at first touch of a contact that slides at `slip` after its normal speed has
-/// changed by `change` (lmp.11). Surfaces that hardly slide have stuck: their speed before is lost.
-double slip_at_touch(double slip, double change, double speed, double friction) {
-  constexpr double stuck = 0.05;
-  if (slip < stuck * speed || !std::isfinite(friction)) return slip;
-  return slip + friction * std::max(0.0, change) / sliding_mass;
+/// changed by `change` (lmp.11). The tangential spring transmits less than friction would while the
+/// surfaces slide slowly.
+double slip_at_touch(double slip, double change, double speed, const Impact& impact) {
+  const double sticking = impact.spring_ratio() * slip / speed;
+  return slip + std::min(impact.friction(), sticking) * std::max(0.0, change) / sliding_mass;
 }
 
 /// Losses of an undisturbed collision: by restitution, and by sliding until the surfaces stick.
@@ -40,10 +40,10 @@ void set_losses(scene::Collision& c, const Impact& impact) {
 }
 
 TouchSpeeds touch_speeds(const Impact::Found& hit, double rate, const Vec3& normal,
-                         const Vec3& centres, const Vec3& surfaces, double friction) {
+                         const Vec3& centres, const Vec3& surfaces, const Impact& impact) {
   return {
       hit.speed,
-      slip_at_touch(norm(tangential_part(surfaces, normal)), hit.speed - rate, hit.speed, friction),
+      slip_at_touch(norm(tangential_part(surfaces, normal)), hit.speed - rate, hit.speed, impact),
       norm(tangential_part(centres, normal))};
 }
 
@@ -188,8 +188,7 @@ scene::Collision Hits::begin_at_jar(std::int32_t ball, const scene::Ball& now,
   const Impact& impact = impact_at_jar(ball, face, wall.curvature);
   const Impact::Found hit = impact.found(-wall.gap, rate);
   const Vec3 surface = relative + cross(now.spin, -now.radius * wall.inward);
-  const TouchSpeeds speeds =
-      touch_speeds(hit, rate, wall.inward, relative, surface, impact.friction());
+  const TouchSpeeds speeds = touch_speeds(hit, rate, wall.inward, relative, surface, impact);
   scene::Collision c{.time = time - hit.since,
                      .ball = ball,
                      .other = ~face,
@@ -237,14 +236,18 @@ bool Hits::look_at_pair(const scene::Ball& a, const scene::Ball& b, std::int32_t
   const Vec3 surface =
       relative + cross(a.spin, a.radius * normal) + cross(b.spin, b.radius * normal);
   looked_at_[pair_key(one, other)].push_back(
-      {step, touch_speeds(hit, rate, normal, relative, surface, impact.friction())});
+      {step, touch_speeds(hit, rate, normal, relative, surface, impact)});
   return true;
 }
 
-bool Hits::touches_jar(const scene::Ball& ball, double time) const {
-  for (int face = 0; face < jar_.faces(); ++face)
-    if (jar_.wall(face, ball.position, time, ball.radius).gap < 0) return true;
-  return false;
+bool Hits::touches_jar(std::int32_t number, const scene::Ball& ball, double time) {
+  bool touches = false;
+  for (int face = 0; face < jar_.faces(); ++face) {
+    const double gap = jar_.wall(face, ball.position, time, ball.radius).gap;
+    touches = touches || gap < 0;
+    if (gap < -ball.radius) outside_ = number;
+  }
+  return touches;
 }
 
 /// A grid for each class of size, so that each ball looks for those of its class and of larger
@@ -278,7 +281,8 @@ std::int64_t Hits::look(const std::vector<scene::Ball>& balls, std::int64_t step
   }
   std::int64_t count = 0;
   for (std::size_t i = 0; i < balls.size(); ++i)
-    if (in_contact[i] || touches_jar(balls[i], time_of(step))) ++count;
+    if (touches_jar(static_cast<std::int32_t>(i), balls[i], time_of(step)) || in_contact[i])
+      ++count;
   return count;
 }
 

@@ -72,6 +72,8 @@ class Hits {
   std::int64_t look(const std::vector<scene::Ball>& balls, std::int64_t step);
 
   double deepest_overlap() const { return deepest_; }  ///< [1] over the smaller radius
+  /// A ball whose centre the last look found outside the jar, if there is one.
+  std::optional<std::int32_t> outside() const { return outside_; }
   /// Number of contacts that lasted five times as long as a collision.
   std::int64_t lasting() const { return lasting_; }
 
@@ -92,7 +94,7 @@ class Hits {
   /// [s] How long after first touch a contact of this duration [s] still shows its speed then.
   double soon(double duration) const;
   double time_of(std::int64_t step) const { return static_cast<double>(step) * time_step_; }
-  bool touches_jar(const scene::Ball& ball, double time) const;
+  bool touches_jar(std::int32_t number, const scene::Ball& ball, double time);
 
   const cases::Case* mill_case_;
   contact::PairTable pairs_;
@@ -101,6 +103,7 @@ class Hits {
   std::vector<int> types_;
   double time_step_, deepest_ = 0;
   std::int64_t lasting_ = 0;
+  std::optional<std::int32_t> outside_;
   std::map<std::pair<int, int>, Impact> between_, at_jar_;
   std::unordered_map<std::uint64_t, std::vector<Seen>> looked_at_;  // contacts in looks, by pair
   SeenContacts seen_;

@@ -30,8 +30,13 @@ constexpr double longest = 50;  // of a collision that never ends, at e = 0
 }  // namespace
 
 Impact::Impact(const contact::AnyLaw& law, const contact::EffectivePair& pair)
-    : mass_(pair.mass), restitution_(pair.pair.restitution), friction_(pair.pair.friction) {
+    : mass_(pair.mass),
+      restitution_(pair.pair.restitution),
+      friction_(pair.pair.friction),
+      spring_ratio_(contact::tangential_stiffness_ratio) {
   const auto* linear = std::get_if<contact::LinearSpring>(&static_cast<const contact::Laws&>(law));
+  // The spring of Mindlin stretches by t, its stiffness grows with t^(1/2): 2/3 of k_t/k_n.
+  if (linear == nullptr) spring_ratio_ = 4 * pair.pair.shear_modulus / pair.pair.modulus;
   const double b = contact::damping_ratio(restitution_);
   const Spring spring{linear == nullptr, linear ? -2 * b : -std::sqrt(5.0) * b};
   exponent_ = linear ? 1 : 1.25;

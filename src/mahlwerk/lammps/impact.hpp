@@ -36,6 +36,9 @@ class Impact {
   double mass() const { return mass_; }  ///< [kg] m*
   double restitution() const { return restitution_; }
   double friction() const { return friction_; }
+  /// [1] Tangential over normal force soon after first touch, for a sliding speed equal to the
+  /// approach.
+  double spring_ratio() const { return spring_ratio_; }
 
  private:
   /// [m/s] Speed whose collision has the overlap `x` where this one has 1.
@@ -49,7 +52,7 @@ class Impact {
   double exponent_;   ///< speed ~ overlap^exponent
   double frequency_;  ///< speed / overlap^exponent in units of the curve
   double largest_ = 0;
-  double mass_, restitution_, friction_;
+  double mass_, restitution_, friction_, spring_ratio_;
 };
 
 }  // namespace mahlwerk::lammps

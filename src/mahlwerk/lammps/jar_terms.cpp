@@ -163,33 +163,36 @@ std::array<std::string, 3> own_coordinates(const scene::Chamber& chamber) {
 
 }  // namespace
 
-std::vector<std::string> touch_formulas(const scene::Chamber& chamber, double radius) {
+std::string touch_formula(const scene::Chamber& chamber) {
   const auto [x, y, z] = own_coordinates(chamber);
   const auto beyond = [&](const std::string& squares, double diameter) {
-    const double room = 0.5 * diameter - radius;
-    return fmt::format("{}>{:.15g}", squares, room * room);
-  };
-  const auto planes = [&](const std::string& at, double width) {
-    const std::string room = text(0.5 * width - radius);
-    return std::vector{fmt::format("{}<-{}", at, room), fmt::format("{}>{}", at, room)};
+    return fmt::format("({0}>({1}-c_radius)*({1}-c_radius))", squares, text(0.5 * diameter));
   };
   const std::string across = fmt::format("{0}*{0}+{1}*{1}", x, y);
   const geometry::AnyShape& shape = *chamber.shape;
-  std::vector<std::string> formulas;
+  std::vector<std::string> faces;
+  const auto add_planes = [&](const std::string& at, double width) {
+    faces.push_back(fmt::format("({}<c_radius-{})", at, text(0.5 * width)));
+    faces.push_back(fmt::format("({}>{}-c_radius)", at, text(0.5 * width)));
+  };
   if (const auto* s = geometry::as<geometry::Cylinder>(shape)) {
-    formulas = planes(z, s->height);
-    formulas.push_back(beyond(across, s->diameter));
+    add_planes(z, s->height);
+    faces.push_back(beyond(across, s->diameter));
   } else if (const auto* b = geometry::as<geometry::Box>(shape)) {
-    for (const auto& [at, width] : {std::pair{x, b->width}, {y, b->depth}, {z, b->height}})
-      for (std::string& plane : planes(at, width)) formulas.push_back(std::move(plane));
+    add_planes(x, b->width);
+    add_planes(y, b->depth);
+    add_planes(z, b->height);
   } else if (const auto* c = geometry::as<geometry::Capsule>(shape)) {
     const std::string above = fmt::format("(abs({0})-{1})", z, text(0.5 * c->height));
-    formulas = {beyond(fmt::format("{0}+({1}>0)*{1}*{1}", across, above), c->diameter)};
+    faces.push_back(beyond(fmt::format("{0}+({1}>0)*{1}*{1}", across, above), c->diameter));
   } else {
-    formulas = {beyond(fmt::format("{0}+{1}*{1}", across, z),
-                       geometry::as<geometry::Sphere>(shape)->diameter)};
+    faces.push_back(beyond(fmt::format("{0}+{1}*{1}", across, z),
+                           geometry::as<geometry::Sphere>(shape)->diameter));
   }
-  return formulas;
+  std::string formula;
+  for (std::size_t k = 0; k < faces.size(); ++k)
+    formula += fmt::format("{}{}*{}", k > 0 ? "+" : "", 1 << k, faces[k]);
+  return formula;
 }
 
 std::string power_commands(const scene::Chamber& chamber) {

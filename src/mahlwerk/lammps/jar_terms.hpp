@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -27,9 +26,9 @@ std::string known_motions();
 /// by its mass, in the jar frame (lmp.5, lmp.6). `time_step` [s].
 std::string jar_commands(const scene::Chamber& chamber, double time_step);
 
-/// For each face of the jar, a formula that is 1 for balls of `radius` [m] in contact with it, and
-/// else 0.
-std::vector<std::string> touch_formulas(const scene::Chamber& chamber, double radius);
+/// A formula that tells with which faces of the jar a ball is in contact: a power of two for each.
+/// It reads the ball's radius as `c_radius`.
+std::string touch_formula(const scene::Chamber& chamber);
 
 /// Commands that make the variables `wall_power` and `body_power` [W]: the work of the turning wall
 /// and of the body force on the balls by time (lmp.7). The torque of the wall follows from all

@@ -73,8 +73,9 @@ bool GrowingFile::has_lines(std::size_t count) {
 }
 
 void OutputFile::damaged(std::string_view line) const {
-  throw RunError(fmt::format("{} holds a line that is not LAMMPS's: \"{}\"",
-                             (folder_ / name_).string(), line.substr(0, 60)));
+  throw RunError(
+      fmt::format("{}.{}.txt holds a line that is not LAMMPS's: \"{}\". Begin again with --force",
+                  (folder_ / name_).string(), number_, line.substr(0, 60)));
 }
 
 void OutputFile::read_row(std::string_view line) {
@@ -135,25 +136,21 @@ bool OutputFile::read() {
   return kind_ == Kind::dump ? read_snapshot() : read_table_line();
 }
 
-const Rows* OutputFile::next(const std::vector<Session>& sessions, std::int64_t until) {
+const Rows* OutputFile::next(const std::vector<Session>& sessions) {
   while (session_ < sessions.size()) {
     const Session& session = sessions[session_];
+    number_ = session.number;
     if (!file_)
       file_ =
           std::make_unique<GrowingFile>(folder_ / fmt::format("{}.{}.txt", name_, session.number));
-    if (!waiting_) waiting_ = read();
-    if (!waiting_ || rows_.step > session.last) {  // the end of this session's file
+    if (!read() || rows_.step > session.last) {  // the end of this session's file
       if (session_ + 1 == sessions.size()) return nullptr;
       ++session_;
       file_.reset();
-      waiting_ = false;
-      continue;
+    } else if (rows_.step > given_) {  // not written again at a restart
+      given_ = rows_.step;
+      return &rows_;
     }
-    if (rows_.step > until) return nullptr;
-    waiting_ = false;
-    if (rows_.step <= given_) continue;  // written again at a restart
-    given_ = rows_.step;
-    return &rows_;
   }
   return nullptr;
 }

@@ -66,9 +66,9 @@ class OutputFile {
   OutputFile(std::filesystem::path folder, std::string name, Kind kind, std::size_t columns)
       : folder_(std::move(folder)), name_(std::move(name)), kind_(kind), columns_(columns) {}
 
-  /// The next snapshot or line at a step of at most `until`, once it is complete; each step is
-  /// given once. Throws RunError if the file is damaged. The result is valid until the next call.
-  const Rows* next(const std::vector<Session>& sessions, std::int64_t until);
+  /// The next snapshot or line, once it is complete; each step is given once. Throws RunError if
+  /// the file is damaged. The result is valid until the next call.
+  const Rows* next(const std::vector<Session>& sessions);
 
  private:
   bool read();
@@ -81,9 +81,9 @@ class OutputFile {
   std::string name_;
   Kind kind_;
   std::size_t columns_, session_ = 0;
+  int number_ = 0;  // of the session
   std::unique_ptr<GrowingFile> file_;
   Rows rows_;
-  bool waiting_ = false;  // rows_ is of a step that has not been asked for
   std::int64_t given_ = -1;
 };
 

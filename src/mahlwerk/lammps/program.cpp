@@ -29,7 +29,9 @@ namespace {
 constexpr const char* code = "lammps";
 
 bool on_path(const std::string& program) {
-  if (program.find('/') != std::string::npos) return ::access(program.c_str(), X_OK) == 0;
+  std::error_code error;
+  if (program.find('/') != std::string::npos)
+    return ::access(program.c_str(), X_OK) == 0 && fs::is_regular_file(program, error);
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "/usr/bin");
   for (std::string folder; std::getline(folders, folder, ':');)
@@ -45,7 +47,7 @@ std::string help_of(const std::string& program) {
   std::string quoted = "'";
   for (const char c : program) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   const std::unique_ptr<std::FILE, Close> pipe(
-      popen((quoted + "' -help 2>/dev/null </dev/null").c_str(), "r"));
+      popen(("timeout 20 " + quoted + "' -help 2>/dev/null </dev/null").c_str(), "r"));
   std::string text;
   std::array<char, 4096> block{};
   while (pipe)
@@ -105,6 +107,25 @@ std::vector<Fault> missing_styles(const Installed& lmp, const std::string& help)
   return found;
 }
 
+/// Processes of this machine whose current folder is `folder`.
+std::vector<int> at_work_in(const fs::path& folder) {
+  std::vector<int> found;
+  std::error_code error;
+  const fs::path place = fs::canonical(folder, error);
+  if (error) return found;
+  for (fs::directory_iterator at("/proc", error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::error_code gone;
+    const fs::path its = fs::read_symlink(at->path() / "cwd", gone);
+    if (gone || its != place) continue;
+    const fs::path program = fs::read_symlink(at->path() / "exe", gone).filename();
+    if (!gone && program.string().find("lmp") != std::string::npos)
+      found.push_back(std::stoi(name));
+  }
+  return found;
+}
+
 }  // namespace
 
 Installed installed(int ranks) {
@@ -122,7 +143,12 @@ Installed installed(int ranks) {
         install));
     return lmp;
   }
+  if (lmp.command.find('/') != std::string::npos) lmp.command = fs::absolute(lmp.command).string();
   const std::string help = help_of(lmp.command);
+  if (help.empty()) {
+    lmp.faults.push_back(missing(lmp.command + " -help prints nothing within 20 s", install));
+    return lmp;
+  }
   constexpr std::string_view before = "Simulator - ";
   if (const std::size_t at = help.find(before); at != std::string::npos) {
     lmp.version = help.substr(at + before.size(), help.find('\n', at) - at - before.size());
@@ -136,7 +162,7 @@ Installed installed(int ranks) {
   return lmp;
 }
 
-Running::Running(const fs::path& folder, const std::vector<std::string>& given) {
+Running::Running(const fs::path& folder, const std::vector<std::string>& given) : folder_(folder) {
   std::vector<std::string> words = given;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -171,14 +197,29 @@ bool Running::ended() {
 void Running::stop() {
   if (ended()) return;
   const int group = child_;
-  ::kill(-group, SIGTERM);
   constexpr int patience = 200;  // of 10 ms
-  for (int i = 0; i < patience && !ended(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  if (child_ < 0) return;
-  ::kill(-group, SIGKILL);
-  ::waitpid(child_, &status_, 0);
+  const auto wait_until = [](const auto& done) {
+    for (int i = 0; i < patience && !done(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  };
+  ::kill(-group, SIGTERM);
+  wait_until([&] { return ended(); });
+  ::kill(-group, SIGKILL);  // and what the leader left behind
+  if (child_ >= 0) ::waitpid(child_, &status_, 0);
   child_ = -1;
+  wait_until([&] { return ::kill(-group, 0) != 0; });
+  wait_until([&] { return at_work_in(folder_).empty(); });  // ranks of mpirun have other groups
+}
+
+void wait_for_others(const fs::path& folder) {
+  constexpr int patience = 100;  // of 100 ms
+  std::vector<int> others;
+  for (int i = 0; i < patience && !(others = at_work_in(folder)).empty(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  if (others.empty()) return;
+  throw InputError(Fault{folder.string(),
+                         fmt::format("process {} is still at work in this folder", others.front()),
+                         "wait for its end, or end it", code});
 }
 
 std::string last_error(const fs::path& folder) {

@@ -35,8 +35,13 @@ class Running {
   void stop();  ///< ends it and all its ranks, and waits
 
  private:
+  std::filesystem::path folder_;
   int child_ = -1, status_ = -1;
 };
+
+/// Waits until no LAMMPS of an earlier run is at work in `folder`, for up to ten seconds. Throws
+/// InputError if one still is.
+void wait_for_others(const std::filesystem::path& folder);
 
 /// The last error message in a log file of LAMMPS or on its screen; empty if there is none.
 std::string last_error(const std::filesystem::path& folder);

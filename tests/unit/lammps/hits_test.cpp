@@ -70,6 +70,26 @@ TEST(Hits, two_balls_have_the_speed_that_a_look_shows) {
                 "lmp.10");
 }
 
+TEST(Hits, a_slow_slip_is_not_taken_for_one_that_friction_has_braked) {
+  // The surfaces have stuck together by the tangential spring, which transmits less than mu = 5.
+  Box box;
+  for (scene::Ball& b : box.balls) b.velocity = {};
+  cases::Case rough = box.mill_case;
+  rough.contact.rule.friction = 5;
+  Hits hits(rough, cases::chamber(rough), box.balls, dt);
+  scene::Ball ball = box.balls[0];
+  std::vector<scene::Collision> found;
+  for (const double slip : {0.1, 1.0, 3.0}) {
+    ball.position = {0.03 - ball.radius + 2e-6, 0, 0};
+    ball.velocity = {1, slip, 0};
+    hits.at_jar(0, ball, 1000, found);
+    ball.position.x -= 4e-6;
+    hits.at_jar(0, ball, 1040, found);
+    // Soon after first touch the spring has hardly changed the slip.
+    tests::states("slip", found.back().slip, slip, 0.02 * slip, "lmp.11");
+  }
+}
+
 TEST(SeenContacts, many_unseen_contacts_get_the_distribution_of_the_seen_ones) {
   SeenContacts seen;
   std::mt19937 random(1);

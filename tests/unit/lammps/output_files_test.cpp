@@ -33,18 +33,17 @@ TEST_F(OutputFiles, a_snapshot_is_given_once_it_is_complete) {
   add("from.0.txt", "0\n");
   OutputFile file = dump();
   const std::string whole = snapshot(10, {"1 0.5", "2 -1e-3"});
-  EXPECT_EQ(file.next(sessions(here_), 100), nullptr);  // no file yet
+  EXPECT_EQ(file.next(sessions(here_)), nullptr);  // no file yet
   for (std::size_t i = 0; i < whole.size(); ++i) {
-    EXPECT_EQ(file.next(sessions(here_), 100), nullptr) << "after " << i << " characters";
+    EXPECT_EQ(file.next(sessions(here_)), nullptr) << "after " << i << " characters";
     add("balls.0.txt", whole.substr(i, 1));
   }
-  EXPECT_EQ(file.next(sessions(here_), 9), nullptr);  // not asked for yet
-  const Rows* rows = file.next(sessions(here_), 10);
+  const Rows* rows = file.next(sessions(here_));
   ASSERT_NE(rows, nullptr);
   EXPECT_EQ(rows->step, 10);
   ASSERT_EQ(rows->count(), 2U);
   EXPECT_EQ(rows->row(1)[1], -1e-3);
-  EXPECT_EQ(file.next(sessions(here_), 100), nullptr);
+  EXPECT_EQ(file.next(sessions(here_)), nullptr);
 }
 
 TEST_F(OutputFiles, what_a_killed_process_wrote_after_its_restart_file_is_left_out) {
@@ -58,7 +57,7 @@ TEST_F(OutputFiles, what_a_killed_process_wrote_after_its_restart_file_is_left_o
   OutputFile balls = dump(), balance(here_, "balance", OutputFile::Kind::table, 2);
   std::string found;
   for (OutputFile* file : {&balls, &balance}) {
-    while (const Rows* rows = file->next(sessions(here_), 100))
+    while (const Rows* rows = file->next(sessions(here_)))
       found += fmt::format("{}:{} ", rows->step, rows->row(0)[1]);
     found += "| ";
   }
@@ -75,7 +74,7 @@ TEST_F(OutputFiles, a_damaged_file_is_named) {
     add("balls.0.txt", bad);
     OutputFile file = dump();
     try {
-      file.next(sessions(here_), 100);
+      file.next(sessions(here_));
       ADD_FAILURE() << bad;
     } catch (const RunError& e) {
       EXPECT_NE(std::string(e.what()).find("balls"), std::string::npos);

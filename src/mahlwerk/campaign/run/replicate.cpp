@@ -114,7 +114,10 @@ std::vector<scene::Ball> start_of(const cases::Case& mill_case, int index, int t
   const auto make = [&](const scene::Chamber& mill, const std::vector<scene::Ball>& balls) {
     return make_engine(at_rest, mill, balls, threads, {});
   };
-  return balls_at_start(mill_case, index, make, stop);
+  std::vector<scene::Ball> balls = balls_at_start(mill_case, index, make, stop);
+  if (mill_case.run.engine == cases::EngineName::lammps)
+    make(cases::chamber(mill_case), balls);  // the soft engine refuses deep overlaps
+  return balls;
 }
 
 std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads,

@@ -28,7 +28,7 @@ bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
                                                      "poisson_ratio"};
   static const std::vector<std::string_view> of_event{
       "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  static const std::vector<std::string_view> not_in_lammps{"hop", "rolling_damping", "curved_walls",
+  static const std::vector<std::string_view> not_in_lammps{"hop", "rolling_damping",
                                                            "rescaled_unloading"};
   if (engine == EngineName::automatic) return true;
   const auto& of_other = engine == EngineName::event ? of_soft : of_event;
