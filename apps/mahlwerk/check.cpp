@@ -22,6 +22,7 @@
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/lammps/notices.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -96,6 +97,7 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
     c.follows.push_back(
         {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
     add(campaign::soft_notices(decided), c.notes);
+    if (choice.engine == cases::EngineName::lammps) add(lammps::model_notices(decided), c.notes);
     add(campaign::overlap_warnings(decided), c.notes);
   }
   const double seconds = static_cast<double>(first.run.replicates) *

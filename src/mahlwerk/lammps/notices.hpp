@@ -7,8 +7,9 @@
 
 namespace mahlwerk::lammps {
 
-/// How the numbers of a run with LAMMPS were got, and where its model differs from the soft
-/// engine's.
+/// Where LAMMPS's model of the case differs from the soft engine's.
+Notices model_notices(const cases::Case& mill_case);
+/// The same, and how the numbers of a run with LAMMPS were got.
 Notices notices(const cases::Case& mill_case);
 
 }  // namespace mahlwerk::lammps

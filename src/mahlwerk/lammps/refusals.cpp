@@ -71,15 +71,8 @@ std::vector<Fault> faults(const cases::Case& c) {
   return found;
 }
 
-Notices notices(const cases::Case& c) {
-  Notices list{note(
-      "lammps",
-      "Computed by LAMMPS. How its numbers were got: drawn power from the torque of the wall and "
-      "the body force; dissipated power from the balance of energy (lmp.7); every contact of "
-      "two balls is counted, and its speeds are those at first touch in a frame, or of a like "
-      "contact that a frame shows (lmp.10); collisions with the jar from frequent looks for "
-      "new contacts (lmp.9, lmp.11). The losses of a collision are those of an undisturbed "
-      "one; what contacts lose after that is dissipated_power_of_lasting_contacts.")};
+Notices model_notices(const cases::Case& c) {
+  Notices list;
   if (resists_rolling(c))
     list.push_back(
         note("lammps-rolling",
@@ -95,6 +88,19 @@ Notices notices(const cases::Case& c) {
     list.push_back(note("lammps-walls",
                         "Walls of LAMMPS include the wall's curvature in the radius of contact, as "
                         "curved_walls = true does in the soft engine."));
+  return list;
+}
+
+Notices notices(const cases::Case& c) {
+  Notices list{note(
+      "lammps",
+      "Computed by LAMMPS. How its numbers were got: drawn power from the torque of the wall and "
+      "the body force; dissipated power from the balance of energy (lmp.7); every contact of "
+      "two balls is counted, and its speeds are those at first touch in a frame, or of a like "
+      "contact that a frame shows (lmp.10); collisions with the jar from frequent looks for "
+      "new contacts (lmp.9, lmp.11). The losses of a collision are those of an undisturbed "
+      "one; what contacts lose after that is dissipated_power_of_lasting_contacts.")};
+  append(list, model_notices(c));
   return list;
 }
 
