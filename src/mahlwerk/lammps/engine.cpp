@@ -3,58 +3,28 @@
 #include "mahlwerk/lammps/engine.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <thread>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/hits.hpp"
 #include "mahlwerk/lammps/output_files.hpp"
-#include "mahlwerk/lammps/program.hpp"
+#include "mahlwerk/lammps/run.hpp"
 
 namespace mahlwerk::lammps {
 namespace fs = std::filesystem;
 namespace {
 
-/// A folder that is removed with this object, if nobody named one.
-class Place {
- public:
-  explicit Place(const fs::path& named) : path_(named) {
-    if (!named.empty()) return;
-    std::string made = (fs::temp_directory_path() / "mahlwerk-lammps-XXXXXX").string();
-    if (::mkdtemp(made.data()) == nullptr)
-      throw RunError(fmt::format("the folder {} cannot be made", made));
-    path_ = made;
-    temporary_ = true;
-  }
-  ~Place() {
-    std::error_code ignored;
-    if (temporary_) fs::remove_all(path_, ignored);
-  }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-  bool temporary_ = false;
-};
-
-/// Columns of balance.N.txt.
+/// A line of balance.N.txt.
 struct Balance {
   double kinetic = 0;     // [J] in the jar frame, of translation
   double turning = 0;     // [J] of rotation
   Vec3 centre, velocity;  // [m], [m/s] of the charge's centre of mass in the jar frame
   double wall_power = 0, body_power = 0;  // [W] means over the row
-  static constexpr std::size_t columns = 11;
   explicit Balance(const double* v)
       : kinetic(v[1]),
         turning(v[2]),
@@ -74,13 +44,13 @@ class Engine final : public scene::Engine {
          const Steps& steps, const Launch& launch)
       : chamber_(std::move(chamber)),
         steps_(steps),
-        place_(launch.folder),
+        run_(launch),
         hits_(mill_case, chamber_, balls, steps.time_step),
         balls_(std::move(balls)),
-        balance_(place_.path(), "balance", OutputFile::Kind::table, Balance::columns),
-        contacts_(place_.path(), "contacts", OutputFile::Kind::dump, contact_columns),
-        frames_(place_.path(), "balls", OutputFile::Kind::dump, ball_columns),
-        walls_(place_.path(), "wall", OutputFile::Kind::dump, ball_columns) {
+        balance_(run_.folder(), "balance", OutputFile::Kind::table, balance_columns),
+        contacts_(run_.folder(), "contacts", OutputFile::Kind::dump, contact_columns),
+        frames_(run_.folder(), "balls", OutputFile::Kind::dump, ball_columns),
+        walls_(run_.folder(), "wall", OutputFile::Kind::dump, ball_columns) {
     for (const scene::Ball& ball : balls_) {
       mass_ += ball.mass();
       centre_ = centre_ + ball.mass() * ball.position;
@@ -89,20 +59,14 @@ class Engine final : public scene::Engine {
     centre_ = centre_ / mass_;
     velocity_ = velocity_ / mass_;
     begin_balance();
-    const bool resumes = launch.resume && fs::exists(place_.path() / "in.lammps");
-    if (resumes) {
-      wait_for_others(place_.path());
-      check_case(mill_case);
-    }
-    if (!resumes)
-      write_folder(place_.path(), mill_case, chamber_, balls_, steps, std::max(1, launch.ranks));
-    if (resumes && is_complete()) return;
-    start(launch, resumes);
+    if (!run_.resumes())
+      write_folder(run_.folder(), mill_case, chamber_, balls_, steps, run_.ranks());
+    run_.start(mill_case, steps.total);
   }
 
   /// A run that has reached its end may write its last files.
   ~Engine() override {
-    while (running_ && !stopped() && reached_.time >= steps_.time && !running_->ended())
+    while (!stopped() && reached_.time >= steps_.time && !run_.ended())
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   Engine(const Engine&) = delete;
@@ -110,13 +74,13 @@ class Engine final : public scene::Engine {
 
   void advance(double time, scene::Observer& observer) override {
     while (reached_.time < time && !stopped()) {
-      const bool ended = !running_ || running_->ended();
-      sessions_ = sessions(place_.path());
+      const bool ended = run_.ended();
+      sessions_ = sessions(run_.folder());
       if (read_row(observer)) continue;
-      if (ended) end_early();
+      if (ended) run_.end_early(reached_.time);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    if (stopped() && running_) running_->stop();
+    if (stopped()) run_.stop();
   }
   scene::EnergyBalance energy_balance() const override { return reached_; }
   std::vector<scene::Ball> balls() const override { return balls_; }
@@ -128,91 +92,13 @@ class Engine final : public scene::Engine {
  private:
   static constexpr std::size_t contact_columns = 8, ball_columns = 10;
 
-  /// What the folder holds must be of this case.
-  void check_case(const cases::Case& mill_case) const {
-    std::ifstream file(place_.path() / "case.toml");
-    const std::string kept(std::istreambuf_iterator<char>(file), {});
-    if (kept != cases::write(mill_case))
-      throw InputError(Fault{place_.path().string(),
-                             "the folder is that of another case, or of other values",
-                             "give the options of the run that is to be resumed, or begin again "
-                             "without --resume",
-                             "bad-checkpoint"});
-  }
-
-  /// Whether LAMMPS has written the last line of the balance.
-  bool is_complete() const {
-    OutputFile balance(place_.path(), "balance", OutputFile::Kind::table, Balance::columns);
-    const std::vector<Session> all = sessions(place_.path());
-    std::int64_t last = 0;
-    while (const Rows* row = balance.next(all)) last = row->step;
-    return last == steps_.total;
-  }
-
-  /// From the newest restart file that LAMMPS can read, if there is one.
-  void start(const Launch& launch, bool resumes) {
-    const int ranks = std::max(1, launch.ranks);
-    const Installed lmp = installed(ranks);
-    if (!lmp.faults.empty()) throw InputError(lmp.faults);
-    std::vector<std::string> words{lmp.command};
-    if (ranks > 1) words = {"mpirun", "-np", std::to_string(ranks), lmp.command};
-    if (ranks > 1 && ::geteuid() == 0)  // Open MPI asks root twice
-      words.insert(words.begin(),
-                   {"env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
-    for (const char* word : {"-in", "in.lammps", "-screen", "none"}) words.emplace_back(word);
-    if (!resumes) {
-      running_ = std::make_unique<Running>(place_.path(), words);
-      return;
-    }
-    const std::vector<fs::path> kept = restart_files();
-    for (const fs::path& file : kept) {
-      const std::size_t before = sessions(place_.path()).size();
-      std::vector<std::string> more = words;
-      for (const std::string& word :
-           {std::string("-var"), std::string("from"), file.filename().string(), std::string("-var"),
-            std::string("session"), std::to_string(before)})
-        more.push_back(word);
-      running_ = std::make_unique<Running>(place_.path(), more);
-      while (sessions(place_.path()).size() == before && !running_->ended() && !stopped())
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      if (sessions(place_.path()).size() > before) return;
-    }
-    if (!kept.empty()) end_early();
-    remove_output();  // it was ended before its first restart file
-    running_ = std::make_unique<Running>(place_.path(), words);
-  }
-
-  /// The newest first.
-  std::vector<fs::path> restart_files() const {
-    std::vector<fs::path> found;
-    for (const char* name : {"restart.a", "restart.b"})
-      if (fs::exists(place_.path() / name)) found.push_back(place_.path() / name);
-    std::ranges::sort(found, std::ranges::greater(),
-                      [](const fs::path& file) { return fs::last_write_time(file); });
-    return found;
-  }
-
-  void remove_output() const {
-    for (const auto& entry : fs::directory_iterator(place_.path()))
-      if (entry.path().extension() == ".txt") fs::remove(entry.path());
-  }
-
-  [[noreturn]] void end_early() const {
-    const std::string error = last_error(place_.path());
-    const char* log = fs::exists(place_.path() / "log.lammps") ? "log.lammps" : "screen.txt";
-    throw RunError(fmt::format(
-        "LAMMPS stopped at {:.6g} s{}. Its messages are in {}. --resume goes on from its last "
-        "restart file, once the cause is removed (a full disk leaves no message)",
-        reached_.time, error.empty() ? "" : ": " + error, (place_.path() / log).string()));
-  }
-
   /// What LAMMPS writes at intervals must have no holes.
   void check_step(const char* name, std::int64_t found, std::int64_t expected) const {
     if (found == expected) return;
     throw RunError(fmt::format(
         "the files {}.*.txt in {} have no step {}, but {}: they are damaged, or two LAMMPS wrote "
         "them. Begin again with --force",
-        name, place_.path().string(), expected, found));
+        name, run_.folder().string(), expected, found));
   }
 
   /// Takes over what LAMMPS wrote up to the next line of the balance. False if that is not
@@ -368,13 +254,12 @@ class Engine final : public scene::Engine {
 
   scene::Chamber chamber_;
   Steps steps_;
-  Place place_;
+  Run run_;
   Hits hits_;
   std::vector<scene::Ball> balls_;  // of the last frame
   double balls_time_ = 0;
   OutputFile balance_, contacts_, frames_, walls_;
   std::vector<Session> sessions_;
-  std::unique_ptr<Running> running_;
 
   std::int64_t next_step_ = 0;  // of a line of the balance whose row is not complete
   std::vector<double> next_row_;

@@ -15,6 +15,9 @@
 // Files that LAMMPS writes, read while it still writes them.
 namespace mahlwerk::lammps {
 
+/// Columns of balance.N.txt (deck.cpp).
+constexpr std::size_t balance_columns = 11;
+
 /// Part of a run between two starts of LAMMPS: the steps of its files that count, as what a killed
 /// process wrote after its last restart file is computed again.
 struct Session {
