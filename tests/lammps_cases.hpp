@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -42,14 +40,8 @@ inline std::string lammps_case_text(const std::string& mill, const std::string& 
 
 inline cases::Case case_of_text(const std::string& text,
                                 const std::vector<cases::Override>& set = {}) {
-  std::string name = (std::filesystem::temp_directory_path() / "mahlwerk-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for a test");
-  const std::filesystem::path folder = name;
-  std::ofstream(folder / "case.toml") << text;
-  const cases::Catalogue catalogue(std::string(MAHLWERK_HOME) + "/catalogue");
-  cases::Case made = cases::read(folder / "case.toml", catalogue, set);
-  std::filesystem::remove_all(folder);
-  return made;
+  static const cases::Catalogue catalogue(std::string(MAHLWERK_HOME) + "/catalogue");
+  return cases::read_text(text, "case.toml", catalogue, set);
 }
 
 inline cases::Case lammps_case(const std::string& mill, const std::string& jar, int balls = 2,

@@ -17,12 +17,6 @@
 namespace mahlwerk::lammps {
 namespace {
 
-contact::EffectivePair pair_of(const contact::Pair& pair, const scene::Ball& a,
-                               const scene::Ball& b) {
-  return {pair, a.radius * b.radius / (a.radius + b.radius),
-          a.mass() * b.mass() / (a.mass() + b.mass())};
-}
-
 /// Neighbour lists: by size classes where sizes differ by more than a factor of two, as one cutoff
 /// makes lists of small balls six times as long at a ratio of 15.
 std::string neighbours(const std::vector<scene::Ball>& types) {
@@ -105,6 +99,12 @@ std::string processors(const scene::Chamber& chamber, int ranks) {
 }
 
 }  // namespace
+
+contact::EffectivePair pair_of(const contact::Pair& pair, const scene::Ball& a,
+                               const scene::Ball& b) {
+  return {pair, a.radius * b.radius / (a.radius + b.radius),
+          a.mass() * b.mass() / (a.mass() + b.mass())};
+}
 
 std::vector<int> types_of(const std::vector<scene::Ball>& balls) {
   std::map<std::pair<std::int32_t, double>, int> seen;

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/contact/law.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
@@ -37,6 +38,10 @@ Steps steps_of(const cases::Case& mill_case, double time, double counted, double
 
 /// Why LAMMPS cannot run the case; empty if it can. Each fault lists what it can.
 std::vector<Fault> faults(const cases::Case& mill_case);
+
+/// Two balls that may touch, with the properties of their kinds.
+contact::EffectivePair pair_of(const contact::Pair& pair, const scene::Ball& a,
+                               const scene::Ball& b);
 
 /// The type in LAMMPS of each ball, from 0: one for each ball set and diameter, in the order in
 /// which they occur.

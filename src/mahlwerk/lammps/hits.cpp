@@ -29,8 +29,13 @@ double slip_at_touch(double slip, double change, double speed, const Impact& imp
   return slip + std::min(impact.friction(), sticking) * std::max(0.0, change) / sliding_mass;
 }
 
-/// Losses of an undisturbed collision: by restitution, and by sliding until the surfaces stick.
-void set_losses(scene::Collision& c, const Impact& impact) {
+/// Speeds, and the losses of an undisturbed collision: by restitution, and by sliding until the
+/// surfaces stick.
+void set_speeds(scene::Collision& c, const TouchSpeeds& speeds, const Impact& impact) {
+  c.mass = impact.mass();
+  c.approach = speeds.approach;
+  c.slip = speeds.slip;
+  c.glide = speeds.glide;
   const double e = impact.restitution();
   c.impulse = c.mass * c.approach * (1 + e);
   c.lost_normal = 0.5 * c.mass * c.approach * c.approach * (1 - e * e);
@@ -120,9 +125,7 @@ const Impact& Hits::impact_of_balls(std::int32_t one, std::int32_t other) {
   if (const auto at = between_.find(key); at != between_.end()) return at->second;
   const scene::Ball &a = balls_[static_cast<std::size_t>(one)],
                     &b = balls_[static_cast<std::size_t>(other)];
-  const contact::EffectivePair pair{pairs_.balls(a.kind, b.kind),
-                                    a.radius * b.radius / (a.radius + b.radius),
-                                    a.mass() * b.mass() / (a.mass() + b.mass())};
+  const contact::EffectivePair pair = pair_of(pairs_.balls(a.kind, b.kind), a, b);
   return between_.try_emplace(key, *mill_case_->contact.model.law, pair).first->second;
 }
 
@@ -172,12 +175,8 @@ scene::Collision Hits::between_balls(const BallContact& contact) {
                      .ball = contact.one,
                      .other = contact.other,
                      .where = jar_.to_jar_axes(contact.middle, time_of(contact.ended)),
-                     .normal = {},
-                     .mass = impact.mass(),
-                     .approach = speeds.approach,
-                     .slip = speeds.slip,
-                     .glide = speeds.glide};
-  set_losses(c, impact);
+                     .normal = {}};
+  set_speeds(c, speeds, impact);
   return c;
 }
 
@@ -193,12 +192,8 @@ scene::Collision Hits::begin_at_jar(std::int32_t ball, const scene::Ball& now,
                      .ball = ball,
                      .other = ~face,
                      .where = jar_.to_jar_axes(wall.point, time),
-                     .normal = jar_.to_jar_axes(-wall.inward, time),
-                     .mass = impact.mass(),
-                     .approach = speeds.approach,
-                     .slip = speeds.slip,
-                     .glide = speeds.glide};
-  set_losses(c, impact);
+                     .normal = jar_.to_jar_axes(-wall.inward, time)};
+  set_speeds(c, speeds, impact);
   return c;
 }
 

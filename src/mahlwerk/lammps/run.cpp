@@ -86,9 +86,10 @@ std::vector<std::string> Run::command() const {
 
 /// A restart file that was being written when a process ended cannot be read; the other one can.
 void Run::start_from_restart_file() {
+  const std::vector<std::string> begin = command();
   for (const fs::path& file : restart_files()) {
     const std::size_t before = sessions(folder_).size();
-    std::vector<std::string> words = command();
+    std::vector<std::string> words = begin;
     for (const std::string& word :
          {std::string("-var"), std::string("from"), file.filename().string(), std::string("-var"),
           std::string("session"), std::to_string(before)})
