@@ -121,7 +121,7 @@ class SensitivityAnalysis {
   void set_mean() {
     const results::Quantity mean = [&] {
       results::Quantity q;
-      results::combine(q, outcomes_);
+      results::combine(q, outcomes_, results::Interval::of_mean);
       return q;
     }();
     result_.base = mean.value;

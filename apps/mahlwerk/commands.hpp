@@ -23,6 +23,7 @@ struct Request {
   std::string mill, kind, jar, jar_kind, balls;  ///< of `new`
   std::optional<std::filesystem::path> out;
   std::optional<std::uint64_t> seed;
+  int settings = 0;   ///< of `fit`: largest number of settings; 0: as many as usual
   int threads = 0;    ///< 0: all cores
   std::string shard;  ///< "2/8": the second of eight parts of a campaign; empty: all
   int slurm = 0;      ///< number of shards to submit to Slurm; 0: run here

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// fit: fits parameters of a case to measurements of the powder.
+// fit: fits parameters of a case to measurements.
 #include "mahlwerk/campaign/fit/fit.hpp"
 
 #include <fmt/format.h>
@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "calibrate.hpp"
 #include "command.hpp"
 #include "compute.hpp"
 #include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/calibrate/calibration_job.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 #include "messages.hpp"
 #include "output.hpp"
@@ -76,6 +78,7 @@ int cut_short(const std::vector<results::Outcome>& mills) {
 
 int fit(const Request& request) {
   const fs::path file = one_case_file(request.target, "fit");
+  if (campaign::calibrates(file, overrides(request))) return calibrate(request, file);
   const campaign::FitJob job =
       campaign::fit_job(file, request.data, catalogue(), overrides(request));
   const fs::path usual = default_folder(request.target, file, false).string() + "-fit";
@@ -100,15 +103,20 @@ int fit(const Request& request) {
 
 Command fit_command() {
   return {"fit",
-          "fit parameters of a case to measurements of the powder, with confidence intervals",
+          "fit parameters of a case to measurements of the powder or of the mill, with intervals",
           joined({{one_case(),
                    {.name = "DATA",
                     .target = &Request::data,
                     .about = "table of measurements: CSV, see docs/formats.md",
                     .required = true}},
                   changes(),
+                  {{.name = "--settings",
+                    .target = &Request::settings,
+                    .about = "largest number of settings that are run for keys of [contact] and "
+                             "[mill]; by default 20, and 20 for each key",
+                    .range = {5, 100'000}}},
                   running(", with -fit"),
-                  {json()}}),
+                  {resumable_checkpoint(), json()}}),
           fit};
 }
 

@@ -17,13 +17,6 @@ namespace {
 using campaign::MeasuredQuantity, campaign::Measurement;
 using report::FitCurve, report::FitParameter, report::FitPoint, report::FitReport;
 
-std::string label(const std::vector<cases::Override>& condition) {
-  std::string text;
-  for (const cases::Override& set : condition)
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", set.key, set.value);
-  return text;
-}
-
 FitParameter number(const cases::FitParameter& of, const campaign::FreeParameter& range,
                     const campaign::FittedParameter& found, double simulation_ci95) {
   return {.key = of.key,
@@ -136,6 +129,13 @@ FitPoint point(const Measurement& m, double predicted) {
 
 }  // namespace
 
+std::string condition_label(const std::vector<cases::Override>& condition) {
+  std::string text;
+  for (const cases::Override& set : condition)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", set.key, set.value);
+  return text;
+}
+
 FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Outcome>& mills,
                      const campaign::Fit& fit) {
   FitReport made{.title = job.base.title,
@@ -153,7 +153,7 @@ FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Out
     made.parameters.push_back(
         number(*std::ranges::find(known, job.parameters[i].name, &cases::FitParameter::key),
                job.parameters[i], fit.result.parameters[i], fit.simulation_ci95[i]));
-  for (const auto& condition : job.data.conditions) made.conditions.push_back(label(condition));
+  for (const auto& condition : job.data.conditions) made.conditions.push_back(condition_label(condition));
   for (std::size_t i = 0; i < job.data.values.size(); ++i)
     made.points.push_back(point(job.data.values[i], fit.predicted[i]));
   for (const results::Outcome& mill : mills) results::count(made.notices, mill.notices);

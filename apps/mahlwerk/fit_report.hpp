@@ -21,4 +21,7 @@ results::Json fit_json(const report::FitReport& fit, std::string_view version);
 /// The case with the fitted values set and the list of parameters to fit cleared.
 cases::Case fitted_case(const campaign::FitJob& job, const report::FitReport& fit);
 
+/// "mill.speed = 300 rpm, ..."; empty without overrides.
+std::string condition_label(const std::vector<cases::Override>& condition);
+
 }  // namespace mahlwerk::app

@@ -26,11 +26,6 @@ report::ValueCi95 value_ci95(const campaign::MeanCi95& guess) {
   return {guess.mean, guess.ci95};
 }
 
-/// The unit of a range: that of its upper end.
-std::string unit_of(const cases::SweptKey& range) {
-  return std::string(number_text(range.values[1]).rest);
-}
-
 double number_of(const std::string& text, const std::string& unit) {
   const double one = unit.empty() ? 1 : parse_quantity("1 " + unit).value;
   return parse_quantity(text).value / one;
@@ -180,6 +175,10 @@ campaign::Optimum run_search(const Request& request, const campaign::SearchJob& 
   });
   not_kept.repeat();
   return found;
+}
+
+std::string unit_of(const cases::SweptKey& range) {
+  return std::string(number_text(range.values[1]).rest);
 }
 
 report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found) {

@@ -51,6 +51,9 @@ std::optional<report::OptimumCheck> check_best(const Request& request,
                                                const campaign::Optimum& found,
                                                const ResumableSearch& kept);
 
+/// The unit of a range: that of its upper end.
+std::string unit_of(const cases::SweptKey& range);
+
 report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found);
 results::Json optimum_json(const report::OptimumReport& found, std::string_view version);
 

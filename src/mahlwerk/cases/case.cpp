@@ -29,7 +29,7 @@ bool Case::operator==(const Case& o) const {
          powder == o.powder && contact == o.contact && run == o.run && observe == o.observe &&
          wear == o.wear && heat == o.heat && capture == o.capture && grinding == o.grinding &&
          kinetics == o.kinetics && gravity == o.gravity && sweep == o.sweep &&
-         optimise == o.optimise && match == o.match && fit == o.fit;
+         optimise == o.optimise && match == o.match && uncertainty == o.uncertainty && fit == o.fit;
 }
 
 }  // namespace mahlwerk::cases

@@ -14,6 +14,7 @@
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/cases/sweep.hpp"
+#include "mahlwerk/cases/uncertainty.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
@@ -139,6 +140,11 @@ struct Contact {
   double lasting_speed = 0;
   double contact_time = 0;  ///< [s] t_c of the TC rule
   bool operator==(const Contact&) const = default;
+};
+
+struct DrawnSections {
+  Mill mill;
+  Contact contact;
 };
 
 /// Frame of reference of the starting speeds.
@@ -328,6 +334,7 @@ struct Case {
   Sweep sweep;            ///< keys that vary from run to run; empty: one run
   std::optional<Optimise> optimise;
   std::optional<Match> match;
+  std::optional<Uncertainty> uncertainty;  ///< keys with a scatter of values
   std::map<std::string, FitRange> fit;  ///< dotted key -> range searched by `mahlwerk fit`
 
   // operator== ignores both: equal cases may come from different files.

@@ -40,7 +40,8 @@ constexpr std::array sections{
     SectionSpec{"sweep", "", "a campaign: keys of the case that vary", true},
     SectionSpec{"optimise", "", "search for the settings of a largest or smallest quantity", true},
     SectionSpec{"match", "", "search for settings that treat powder as another mill does", true},
-    SectionSpec{"fit", "", "parameters that are determined from measurements", true}};
+    SectionSpec{"fit", "", "parameters that are determined from measurements", true},
+    SectionSpec{"uncertainty", "", "keys that vary from replicate to replicate", true}};
 
 /// A case with every section.
 Case full_case() {

@@ -33,7 +33,7 @@ struct KeyInfo {
 };
 
 /// Every key that a case may have under any model, in the order in which cases are written; without
-/// the keys of [sweep], [optimise], [match] and [fit].
+/// the keys of [sweep], [optimise], [match], [fit] and [uncertainty].
 const std::vector<KeyInfo>& all_keys();
 
 /// The keys of a section, or those that only one of its kinds has.

@@ -44,7 +44,14 @@ class CaseReader {
     apply(overrides, ValueSource::optimise);
     apply(overrides, ValueSource::match);
     const DottedLists fit = read_fit(section("fit", false), findings_);
+    for (const auto& [key, ends] : fit.values)
+      findings_.origins.push_back({.key = "fit." + key,
+                                   .value = fmt::format("{} to {}", ends.front(), ends.back()),
+                                   .source = fit.locations.at(key)});
+    apply(overrides, ValueSource::fit);
     record_fit(fit);
+    read_draws(overrides);
+    apply(overrides, ValueSource::uncertainty);
     read_top();
     read_sections();
     check_fit(c_, fit.locations, findings_);
@@ -63,14 +70,44 @@ class CaseReader {
       return value_from_text(value, "--set " + key, Precedence::command);
     if (source == ValueSource::sweep)
       return value_from_text(value, fmt::format("[sweep] {} = {}", key, value), Precedence::sweep);
-    const std::string section = source == ValueSource::optimise ? "optimise" : "match";
+    const auto& [section, place] = section_of(source);
     const auto range =
-        std::ranges::find(findings_.origins, fmt::format("{}.over.{}", section, key), &Origin::key);
+        std::ranges::find(findings_.origins, fmt::format("{}{}", place, key), &Origin::key);
     const std::string line = range == findings_.origins.end() ? section : range->source;
     const std::string where = fmt::format("{}: [{}] {} = {}", line, section, key, value);
     Node node = value_from_text(value, where, Precedence::command);
     node.source = fmt::format("{}: found by {}", line, section);
     return node;
+  }
+
+  /// The section that varies a key, and what its keys are called in origins.
+  static std::pair<std::string, std::string> section_of(ValueSource source) {
+    if (source == ValueSource::optimise) return {"optimise", "optimise.over."};
+    if (source == ValueSource::match) return {"match", "match.over."};
+    if (source == ValueSource::fit) return {"fit", "fit."};
+    return {"uncertainty", "uncertainty."};
+  }
+
+  /// [uncertainty], unless the values of a draw are given: then its section was read before. Another
+  /// source cannot give its keys, too.
+  void read_draws(const std::vector<Override>& overrides) {
+    const Node* table = section("uncertainty", false);
+    if (table == nullptr || std::ranges::find(overrides, ValueSource::uncertainty,
+                                              &Override::source) != overrides.end())
+      return;
+    c_.uncertainty = read_uncertainty(table, findings_);
+    for (const Override& one : overrides)
+      refuse_drawn(one.key, one.source == ValueSource::command ? "--set " + one.key
+                                                               : section_of(one.source).first);
+    for (const SweptKey& swept : c_.sweep.keys)
+      refuse_drawn(swept.key, fmt::format("[sweep] \"{}\"", swept.key));
+  }
+  void refuse_drawn(const std::string& key, const std::string& where) {
+    if (std::ranges::find(c_.uncertainty->keys, key, &UncertainKey::key) !=
+        c_.uncertainty->keys.end())
+      findings_.faults.push_back(
+          {where, fmt::format("{} varies from replicate to replicate by [uncertainty]", key),
+           "remove it from [uncertainty], or remove that section", "drawn-value"});
   }
 
   void apply(const std::vector<Override>& overrides, ValueSource source) {
@@ -178,7 +215,8 @@ class CaseReader {
     SectionReader in(&root_, "", findings_);
     for (const std::string_view name :
          {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "capture",
-          "breakage", "fragments", "grinding", "kinetics", "sweep", "optimise", "match", "fit"})
+          "breakage", "fragments", "grinding", "kinetics", "sweep", "optimise", "match", "fit",
+          "uncertainty"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -291,8 +329,30 @@ CaseFile::CaseFile(const std::filesystem::path& file) : CaseFile(contents_of(fil
 CaseFile::CaseFile(const std::string& text, const std::filesystem::path& file)
     : root_(parse_tree(text, file.generic_string())), file_(file) {}
 
+namespace {
+
+/// The values of one draw, as overrides after `overrides`.
+std::vector<Override> with_draw(std::vector<Override> overrides, const Uncertainty& uncertainty,
+                                std::size_t draw) {
+  for (const UncertainKey& one : uncertainty.keys)
+    overrides.push_back({one.key, one.values[draw], ValueSource::uncertainty});
+  return overrides;
+}
+
+}  // namespace
+
 Case CaseFile::read(const Catalogue& catalogue, const std::vector<Override>& overrides) const {
-  return CaseReader(root_, file_, catalogue).read(overrides);
+  Case made = CaseReader(root_, file_, catalogue).read(overrides);
+  if (!made.uncertainty) return made;
+  std::vector<DrawnSections> sections;
+  for (std::size_t draw = 0; draw < made.uncertainty->count(); ++draw) {
+    Case one = CaseReader(root_, file_, catalogue)
+                   .read(with_draw(overrides, *made.uncertainty, draw));
+    sections.push_back({std::move(one.mill), std::move(one.contact)});
+  }
+  made.uncertainty->sections =
+      std::make_shared<const std::vector<DrawnSections>>(std::move(sections));
+  return made;
 }
 
 Case read(const std::filesystem::path& file, const Catalogue& catalogue,
@@ -303,6 +363,10 @@ Case read(const std::filesystem::path& file, const Catalogue& catalogue,
 Case read_text(const std::string& text, const std::filesystem::path& file,
                const Catalogue& catalogue, const std::vector<Override>& overrides) {
   return CaseFile(text, file).read(catalogue, overrides);
+}
+
+bool is_key_of_run(std::string_view key) {
+  return key.starts_with("contact.") || key.starts_with("mill.");
 }
 
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file) {

@@ -15,7 +15,7 @@
 namespace mahlwerk::cases {
 
 /// Source of a value that overrides the file's: --set, or the section that varies the key.
-enum class ValueSource { command, sweep, optimise, match };
+enum class ValueSource { command, sweep, optimise, match, fit, uncertainty };
 
 /// One "key=value" of the command line, of a campaign's point or of a search. The value is written
 /// as in TOML; quotes are optional.
@@ -52,6 +52,10 @@ Case read_text(const std::string& text, const std::filesystem::path& file,
 /// fitted keys may have no value yet: to read the whole case, give each of them as an override.
 /// Throws InputError.
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file);
+
+/// Whether a key of [fit] is one of [contact] or [mill], which decides how the balls move. Others are
+/// numbers of powder models, which can be fitted to one run.
+bool is_key_of_run(std::string_view key);
 
 /// The resolved case as TOML: every value, followed by its origin as a comment.
 /// read_text(write(c)) == c.

@@ -33,10 +33,6 @@ std::string number_rows(const FitReport& fit) {
   return rows;
 }
 
-std::string box(const std::string& words, bool warns) {
-  return fmt::format("<section class=\"box{}\"><p>{}</p></section>\n", warns ? " warn" : "", words);
-}
-
 std::string remarks(const FitReport& fit) {
   std::string text;
   for (const FitParameter& n : fit.parameters) {
@@ -45,13 +41,13 @@ std::string remarks(const FitReport& fit) {
       words += (words.empty() ? " " : "; ") + escaped(remark);
     if (!words.empty()) words += ".";
     if (!n.determined)
-      text += box(
+      text += note_box(
           fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(n.key), words),
           true);
     else if (!words.empty())
-      text += box(fmt::format("<code>{}</code>:{}", escaped(n.key), words), false);
+      text += note_box(fmt::format("<code>{}</code>:{}", escaped(n.key), words), false);
   }
-  for (const std::string& remark : fit.remarks) text += box(escaped(remark) + ".", true);
+  for (const std::string& remark : fit.remarks) text += note_box(escaped(remark) + ".", true);
   return text;
 }
 
@@ -248,7 +244,7 @@ std::string fit_page(const FitReport& fit, std::string_view version) {
       "mill</th><th class=\"n\">search "
       "range</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n",
       number_rows(fit));
-  body += box(escaped(how_to_read(fit)), false);
+  body += note_box(escaped(how_to_read(fit)), false);
   body += figures(fit);
   body += correlation(fit) + condition_list(fit);
   body += fmt::format(

@@ -57,6 +57,10 @@ std::string page(std::string_view title, std::string_view body, std::string_view
       escaped(title), style, body, footer);
 }
 
+std::string note_box(const std::string& words, bool warns) {
+  return fmt::format("<section class=\"box{}\"><p>{}</p></section>\n", warns ? " warn" : "", words);
+}
+
 std::string figure(const Plot& plot, std::string_view caption) {
   return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", svg(plot),
                      escaped(caption));

@@ -12,6 +12,9 @@ namespace mahlwerk::report {
 /// A complete HTML page around `body`: self-contained, with light and dark mode and a print style.
 std::string page(std::string_view title, std::string_view body, std::string_view footer);
 
+/// A box with a note or a warning in HTML.
+std::string note_box(const std::string& words, bool warns);
+
 /// A plot with a caption (plain text) as HTML <figure>.
 std::string figure(const Plot& plot, std::string_view caption);
 

@@ -49,10 +49,10 @@ Summary summarise(const Outcome& outcome) {
   Summary made;
   for (const Replicate& r : outcome.replicates)
     made.by_replicate.push_back(values_of(all, outcome.mill_case, r));
-  made.quantities = means(all, made.by_replicate, numbers);
+  made.quantities = means(all, made.by_replicate, numbers, interval_of(outcome.mill_case));
   for (std::size_t i = 0; i < all.size(); ++i) {
     Quantity& q = made.quantities[i];
-    q.ci95_time = ci95_over_time(chosen, q.name);
+    if (!outcome.mill_case.uncertainty) q.ci95_time = ci95_over_time(chosen, q.name);
     if (!all[i].worst) continue;
     q.value = worst(made.by_replicate, i);
     q.ci95 = undefined;
@@ -63,7 +63,8 @@ Summary summarise(const Outcome& outcome) {
   made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), undefined, "1",
                              "number of independent replicates in the means"});
   made.pairs = by_pair(outcome);
-  made.two_states = two_states(outcome, all, made.by_replicate);
+  if (!outcome.mill_case.uncertainty)  // whose replicates differ by their parameters
+    made.two_states = two_states(outcome, all, made.by_replicate);
   made.regime = regime(outcome);
   if (!made.regime.empty()) made.regime_reason = regime_reason(outcome);
   return made;

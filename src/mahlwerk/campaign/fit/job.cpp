@@ -89,7 +89,7 @@ FitJob fit_job(const fs::path& file, const std::string& data_file, const cases::
   FitJob job;
   job.base = read(file, known, set, anywhere, {}, data_file);
   job.data_file = data_file;
-  job.data = read_measurements(data_file);
+  job.data = read_measurements(data_file, run_quantities(job.base));
   if (!job.base.sweep.empty())
     throw InputError(Fault{
         job.base.file, "the case has a [sweep], but fit takes a single case",

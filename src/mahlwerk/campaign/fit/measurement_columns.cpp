@@ -23,10 +23,10 @@ std::optional<int> percent_of(std::string_view word) {
 }
 
 /// The column with this name, without its unit; empty if there is none.
-std::optional<Column> column_called(std::string_view name) {
+std::optional<Column> column_called(std::string_view name, const RunQuantities& known) {
   constexpr std::string_view ending = "_error";
   if (name.ends_with(ending)) {
-    std::optional<Column> of = column_called(name.substr(0, name.size() - ending.size()));
+    std::optional<Column> of = column_called(name.substr(0, name.size() - ending.size()), known);
     if (!of || of->role != Role::measured) return std::nullopt;
     of->role = Role::error;
     return of;
@@ -36,16 +36,24 @@ std::optional<Column> column_called(std::string_view name) {
     column.percent = *percent;
     return column;
   }
-  if (name == "time" || name == "size") {
-    column.role = name == "time" ? Role::time : Role::size;
-    return column;
-  }
-  for (const MeasuredQuantity what : {MeasuredQuantity::passing, MeasuredQuantity::specific_surface,
-                                      MeasuredQuantity::conversion})
+  for (const auto& [word, role] :
+       {std::pair{"time", Role::time}, {"size", Role::size}, {"fall_height", Role::fall}})
+    if (name == word) {
+      column.role = role;
+      return column;
+    }
+  for (const MeasuredQuantity what :
+       {MeasuredQuantity::passing, MeasuredQuantity::specific_surface, MeasuredQuantity::conversion,
+        MeasuredQuantity::rebound_height})
     if (name == name_of(what, 0)) {
       column.what = what;
       return column;
     }
+  if (const auto of = std::ranges::find(known, name, &RunQuantity::name); of != known.end()) {
+    column.what = MeasuredQuantity::of_run;
+    column.quantity = *of;
+    return column;
+  }
   column.role = Role::condition;
   if (name.find('.') != std::string_view::npos) return column;
   return std::nullopt;
@@ -63,21 +71,22 @@ std::string unit_from(std::string text) {
 
 std::string_view Column::stored_unit() const {
   if (role == Role::time) return "s";
-  return role == Role::size ? "m" : unit_of(what);
+  if (role == Role::size || role == Role::fall) return "m";
+  return what == MeasuredQuantity::of_run ? std::string_view(quantity.unit) : unit_of(what);
 }
 
-std::optional<Column> column_of(const std::string& heading) {
+std::optional<Column> column_of(const std::string& heading, const RunQuantities& known) {
   if (heading.empty()) return std::nullopt;
   const auto open = heading.find_first_of("([");
   if (open != std::string::npos && (heading.back() == ')' || heading.back() == ']')) {
-    std::optional<Column> column = column_called(trimmed(heading.substr(0, open)));
+    std::optional<Column> column = column_called(trimmed(heading.substr(0, open)), known);
     if (column) column->unit = trimmed(heading.substr(open + 1, heading.size() - open - 2));
     if (column && column->unit == "1") column->unit.clear();
     return column;
   }
-  if (std::optional<Column> column = column_called(heading)) return column;
+  if (std::optional<Column> column = column_called(heading, known)) return column;
   for (auto at = heading.rfind('_'); at != std::string::npos && at > 0; at = heading.rfind('_', at))
-    if (std::optional<Column> column = column_called(heading.substr(0, at--));
+    if (std::optional<Column> column = column_called(heading.substr(0, at--), known);
         column && column->role != Role::condition) {
       column->unit = unit_from(heading.substr(at + 2));
       return column;
@@ -85,11 +94,13 @@ std::optional<Column> column_of(const std::string& heading) {
   return std::nullopt;
 }
 
-std::string heading_near(const std::string& heading) {
+std::string heading_near(const std::string& heading, const RunQuantities& known) {
   const auto end = std::min(heading.find_first_of(" (["), heading.size());
+  std::vector<std::string> names{"time", "D10",        "D50",  "D90",     "specific_surface",
+                                 "conversion", "size", "passing", "rebound_height", "fall_height"};
+  for (const RunQuantity& one : known) names.push_back(one.name);
   std::vector<std::string> words;
-  for (const char* word :
-       {"time", "D10", "D50", "D90", "specific_surface", "conversion", "size", "passing"})
+  for (const std::string& word : names)
     for (const char* ending : {"", "_error"})
       words.push_back(word + (ending + heading.substr(end)));
   return nearest_word(heading, words);

@@ -13,7 +13,7 @@
 namespace mahlwerk::campaign {
 
 /// Role of a column.
-enum class Role { time, size, measured, error, condition };
+enum class Role { time, size, fall, measured, error, condition };
 
 struct Column {
   Role role = Role::condition;
@@ -21,16 +21,17 @@ struct Column {
   std::string unit;  ///< as written
   MeasuredQuantity what = MeasuredQuantity::quantile;  ///< for measured values and their errors
   int percent = 0;                                     ///< of a quantile
+  RunQuantity quantity = {};                           ///< of a run
   std::optional<std::size_t> error_in;  ///< for measured values: the column of their errors
 
   std::string_view stored_unit() const;  ///< unit in which its numbers are stored
 };
 
 /// The column of a heading: "D90 (um)", "D90 [um]", "D90_um" or "D90"; empty if it is unknown.
-std::optional<Column> column_of(const std::string& heading);
+std::optional<Column> column_of(const std::string& heading, const RunQuantities& known = {});
 
 /// The nearest known heading; empty if none is near.
-std::string heading_near(const std::string& heading);
+std::string heading_near(const std::string& heading, const RunQuantities& known = {});
 
 /// The cells of a line. Between quotes separators are text, and two quotes stand for one.
 std::vector<std::string> cells_of(std::string_view line, char separator);

@@ -14,6 +14,7 @@
 #include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/measurement_columns.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -24,7 +25,7 @@ constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, co
 
 class Reader {
  public:
-  explicit Reader(std::string file) : file_(std::move(file)) {}
+  Reader(std::string file, const RunQuantities& known) : file_(std::move(file)), known_(known) {}
 
   Measurements read(const std::string& text) {
     std::istringstream stream(text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text);
@@ -69,12 +70,12 @@ class Reader {
   }
 
   Column read_heading(const std::string& heading) {
-    std::optional<Column> column = column_of(heading);
+    std::optional<Column> column = column_of(heading, known_);
     if (!column) {
-      const std::string near = heading_near(heading);
+      const std::string near = heading_near(heading, known_);
       fault(fmt::format("unknown column \"{}\"", heading),
-            near.empty() ? fmt::format("columns are {}, passing, and keys of the case such as "
-                                       "mill.frequency",
+            near.empty() ? fmt::format("columns are {}, passing, quantities of summary.json, and "
+                                       "keys of the case such as mill.frequency",
                                        examples)
                          : fmt::format("did you mean \"{}\"?", near),
             "unknown-column");
@@ -92,9 +93,11 @@ class Reader {
                         column.unit.empty() ? "the unit is missing" : error.what()),
             fmt::format("write for instance \"{}{} ({})\"", column.name,
                         column.role == Role::error ? "_error" : "",
-                        unit.empty()  ? "%"
-                        : unit == "m" ? "um"
-                                      : unit),
+                        unit.empty()             ? "%"
+                        : column.role == Role::fall ||
+                                column.what == MeasuredQuantity::rebound_height ? "mm"
+                        : unit == "m"            ? "um"
+                                                 : unit),
             "bad-quantity");
     }
   }
@@ -118,7 +121,11 @@ class Reader {
     if (sizes != find(Role::measured, "passing").has_value())
       fault("a distribution needs a column of sizes and a column of the share passing",
             "give \"size (um)\" and \"passing (%)\"");
-    else if (!measured && faults_.empty())
+    if (find(Role::fall, "fall_height").has_value() !=
+        find(Role::measured, "rebound_height").has_value())
+      fault("a rebound needs the height of the fall",
+            "give \"fall_height (mm)\" and \"rebound_height (mm)\"");
+    if (!measured && faults_.empty())
       fault("no column holds measured values", fmt::format("columns are {}, passing", examples));
   }
 
@@ -152,6 +159,7 @@ class Reader {
     if (const auto at = find(Role::time, "time")) shared.time = numbers[*at];
     if (shared.time < 0) out_of_range("time", cells[*find(Role::time, "time")], "at least 0");
     if (const auto at = find(Role::size, "size")) shared.size = numbers[*at];
+    if (const auto at = find(Role::fall, "fall_height")) shared.fall = numbers[*at];
     for (std::size_t i = 0; i < columns_.size(); ++i)
       if (columns_[i].role == Role::measured) take(shared, i, numbers, cells);
     if (faults_.size() == before && had == made_.values.size())
@@ -187,15 +195,23 @@ class Reader {
     Measurement m = shared;
     m.what = column.what;
     m.percent = column.percent;
+    m.quantity = column.quantity;
     m.value = numbers[i];
     if (column.error_in) m.error = numbers[*column.error_in];
     const std::size_t before = faults_.size();
     const bool share =
         m.what == MeasuredQuantity::passing || m.what == MeasuredQuantity::conversion;
-    if (share ? m.value < 0 || m.value > 1 : m.value <= 0)
+    const bool of_run = m.what == MeasuredQuantity::of_run;  // an angle may be negative
+    if (share ? m.value < 0 || m.value > 1 : m.value <= 0 && !of_run)
       out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
     if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
     if (m.what == MeasuredQuantity::passing) check_size(m, cells[i].empty(), cells);
+    if (m.what == MeasuredQuantity::rebound_height && !cells[i].empty() && !(m.fall > m.value))
+      fault("a ball rebounds to less than the height of its fall",
+            "give fall_height and rebound_height in this row, the larger first");
+    if (!of_powder(m.what) && !cells[i].empty() && !std::isnan(m.time))
+      fault(fmt::format("a time of milling means nothing for {}", m.name()),
+            "leave the time of this row empty; run.time is the time that is simulated");
     if (cells[i].empty() && !std::isnan(m.error))
       fault(fmt::format("an error of {}, but no value", column.name), "give both, or none");
     if (faults_.size() == before && !std::isnan(m.value)) made_.values.push_back(m);
@@ -243,6 +259,7 @@ class Reader {
   }
 
   std::string file_;
+  const RunQuantities& known_;
   std::vector<Fault> faults_;
   Measurements made_;
   std::vector<Column> columns_;
@@ -264,20 +281,43 @@ std::string name_of(MeasuredQuantity what, int percent) {
       return "specific_surface";
     case MeasuredQuantity::conversion:
       return "conversion";
+    case MeasuredQuantity::rebound_height:
+      return "rebound_height";
+    case MeasuredQuantity::of_run:
+      break;
   }
   return "";
 }
 
 std::string_view unit_of(MeasuredQuantity what) {
-  if (what == MeasuredQuantity::quantile) return "m";
+  if (what == MeasuredQuantity::quantile || what == MeasuredQuantity::rebound_height) return "m";
   return what == MeasuredQuantity::specific_surface ? "m2/kg" : "";
+}
+
+bool of_powder(MeasuredQuantity what) {
+  return what != MeasuredQuantity::of_run && what != MeasuredQuantity::rebound_height;
+}
+
+std::string Measurement::name() const {
+  return what == MeasuredQuantity::of_run ? quantity.name : name_of(what, percent);
+}
+
+std::string Measurement::unit() const {
+  return what == MeasuredQuantity::of_run ? quantity.unit : std::string(unit_of(what));
+}
+
+RunQuantities run_quantities(const cases::Case& mill_case) {
+  RunQuantities made;
+  for (const results::Measure& m : results::measures(mill_case))
+    made.push_back({m.name, m.unit == "1" ? "" : m.unit});
+  return made;
 }
 
 bool Measurements::errors_known() const {
   return std::ranges::none_of(values, [](const Measurement& m) { return std::isnan(m.error); });
 }
 
-Measurements read_measurements(const std::filesystem::path& file) {
+Measurements read_measurements(const std::filesystem::path& file, const RunQuantities& known) {
   std::error_code ignored;
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
@@ -285,11 +325,12 @@ Measurements read_measurements(const std::filesystem::path& file) {
   if (!stream.is_open() || stream.bad())
     throw InputError(Fault{file.generic_string(), "there is no such table of measurements",
                            "check the path; it is a .csv file", "no-such-file"});
-  return read_measurements_text(text, file.generic_string());
+  return read_measurements_text(text, file.generic_string(), known);
 }
 
-Measurements read_measurements_text(const std::string& text, const std::string& file) {
-  return Reader(file).read(text);
+Measurements read_measurements_text(const std::string& text, const std::string& file,
+                                    const RunQuantities& known) {
+  return Reader(file, known).read(text);
 }
 
 }  // namespace mahlwerk::campaign

@@ -58,11 +58,19 @@ struct ActivePoint {
     outcome.mill_case = std::move(made);
     outcome.engine = choice.engine;
     left = count;
+    if (decided.uncertainty)
+      for (std::size_t draw = 0; draw < std::min(count, decided.uncertainty->count()); ++draw)
+        drawn.push_back(cases::case_of_replicate(decided, draw));
+  }
+
+  const cases::Case& case_of(std::size_t replicate) const {
+    return drawn.empty() ? decided : drawn[replicate % decided.uncertainty->count()];
   }
 
   std::size_t index;
   EngineChoice choice;
   cases::Case decided;  // the case with the chosen engine
+  std::vector<cases::Case> drawn;  // its replicates, with [uncertainty]
   results::Outcome outcome;
   std::size_t next = 0;               // next replicate to begin
   std::size_t left = 0;               // replicates that have not ended
@@ -263,7 +271,7 @@ class CampaignRunner {
     // A kept state is restored even after a stop, so that the outcome includes it.
     const bool begun = states != nullptr && states->has_state(one.job);
     one.run = std::make_unique<ReplicateRun>(
-        point.decided, r, options_.records ? options_.records(point.index, r) : nullptr,
+        point.case_of(replicate), r, options_.records ? options_.records(point.index, r) : nullptr,
         options_.frames ? options_.frames(point.index, r) : nullptr, queue_.threads_per_replicate,
         begun ? nullptr : options_.stop, launch(point, r));
     one.run->stop_on(options_.stop);

@@ -103,7 +103,8 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case, const s
 std::size_t replicates_together(const cases::Case& mill_case) {
   const auto balls = static_cast<std::size_t>(cases::balls_count(mill_case.balls));
   const bool in_soft_engine = mill_case.run.engine == cases::EngineName::soft;
-  return in_soft_engine && balls <= soft::side_by_side_limit ? 8 : 1;
+  const bool same = !mill_case.uncertainty;  // contact and motion of all replicates
+  return in_soft_engine && same && balls <= soft::side_by_side_limit ? 8 : 1;
 }
 
 std::vector<scene::Ball> start_of(const cases::Case& mill_case, int index, int threads,

@@ -149,7 +149,10 @@ Notices overlap_warnings(const cases::Case& mill_case) {
   return notes;
 }
 
-std::vector<Fault> run_faults(const cases::Case& mill_case) {
+namespace {
+
+/// run_faults() of a case without [uncertainty].
+std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
   std::vector<Fault> found = cases::engine_faults(mill_case);
   if (mill_case.run.engine == cases::EngineName::lammps)
     std::ranges::move(lammps::faults(mill_case), std::back_inserter(found));
@@ -183,6 +186,18 @@ std::vector<Fault> run_faults(const cases::Case& mill_case) {
              "write time_step = \"{}\" or less, or leave it out",
              show(rounded_down(s.steps.recommended(mill_case.run.time_step_fraction)), "s")),
          "time-step-too-large"});
+  return found;
+}
+
+}  // namespace
+
+std::vector<Fault> run_faults(const cases::Case& mill_case) {
+  std::vector<Fault> found = replicate_faults(mill_case);
+  for (std::size_t draw = 0; mill_case.uncertainty && draw < mill_case.uncertainty->count();
+       ++draw)
+    for (Fault& fault : replicate_faults(cases::case_of_replicate(mill_case, draw)))
+      if (std::ranges::none_of(found, [&](const Fault& f) { return f.code == fault.code; }))
+        found.push_back(std::move(fault));
   return found;
 }
 

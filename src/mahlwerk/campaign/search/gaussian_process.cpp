@@ -90,6 +90,19 @@ Posterior GaussianProcess::at(const DesignPoint& point) const {
           std::sqrt(std::max(0.0, prior_variance(factorisation_->kernel) - known))};
 }
 
+std::vector<Posterior> GaussianProcess::leave_one_out() const {
+  const auto n = static_cast<Index>(factorisation_->observations.size());
+  const MatrixXd inverse = factorisation_->root.solve(MatrixXd::Identity(n, n));
+  std::vector<Posterior> made;
+  for (Index i = 0; i < n; ++i) {
+    const double variance = 1 / inverse(i, i);
+    made.push_back({factorisation_->observations[static_cast<std::size_t>(i)].value -
+                        variance * factorisation_->weights(i),
+                    std::sqrt(variance)});
+  }
+  return made;  // (opt.18)
+}
+
 double GaussianProcess::log_evidence() const {
   double fit = 0, volume = 0;
   const MatrixXd& root = factorisation_->root.matrixLLT();

@@ -46,6 +46,8 @@ class GaussianProcess {
   GaussianProcess(Kernel kernel, std::vector<Observation> observations);
 
   Posterior at(const DesignPoint& point) const;  ///< of the function, without noise (opt.2)
+  /// Posterior of each observation from all others, with its own noise (opt.18).
+  std::vector<Posterior> leave_one_out() const;
   double log_evidence() const;  ///< log marginal likelihood of the observations (opt.3)
   const Kernel& kernel() const;
   const std::vector<Observation>& observations() const;

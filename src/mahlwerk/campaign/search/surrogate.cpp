@@ -23,54 +23,16 @@ double objective_sign(const Goal& goal, std::size_t outcome) {
   return outcome == 0 && !goal.maximise ? -1 : 1;
 }
 
-/// Mean and sum of squares of an outcome over the replicates of a setting.
-struct SettingSample {
-  std::size_t setting = 0;
-  double count = 0, mean = 0, squares = 0;
-};
-
-std::vector<SettingSample> samples_of(const std::vector<Trial>& trials, std::size_t outcome,
-                                      double sign) {
-  std::vector<SettingSample> made;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    SettingSample one{.setting = i};
-    for (const auto& replicate : trials[i].replicates) {
-      const double value = sign * replicate[outcome];
-      if (!std::isfinite(value)) continue;
-      const double off = value - one.mean;
-      one.mean += off / ++one.count;
-      one.squares += off * (value - one.mean);
-    }
-    if (one.count > 0 && trials[i].failure.empty()) made.push_back(one);
-  }
-  return made;
-}
-
-/// A few replicates estimate their scatter poorly: the pooled scatter of all settings has the
-/// weight of three more replicates (opt.9).
+/// Samples of an outcome at the settings that ran.
 OutcomeModel model_of(const std::vector<Trial>& trials, std::size_t outcome, double sign) {
-  constexpr double pooled_weight = 3, least = 1e-10;
-  const std::vector<SettingSample> samples = samples_of(trials, outcome, sign);
-  double freedom = 0, squares = 0, centre = 0, spread = 0;
-  for (const SettingSample& s : samples) {
-    freedom += s.count - 1;
-    squares += s.squares;
-    centre += s.mean / static_cast<double>(samples.size());
+  std::vector<SettingSample> samples;
+  for (const Trial& trial : trials) {
+    std::vector<double> values;
+    for (const auto& replicate : trial.replicates) values.push_back(sign * replicate[outcome]);
+    SettingSample one = sample_of(trial.point, values);
+    if (one.count > 0 && trial.failure.empty()) samples.push_back(std::move(one));
   }
-  for (const SettingSample& s : samples) spread += (s.mean - centre) * (s.mean - centre);
-  spread = std::sqrt(spread / static_cast<double>(std::max<std::size_t>(1, samples.size() - 1)));
-  const double unit = spread > 0 ? spread : std::max(std::abs(centre), 1e-300);
-  const double pooled = freedom > 0 ? squares / freedom : 0;
-  std::vector<Observation> observations;
-  for (const SettingSample& s : samples) {
-    const double own = (pooled_weight * pooled + s.squares) / (pooled_weight + s.count - 1);
-    observations.push_back({.point = trials[s.setting].point,
-                            .value = (s.mean - centre) / unit,
-                            .variance = std::max(least, own / s.count / unit / unit)});
-  }
-  Kernel kernel = most_probable_kernel(observations);
-  return {GaussianProcess(std::move(kernel), std::move(observations)), centre, unit,
-          std::max(least, pooled / 2 / unit / unit)};
+  return outcome_model(samples);
 }
 
 std::optional<GaussianProcess> success_of(const Goal& goal, const std::vector<Trial>& trials) {
@@ -107,11 +69,6 @@ double expected_improvement(const Posterior& guess, double best) {
   const double z = gain / guess.deviation;
   const double density = math::exp(-z * z / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
   return std::max(0.0, gain * normal_cdf(z) + guess.deviation * density);  // (opt.5)
-}
-
-Posterior OutcomeModel::at(const DesignPoint& point) const {
-  const Posterior guess = process.at(point);
-  return {centre + scale * guess.mean, scale * guess.deviation};
 }
 
 Surrogate::Surrogate(const Goal& goal, const std::vector<Trial>& trials)

@@ -6,21 +6,13 @@
 #include <vector>
 
 #include "mahlwerk/campaign/search/optimise.hpp"
+#include "mahlwerk/campaign/search/outcome_model.hpp"
 
 // Surrogate model: outcomes of settings not tried, from those tried (docs/theory/optimum.md).
 namespace mahlwerk::campaign {
 
 /// Expected improvement E[max(0, f - best)] for a normal posterior of f (opt.5).
 double expected_improvement(const Posterior& guess, double best);
-
-/// Model of one outcome: a Gaussian process of (value - centre)/scale.
-struct OutcomeModel {
-  GaussianProcess process;
-  double centre = 0, scale = 1;
-  double noise = 0;  ///< variance of the mean of two replicates, in units of scale squared
-
-  Posterior at(const DesignPoint& point) const;  ///< posterior of the value itself
-};
 
 /// Probability of each setting tried to be the best of them.
 struct BestProbabilities {

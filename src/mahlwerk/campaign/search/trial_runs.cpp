@@ -63,15 +63,38 @@ TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& 
     : file_(file),
       catalogue_(catalogue),
       set_(std::move(set)),
-      source_(source),
-      base_(file_.read(catalogue, set_)),
-      ranges_(source == cases::ValueSource::match ? base_.match->over : base_.optimise->over) {
+      source_(source) {
+  if (source == cases::ValueSource::fit)
+    take_ranges_of_fit(file);
+  else
+    base_ = file_.read(catalogue, set_);
+  if (source == cases::ValueSource::match) ranges_ = base_.match->over;
+  if (source == cases::ValueSource::optimise) ranges_ = base_.optimise->over;
   std::vector<Fault> wrong;
   for (const cases::SweptKey& range : ranges_) check(range, wrong);
   if (!wrong.empty()) throw InputError(std::move(wrong));
 }
 
+/// Keys of [fit] may have no value in the case: for the base case each has the upper end of its
+/// range.
+void TrialRuns::take_ranges_of_fit(const std::filesystem::path& file) {
+  std::vector<cases::Override> anywhere = set_;
+  for (const auto& [key, ends] : cases::fit_ranges(file)) {
+    if (std::ranges::find(set_, key, &cases::Override::key) != set_.end()) continue;
+    anywhere.push_back({key, ends[1], source_});
+    if (cases::is_key_of_run(key))
+      ranges_.push_back({.key = key, .values = {ends[0], ends[1]}, .range = true});
+  }
+  base_ = file_.read(catalogue_, anywhere);
+  for (cases::SweptKey& range : ranges_) {
+    const double least = parse_quantity(range.values[0]).value,
+                 most = parse_quantity(range.values[1]).value;
+    range.logarithmic = least > 0 && most > 10 * least;  // (fit.2)
+  }
+}
+
 std::string TrialRuns::place_of(const cases::SweptKey& range) const {
+  if (source_ == cases::ValueSource::fit) return cases::location_of(base_, "fit." + range.key);
   const char* section = source_ == cases::ValueSource::match ? "match" : "optimise";
   return cases::location_of(base_, fmt::format("{}.over.{}", section, range.key));
 }
@@ -137,8 +160,10 @@ cases::Case TrialRuns::at(const DesignPoint& point, int first, int count) const 
   cases::Case made = file_.read(catalogue_, set);
   made.run.replicates = count;
   made.seed = base_.seed + static_cast<std::uint64_t>(first);
+  if (made.uncertainty) made.uncertainty->first = first;
   made.optimise.reset();
   made.match.reset();
+  made.fit.clear();
   return made;
 }
 
@@ -153,39 +178,51 @@ TrialRuns TrialRuns::with_engine(cases::EngineName engine) const {
 std::vector<TrialResult> TrialRuns::run(const std::vector<TrialRequest>& requests,
                                         const Measure& measure, const RunOptions& options,
                                         TrialStore& store, std::string_view version) const {
+  return run_each({*this}, requests, measure, options, store, version).front();
+}
+
+std::vector<std::vector<TrialResult>> TrialRuns::run_each(const std::vector<TrialRuns>& cases,
+                                                          const std::vector<TrialRequest>& requests,
+                                                          const Measure& measure,
+                                                          const RunOptions& options,
+                                                          TrialStore& store,
+                                                          std::string_view version) {
   struct PendingRun {
-    std::size_t number;  // in `requests`
+    TrialResult* result;
     cases::Case mill_case;
     RunHash hash;
   };
-  std::vector<TrialResult> result(requests.size());
+  std::vector<std::vector<TrialResult>> all(cases.size(),
+                                            std::vector<TrialResult>(requests.size()));
   std::vector<PendingRun> pending;  // not in the store
-  for (std::size_t i = 0; i < requests.size(); ++i) try {
-      cases::Case mill_case = at(requests[i].point, requests[i].first, requests[i].count);
-      const RunHash hash = run_hash(mill_case, version);
-      if (auto known = store.find(hash))
-        result[i] = std::move(*known);
-      else
-        pending.push_back({i, std::move(mill_case), hash});
-    } catch (const InputError& why) {
-      result[i].failure = short_reason(why);
-    }
+  for (std::size_t k = 0; k < cases.size(); ++k)
+    for (std::size_t i = 0; i < requests.size(); ++i) try {
+        const TrialRequest& asked = requests[i];
+        cases::Case mill_case = cases[k].at(asked.point, asked.first, asked.count);
+        const RunHash hash = run_hash(mill_case, version);
+        if (auto known = store.find(hash))
+          all[k][i] = std::move(*known);
+        else
+          pending.push_back({&all[k][i], std::move(mill_case), hash});
+      } catch (const InputError& why) {
+        all[k][i].failure = short_reason(why);
+      }
   RunQueue queue;
   queue.size = pending.size();
   queue.open = [&](std::size_t i) { return pending[i].mill_case; };
   queue.done = [&](std::size_t i, results::Outcome&& outcome) {
     if (outcome.interrupted) return;
-    TrialResult& mine = result[pending[i].number] = trial_result(outcome, measure);
-    store.keep(pending[i].hash, mine);
+    *pending[i].result = trial_result(outcome, measure);
+    store.keep(pending[i].hash, *pending[i].result);
   };
   queue.failed = [&](std::size_t i, const std::exception& why) {
-    result[pending[i].number].failure = short_reason(why);
+    pending[i].result->failure = short_reason(why);
   };
   RunOptions with = options;
   with.threads = thread_count(options.threads);
   run_queue(queue, with);
   if (options.stop != nullptr && *options.stop) throw Interrupted();
-  return result;
+  return all;
 }
 
 }  // namespace mahlwerk::campaign

@@ -17,9 +17,10 @@ namespace mahlwerk::campaign {
 /// A case whose keys vary within ranges.
 class TrialRuns {
  public:
-  /// Takes the ranges of [optimise] or [match], which the case must have; `set` is applied to the
-  /// case first. Throws InputError if the case cannot be read, or an end of a range is invalid
-  /// whatever the other keys are.
+  /// Takes the ranges of [optimise], [match] or [fit], which the case must have; `set` is applied to
+  /// the case first. Keys of [fit] that `set` gives, or that a powder model reads, are left out.
+  /// Throws InputError if the case cannot be read, or an end of a range is invalid whatever the
+  /// other keys are.
   TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
             std::vector<cases::Override> set, cases::ValueSource source);
 
@@ -46,8 +47,14 @@ class TrialRuns {
   std::vector<TrialResult> run(const std::vector<TrialRequest>& asked, const Measure& measure,
                                const RunOptions& options, TrialStore& store,
                                std::string_view version) const;
+  /// The same for several cases: the results by case, then by request.
+  static std::vector<std::vector<TrialResult>> run_each(
+      const std::vector<TrialRuns>& cases, const std::vector<TrialRequest>& asked,
+      const Measure& measure, const RunOptions& options, TrialStore& store,
+      std::string_view version);
 
  private:
+  void take_ranges_of_fit(const std::filesystem::path& file);
   std::string place_of(const cases::SweptKey& range) const;
   void check(const cases::SweptKey& range, std::vector<Fault>& wrong) const;
   void check_end(const cases::SweptKey& range, std::size_t end, std::vector<Fault>& wrong) const;

@@ -67,6 +67,7 @@ std::string write(const Case& c) {
   if (c.optimise) write(out, *c.optimise);
   if (c.match) write(out, *c.match);
   if (!c.fit.empty()) write(out, c.fit);
+  if (c.uncertainty) write(out, *c.uncertainty);
   return out.text();
 }
 

@@ -67,6 +67,8 @@ void describe_many_runs(CaseVisitor& v) {
   list_match_keys(v);
   v.section("fit");
   list_fit_keys(v);
+  v.section("uncertainty");
+  list_uncertainty_keys(v);
 }
 
 }  // namespace mahlwerk::cases

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
@@ -56,6 +57,27 @@ class RangeReader {
   DottedLists lists_;
 };
 
+/// Reports ends of a range of a key of [contact] or [mill] that are no quantities, or do not increase.
+/// Whether the key exists is found when it gets a value.
+void check_range_of_run(const std::string& key, const FitRange& range, const std::string& location,
+                        Findings& findings) {
+  const auto fault = [&](std::string what, std::string remedy, const char* code) {
+    findings.faults.push_back(
+        {location, fmt::format("{} of [fit]: {}", key, what), std::move(remedy), code});
+  };
+  try {
+    const Quantity least = parse_quantity(range[0]), most = parse_quantity(range[1]);
+    if (least.dimension != most.dimension)
+      fault(fmt::format("\"{}\" and \"{}\" have different units", range[0], range[1]),
+            "give both ends in units of the same kind", "bad-quantity");
+    else if (!(least.value < most.value))
+      fault(fmt::format("\"{}\" is not below \"{}\"", range[0], range[1]),
+            "write the least first, then the most", "out-of-range");
+  } catch (const UnitError& error) {
+    fault(error.what(), "write two numbers with their units, the least and the most", "bad-quantity");
+  }
+}
+
 /// Reports ends of a range that cannot be read, lie outside the range of the number, or do not
 /// increase.
 void check_range(const FitParameter& number, const FitRange& range, const std::string& location,
@@ -96,7 +118,9 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
   for (const auto& [key, range] : c.fit) {
     const std::string& location = locations.at(key);
     const auto number = std::ranges::find(all, key, &FitParameter::key);
-    if (number == all.end()) {
+    if (is_key_of_run(key)) {
+      check_range_of_run(key, range, location, findings);
+    } else if (number == all.end()) {
       if (!sound) continue;
       std::vector<std::string> known;
       for (const FitParameter& one : all) known.push_back(one.key);
@@ -104,13 +128,16 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
       findings.faults.push_back(
           {location, fmt::format("[fit] cannot choose {}", key),
            !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
-           : known.empty() ? "it chooses numbers of [capture], [breakage], [fragments], [grinding] "
-                             "and [kinetics], of which the case has none"
-                           : fmt::format("it may choose {}", quoted_list(known)),
+           : known.empty() ? "it chooses keys of [contact] and [mill], and numbers of [capture], "
+                             "[breakage], [fragments], [grinding] and [kinetics], of which the case "
+                             "has none"
+                           : fmt::format("it may choose {}, or a key of [contact] or [mill]",
+                                         quoted_list(known)),
            "unknown-key"});
       continue;
+    } else {
+      check_range(*number, range, location, findings);
     }
-    check_range(*number, range, location, findings);
     if (findings.fitted_keys.contains(key))
       findings.faults.push_back(
           {location, fmt::format("{} has no value yet: [fit] only gives the range to search", key),
@@ -121,8 +148,8 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
 
 void list_fit_keys(KeyVisitor& v) {
   v.custom({.key = any_key,
-            .about = "the dotted name of a number of [capture], [breakage], [fragments], "
-                     "[grinding] or [kinetics], with "
+            .about = "the dotted name of a key of [contact] or [mill], or of a number of [capture], "
+                     "[breakage], [fragments], [grinding] or [kinetics], with "
                      "the least and the largest value of the search",
             .required = true},
            [] { return std::string(); });

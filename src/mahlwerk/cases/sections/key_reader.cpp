@@ -49,7 +49,8 @@ void KeyReader::fault(const Node& at, std::string what, std::string remedy, cons
 
 void KeyReader::read_key(const std::string& key, const Node& node) {
   if (const std::string section = key.substr(0, key.find('.'));
-      section == "sweep" || section == "optimise" || section == "match" || section == "fit") {
+      section == "sweep" || section == "optimise" || section == "match" || section == "fit" ||
+      section == "uncertainty") {
     fault(node, fmt::format("\"{}\" is not a value of a run", key),
           "name a key of the mill, its contents or its run: \"mill.speed\"", "bad-range");
     return;

@@ -24,7 +24,7 @@ class Writer;
 /// case does not use this function, because some sections must be read before others.
 void describe(CaseVisitor& v, Case& c);
 
-/// The keys of the sections about many runs: [sweep], [optimise], [match] and [fit]. Only for
+/// The keys of the sections about many runs: [sweep], [optimise], [match], [fit] and [uncertainty]. Only for
 /// visitors that list keys; such sections are read and written by functions of their own.
 void describe_many_runs(CaseVisitor& v);
 
@@ -155,9 +155,13 @@ void list_sweep_keys(KeyVisitor& v);
 void list_optimise_keys(KeyVisitor& v);
 void list_match_keys(KeyVisitor& v);
 void list_fit_keys(KeyVisitor& v);
+/// Leaves Uncertainty::sections empty. `table` must not be null.
+Uncertainty read_uncertainty(const Node* table, Findings& findings);
+void list_uncertainty_keys(KeyVisitor& v);
 void write(Writer& out, const std::map<std::string, FitRange>& fit);
 void write(Writer& out, const Sweep& sweep);
 void write(Writer& out, const Optimise& search);
 void write(Writer& out, const Match& search);
+void write(Writer& out, const Uncertainty& uncertainty);
 
 }  // namespace mahlwerk::cases

@@ -100,6 +100,29 @@ void not_certain(const Outcome& outcome, Notices& list) {
           outcome.mill_case.run.until->quantity, 100 * outcome.mill_case.run.until->within)));
 }
 
+/// Says what intervals mean if parameters vary from replicate to replicate.
+void drawn_parameters(const Outcome& outcome, Notices& list) {
+  constexpr std::size_t few = 8;
+  if (!outcome.mill_case.uncertainty) return;
+  std::string keys;
+  for (const cases::UncertainKey& one : outcome.mill_case.uncertainty->keys)
+    keys += (keys.empty() ? "" : ", ") + one.key;
+  const std::size_t count = averaged_replicates(outcome).size();
+  list.push_back(note(
+      "uncertain-parameters",
+      fmt::format("Each replicate has another draw of {}: intervals contain 95 % of what these "
+                  "uncertain values make possible, besides the scatter of the mill.",
+                  keys)));
+  if (count < few)
+    list.push_back(warning(
+        "few-draws",
+        fmt::format("{} replicate{} few of the {} draws of [uncertainty]: the intervals are wide "
+                    "or unknown. Write run.replicates = {} or more.",
+                    count, count == 1 ? " holds" : "s hold",
+                    outcome.mill_case.uncertainty->count(),
+                    std::min<std::size_t>(16, outcome.mill_case.uncertainty->count()))));
+}
+
 /// Whether energy was gained, rather than lost, in the run with the largest residual.
 bool appeared(const Outcome& outcome) {
   double worst = 0;
@@ -185,6 +208,7 @@ Notices warnings(const Outcome& outcome) {
   energy_balances(outcome, list);
   overlaps(outcome, list);
   append(list, state_notices(outcome.summary));
+  drawn_parameters(outcome, list);
   not_steady(outcome, list);
   append(list, grinding_warnings(outcome));
   not_certain(outcome, list);

@@ -8,7 +8,11 @@
 
 namespace mahlwerk::results {
 
-void combine(Quantity& q, const std::vector<double>& values) {
+Interval interval_of(const cases::Case& mill_case) {
+  return mill_case.uncertainty ? Interval::of_draw : Interval::of_mean;
+}
+
+void combine(Quantity& q, const std::vector<double>& values, Interval interval) {
   std::vector<double> there;
   for (const double v : values) {
     if (std::isfinite(v)) there.push_back(v);
@@ -18,17 +22,20 @@ void combine(Quantity& q, const std::vector<double>& values) {
   const observe::Estimate e = observe::estimate(there);
   q.value = e.mean;
   q.ci95 = e.ci95;
+  if (interval == Interval::of_draw)
+    q.ci95 *= std::sqrt(static_cast<double>(there.size()) + 1);  // (cal.9)
 }
 
 std::vector<Quantity> means(const std::vector<Measure>& measures,
                             const std::vector<std::vector<double>>& each,
-                            const std::vector<std::size_t>& numbers) {
+                            const std::vector<std::size_t>& numbers, Interval interval) {
   std::vector<Quantity> list;
   for (std::size_t i = 0; i < measures.size(); ++i) {
     std::vector<double> values;
     for (const std::size_t n : numbers) values.push_back(each[n - 1][i]);
     const Measure& m = measures[i];
-    combine(list.emplace_back(Quantity{m.name, undefined, undefined, m.unit, m.about}), values);
+    combine(list.emplace_back(Quantity{m.name, undefined, undefined, m.unit, m.about}), values,
+            interval);
   }
   return list;
 }

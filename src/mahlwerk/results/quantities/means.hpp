@@ -9,14 +9,22 @@
 
 namespace mahlwerk::results {
 
+/// Meaning of a half-width.
+enum class Interval {
+  of_mean,  ///< the mean of endless replicates lies within it (sta.1)
+  of_draw   ///< the value with the true parameters lies within it, if replicates have draws (cal.9)
+};
+/// of_draw for a case with [uncertainty].
+Interval interval_of(const cases::Case& mill_case);
+
 /// Sets a quantity's mean and its half-width. Values that are not finite, as of a replicate without
 /// collisions, are left out.
-void combine(Quantity& q, const std::vector<double>& values);
+void combine(Quantity& q, const std::vector<double>& values, Interval interval);
 
 /// Means of all quantities over the replicates with these `numbers`, from 1. `each` holds the
 /// values of every replicate.
 std::vector<Quantity> means(const std::vector<Measure>& measures,
                             const std::vector<std::vector<double>>& each,
-                            const std::vector<std::size_t>& numbers);
+                            const std::vector<std::size_t>& numbers, Interval interval);
 
 }  // namespace mahlwerk::results

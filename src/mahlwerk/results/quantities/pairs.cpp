@@ -133,7 +133,8 @@ std::vector<PairSummary> by_pair(const Outcome& outcome) {
       std::vector<double> values;
       for (std::size_t i = 0; i < chosen.size(); ++i)
         values.push_back(m.compute(totals[i], chosen[i]->time()));
-      combine(made.quantities.emplace_back(Quantity{m.name, 0, 0, m.unit, m.about}), values);
+      combine(made.quantities.emplace_back(Quantity{m.name, 0, 0, m.unit, m.about}), values,
+              interval_of(outcome.mill_case));
     }
     found.push_back(std::move(made));
   }
