@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "fit_report.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -22,7 +23,6 @@
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/writer.hpp"
-#include "fit_report.hpp"
 #include "messages.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -59,10 +59,11 @@ Found find_calibration(const Request& request, CalibrationJob& job, const Resuma
   };
   job.goal.snap = [&job](const campaign::DesignPoint& p) { return job.unchanged.front().snap(p); };
   found.result = campaign::calibrate(
-      job.goal, run, {.stop = &stop_wanted(), .progress = [&](const campaign::CalibrationProgress& p) {
-                        line.show(fmt::format("{} of at most {} settings, round {}", p.settings, p.of,
-                                              p.rounds + 1));
-                      }});
+      job.goal, run,
+      {.stop = &stop_wanted(), .progress = [&](const campaign::CalibrationProgress& p) {
+         line.show(
+             fmt::format("{} of at most {} settings, round {}", p.settings, p.of, p.rounds + 1));
+       }});
   line.show("running the calibrated case");
   const int count = std::max(4, job.goal.replicates);
   found.replicates = run({{.setting = 0,
@@ -77,7 +78,7 @@ Found find_calibration(const Request& request, CalibrationJob& job, const Resuma
 }
 
 report::CalibratedKey calibrated_key(const CalibrationJob& job, const CalibrationResult& found,
-                             std::size_t i) {
+                                     std::size_t i) {
   const cases::SweptKey& range = job.unchanged.front().ranges()[i];
   const campaign::FreeParameter& parameter = job.goal.parameters[i];
   const campaign::FittedParameter& p = found.parameters[i];
@@ -89,6 +90,8 @@ report::CalibratedKey calibrated_key(const CalibrationJob& job, const Calibratio
                              .unit = unit_of(range),
                              .from = range.values[0],
                              .to = range.values[1],
+                             .least = parameter.least / one,
+                             .most = parameter.most / one,
                              .value = text(p.value),
                              .low = text(p.low),
                              .high = text(p.high),
@@ -234,20 +237,17 @@ Json json_of(const report::CalibrationReport& found) {
 cases::Case calibrated_case(const CalibrationJob& job, const Found& found,
                             const report::CalibrationReport& report) {
   const campaign::TrialRuns& runs = job.unchanged.front();
-  cases::Case made = runs.at(found.result.central, 0,
-                             static_cast<int>(job.base().run.replicates));
+  cases::Case made = runs.at(found.result.central, 0, static_cast<int>(job.base().run.replicates));
   const std::string source = fmt::format("calibrated to {}", report.data_file);
   for (const report::CalibratedKey& k : report.keys)
     for (cases::Origin& origin : made.origins)
-      if (origin.key == k.key)
-        origin.source = fmt::format("{}: {}", source, k.interval_text());
+      if (origin.key == k.key) origin.source = fmt::format("{}: {}", source, k.interval_text());
   cases::Uncertainty& uncertainty = made.uncertainty.emplace();
   uncertainty.source = source;
   for (const report::CalibratedKey& k : report.keys) uncertainty.keys.push_back({k.key, {}});
   for (const campaign::DesignPoint& point : found.result.draws) {
     const std::vector<std::string> values = runs.values(point);
-    for (std::size_t i = 0; i < values.size(); ++i)
-      uncertainty.keys[i].values.push_back(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) uncertainty.keys[i].values.push_back(values[i]);
   }
   return made;
 }
@@ -264,8 +264,8 @@ void print_summary(const report::CalibrationReport& found, const fs::path& place
 
 int calibrate(const Request& request, const fs::path& file) {
   const cases::Catalogue known = catalogue();
-  CalibrationJob job = campaign::calibration_job(file, request.data, known, overrides(request),
-                                                 request.settings);
+  CalibrationJob job =
+      campaign::calibration_job(file, request.data, known, overrides(request), request.settings);
   const fs::path usual = default_folder(request.target, file, false).string() + "-fit";
   results::Folder folder(request.out.value_or(usual), request.force);
   catch_ctrl_c();

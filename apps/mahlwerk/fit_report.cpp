@@ -153,7 +153,8 @@ FitReport fit_report(const campaign::FitJob& job, const std::vector<results::Out
     made.parameters.push_back(
         number(*std::ranges::find(known, job.parameters[i].name, &cases::FitParameter::key),
                job.parameters[i], fit.result.parameters[i], fit.simulation_ci95[i]));
-  for (const auto& condition : job.data.conditions) made.conditions.push_back(condition_label(condition));
+  for (const auto& condition : job.data.conditions)
+    made.conditions.push_back(condition_label(condition));
   for (std::size_t i = 0; i < job.data.values.size(); ++i)
     made.points.push_back(point(job.data.values[i], fit.predicted[i]));
   for (const results::Outcome& mill : mills) results::count(made.notices, mill.notices);

@@ -335,7 +335,7 @@ struct Case {
   std::optional<Optimise> optimise;
   std::optional<Match> match;
   std::optional<Uncertainty> uncertainty;  ///< keys with a scatter of values
-  std::map<std::string, FitRange> fit;  ///< dotted key -> range searched by `mahlwerk fit`
+  std::map<std::string, FitRange> fit;     ///< dotted key -> range searched by `mahlwerk fit`
 
   // operator== ignores both: equal cases may come from different files.
   std::vector<Origin> origins;  ///< source of each value

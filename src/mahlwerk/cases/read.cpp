@@ -88,8 +88,8 @@ class CaseReader {
     return {"uncertainty", "uncertainty."};
   }
 
-  /// [uncertainty], unless the values of a draw are given: then its section was read before. Another
-  /// source cannot give its keys, too.
+  /// [uncertainty], unless the values of a draw are given: then its section was read before.
+  /// Another source cannot give its keys, too.
   void read_draws(const std::vector<Override>& overrides) {
     const Node* table = section("uncertainty", false);
     if (table == nullptr || std::ranges::find(overrides, ValueSource::uncertainty,
@@ -346,8 +346,8 @@ Case CaseFile::read(const Catalogue& catalogue, const std::vector<Override>& ove
   if (!made.uncertainty) return made;
   std::vector<DrawnSections> sections;
   for (std::size_t draw = 0; draw < made.uncertainty->count(); ++draw) {
-    Case one = CaseReader(root_, file_, catalogue)
-                   .read(with_draw(overrides, *made.uncertainty, draw));
+    Case one =
+        CaseReader(root_, file_, catalogue).read(with_draw(overrides, *made.uncertainty, draw));
     sections.push_back({std::move(one.mill), std::move(one.contact)});
   }
   made.uncertainty->sections =

@@ -53,8 +53,8 @@ Case read_text(const std::string& text, const std::filesystem::path& file,
 /// Throws InputError.
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file);
 
-/// Whether a key of [fit] is one of [contact] or [mill], which decides how the balls move. Others are
-/// numbers of powder models, which can be fitted to one run.
+/// Whether a key of [fit] is one of [contact] or [mill], which decides how the balls move. Others
+/// are numbers of powder models, which can be fitted to one run.
 bool is_key_of_run(std::string_view key);
 
 /// The resolved case as TOML: every value, followed by its origin as a comment.

@@ -35,8 +35,8 @@ struct Uncertainty {
   }
 };
 
-/// The case of a replicate, from 0: with the values of its draw, and without [uncertainty]. The same
-/// case without [uncertainty].
+/// The case of a replicate, from 0: with the values of its draw, and without [uncertainty]. The
+/// same case without [uncertainty].
 Case case_of_replicate(const Case& c, std::size_t replicate);
 
 }  // namespace mahlwerk::cases

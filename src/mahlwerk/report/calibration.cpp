@@ -28,7 +28,8 @@ bool CalibrationReport::all_determined() const {
 
 std::string how_to_read(const CalibrationReport& found) {
   return fmt::format(
-      "How to read it: if the model is right, the 95 % interval of a key contains the true value in "
+      "How to read it: if the model is right, the 95 % interval of a key contains the true value "
+      "in "
       "95 of 100 such data sets. The keys are correlated: use them together, as calibrated.toml "
       "does. {} A key that is not determined is not a result, whatever its value.",
       found.errors_known
@@ -71,7 +72,8 @@ std::string calibration_table(const CalibrationReport& found) {
   if (std::isfinite(found.misfit)) text += fmt::format(", misfit {:.2g} errors", found.misfit);
   for (const double scatter : found.scatter)
     text += fmt::format(", scatter {:.2g} %", 100 * scatter);
-  const std::string warned = notice_lines(found.notices, static_cast<std::size_t>(found.runs), "run");
+  const std::string warned =
+      notice_lines(found.notices, static_cast<std::size_t>(found.runs), "run");
   return text + ".\n\n" + warned + (warned.empty() ? "" : "\n") + how_to_read(found) + "\n";
 }
 

@@ -16,9 +16,10 @@ namespace mahlwerk::report {
 struct CalibratedKey {
   std::string key, unit;         ///< unit of `posterior`; empty: a plain number
   std::string from, to;          ///< the range
+  double least = 0, most = 1;    ///< the same in `unit`
   std::string value, low, high;  ///< most central draw and 95 % interval
   bool open_low = false, open_high = false, determined = true;
-  std::vector<double> posterior = {};   ///< values of the draws
+  std::vector<double> posterior = {};     ///< values of the draws
   std::vector<std::string> remarks = {};  ///< sentences without a full stop
 
   std::string interval_text() const;  ///< "0.4 to 0.6", "up to 0.6", "not determined"
@@ -40,8 +41,9 @@ struct CalibrationReport {
   std::vector<CalibratedKey> keys = {};
   std::vector<std::vector<double>> correlation = {};
   std::vector<std::string> conditions = {};  ///< "mill.speed = 300 rpm"; empty: the case unchanged
-  std::string condition_key = {}, condition_unit = {};  ///< the only key that varies, if it is a number
-  std::vector<double> condition_values = {};            ///< its values
+  std::string condition_key = {},
+              condition_unit = {};            ///< the only key that varies, if it is a number
+  std::vector<double> condition_values = {};  ///< its values
   std::vector<CalibratedPoint> points = {};
   std::vector<std::string> remarks = {};
   results::NoticeCounts notices = {};

@@ -34,9 +34,9 @@ std::string remarks(const CalibrationReport& found) {
       words += (words.empty() ? " " : "; ") + escaped(remark);
     if (!words.empty()) words += ".";
     if (!k.determined)
-      text += note_box(fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(k.key),
-                              words),
-                  true);
+      text += note_box(
+          fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(k.key), words),
+          true);
     else if (!words.empty())
       text += note_box(fmt::format("<code>{}</code>:{}", escaped(k.key), words), false);
   }
@@ -83,17 +83,18 @@ Plot predictions(const CalibrationReport& found, const std::string& what) {
     measured.y.push_back(p.measured / up.factor);
     measured.error.push_back(1.96 * p.error / up.factor);
   }
-  return {.title = fmt::format("{}: measured and calibrated", what),
-          .x = {found.condition_values.empty()
-                    ? "number of the condition"
-                    : axis_text(found.condition_key, found.condition_unit)},
-          .y = {axis_text(what, up.unit)},
-          .series = {band, runs, measured}};
+  return {
+      .title = fmt::format("{}: measured and calibrated", what),
+      .x = {found.condition_values.empty() ? "number of the condition"
+                                           : axis_text(found.condition_key, found.condition_unit)},
+      .y = {axis_text(what, up.unit)},
+      .series = {band, runs, measured}};
 }
 
 /// Histogram of a key's posterior over its range.
-Plot marginal(const CalibratedKey& k, double from, double to) {
+Plot marginal(const CalibratedKey& k) {
   constexpr int bins = 40;
+  const double from = k.least, to = k.most;
   Series series{.name = "", .mark = Mark::steps};
   std::vector<double> count(bins, 0);
   for (const double value : k.posterior)
@@ -140,11 +141,8 @@ std::string figures(const CalibrationReport& found) {
                        : "Squares: measured. The band contains 95 % of what the calibrated model "
                          "predicts.");
   }
-  for (const CalibratedKey& k : found.keys) {
-    const auto [least, most] = std::ranges::minmax(k.posterior);
-    if (most > least)
-      text += figure(marginal(k, least, most), "What the measurements leave possible.");
-  }
+  for (const CalibratedKey& k : found.keys)
+    text += figure(marginal(k), "What the measurements leave possible of the range.");
   for (std::size_t i = 0; i < found.keys.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (std::abs(found.correlation[i][k]) > 0.5)
@@ -192,7 +190,8 @@ std::string point_rows(const CalibrationReport& found) {
 
 std::string calibration_page(const CalibrationReport& found, std::string_view version) {
   std::string body = fmt::format(
-      "<p class=\"lead\">{} key{} of {}, calibrated to {} measured values of {} with {} settings in "
+      "<p class=\"lead\">{} key{} of {}, calibrated to {} measured values of {} with {} settings "
+      "in "
       "{} runs.</p>\n",
       found.keys.size(), found.keys.size() == 1 ? "" : "s", escaped(found.case_file),
       found.points.size(), escaped(found.data_file), found.settings, found.runs);
@@ -211,10 +210,11 @@ std::string calibration_page(const CalibrationReport& found, std::string_view ve
       "class=\"n\">95 % band</th><th class=\"n\">runs at the centre</th></tr></thead>\n"
       "<tbody>\n{}</tbody>\n</table></div>\n",
       point_rows(found));
-  return page(found.title.empty() ? "A calibration" : found.title, body,
-              fmt::format("Mahlwerk {}. The numbers are in fit.json, fit.csv and posterior.csv, the "
-                          "calibrated case with its uncertainty in calibrated.toml.",
-                          escaped(version)));
+  return page(
+      found.title.empty() ? "A calibration" : found.title, body,
+      fmt::format("Mahlwerk {}. The numbers are in fit.json, fit.csv and posterior.csv, the "
+                  "calibrated case with its uncertainty in calibrated.toml.",
+                  escaped(version)));
 }
 
 }  // namespace mahlwerk::report

@@ -60,7 +60,8 @@ class Calibrator {
   }
 
   CalibrationResult run() {
-    const std::size_t first = std::min<std::size_t>(static_cast<std::size_t>(most_), 2 + 10 * keys());
+    const std::size_t first =
+        std::min<std::size_t>(static_cast<std::size_t>(most_), 2 + 10 * keys());
     run_settings(sobol_points(keys(), first));
     int certain = 0;  // rounds in which the emulators added little
     for (;; ++result_.rounds) {
@@ -105,7 +106,8 @@ class Calibrator {
   void learn() {
     const auto ran = std::ranges::count(trials_, std::string(), &Trial::failure);
     if (ran < static_cast<std::ptrdiff_t>(keys()) + 3) {
-      const auto failed = std::ranges::find_if(trials_, [](const Trial& t) { return !t.failure.empty(); });
+      const auto failed =
+          std::ranges::find_if(trials_, [](const Trial& t) { return !t.failure.empty(); });
       throw RunError(fmt::format("{} of {} settings ran, which is too few{}", ran, trials_.size(),
                                  failed == trials_.end() ? "" : ": " + failed->failure));
     }
@@ -122,9 +124,8 @@ class Calibrator {
       if (options_.stop != nullptr && *options_.stop) throw Interrupted();
       return likelihood.log_at(point);
     };
-    DensitySample drawn =
-        sample_density(density, starts(likelihood, thinned(sample_, 32)),
-                       sampler(likelihood.coordinates(), goal_.seed, last));
+    DensitySample drawn = sample_density(density, starts(likelihood, thinned(sample_, 32)),
+                                         sampler(likelihood.coordinates(), goal_.seed, last));
     sample_ = std::move(drawn.points);
     shrinkage_ = drawn.shrinkage;
     result_.emulator_share = 0;
@@ -221,7 +222,8 @@ class Calibrator {
       std::vector<double> values;
       for (const DesignPoint& point : thinned(result_.posterior, 1000)) {
         const Posterior guess = emulator->model.at(point);
-        values.push_back(emulator->value_of(guess.mean + guess.deviation * standard_normal(random)));
+        values.push_back(
+            emulator->value_of(guess.mean + guess.deviation * standard_normal(random)));
         made.mean += values.back();
       }
       made.mean /= static_cast<double>(values.size());
@@ -236,9 +238,9 @@ class Calibrator {
     for (std::size_t i = 0; i < keys(); ++i)
       for (std::size_t k = 0; k < i; ++k)
         if (std::abs(result_.correlation[i][k]) > 0.9)
-          all.push_back(fmt::format("{} and {} are known only together: their correlation is {:.2f}",
-                                    goal_.parameters[k].name, goal_.parameters[i].name,
-                                    result_.correlation[i][k]));
+          all.push_back(fmt::format(
+              "{} and {} are known only together: their correlation is {:.2f}",
+              goal_.parameters[k].name, goal_.parameters[i].name, result_.correlation[i][k]));
     if (result_.misfit > 1.5)
       all.push_back(fmt::format(
           "the measurements scatter {:.1f} times as much about the model as their errors say: the "

@@ -57,8 +57,9 @@ struct CalibrationResult {
   std::vector<DesignPoint> posterior;            ///< positions of all draws
   std::vector<PredictedOutcome> outcomes;
   double misfit = 0;  ///< root of chi square by degrees of freedom; NaN without degrees of freedom
-  std::vector<double> scatter;  ///< by quantity: relative scatter of data without errors; else empty
-  double emulator_share = 0;    ///< largest share of the emulator in the variance of a datum
+  std::vector<double>
+      scatter;                ///< by quantity: relative scatter of data without errors; else empty
+  double emulator_share = 0;  ///< largest share of the emulator in the variance of a datum
   int settings = 0, failed = 0, rounds = 0;
   bool converged = false;
   std::vector<std::string> remarks;  ///< on the whole; sentences without a full stop
@@ -76,8 +77,9 @@ struct CalibrationOptions {
 
 /// Calibrates the parameters. Runs a Sobol design first, then settings from the posterior where the
 /// emulators are least certain, until the emulators add little to the uncertainty of the
-/// measurements. A setting that fails has no outcome and is left out. Deterministic. Throws RunError
-/// if fewer settings ran than are needed, std::invalid_argument if the goal is out of range.
+/// measurements. A setting that fails has no outcome and is left out. Deterministic. Throws
+/// RunError if fewer settings ran than are needed, std::invalid_argument if the goal is out of
+/// range.
 CalibrationResult calibrate(const CalibrationGoal& goal, const Simulation& simulation,
                             const CalibrationOptions& options = {});
 

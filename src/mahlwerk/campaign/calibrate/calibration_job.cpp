@@ -35,12 +35,12 @@ std::vector<Fault> job_faults(const CalibrationJob& job, const Overrides& set) {
   std::vector<Fault> found;
   for (const auto& [key, range] : job.base().fit)
     if (!cases::is_key_of_run(key) && !gives(set, key))
-      found.push_back({cases::location_of(job.base(), "fit." + key),
-                       fmt::format("[fit] has {} of the powder beside keys of [contact] and [mill]",
-                                   key),
-                       "calibrate the mill first: remove it, or give it by --set; then fit the "
-                       "powder with calibrated.toml",
-                       "mixed-fit"});
+      found.push_back(
+          {cases::location_of(job.base(), "fit." + key),
+           fmt::format("[fit] has {} of the powder beside keys of [contact] and [mill]", key),
+           "calibrate the mill first: remove it, or give it by --set; then fit the "
+           "powder with calibrated.toml",
+           "mixed-fit"});
   for (const Measurement& m : job.data.values)
     if (of_powder(m.what)) {
       found.push_back({fmt::format("{}:{}", job.data_file, m.line),
@@ -65,21 +65,19 @@ std::vector<Fault> job_faults(const CalibrationJob& job, const Overrides& set) {
 void add_faults(std::vector<Fault> faults, const Overrides& condition, const std::string& data_file,
                 std::vector<Fault>& all) {
   for (Fault& fault : faults) {
-    if (std::ranges::any_of(condition, [&](const cases::Override& o) {
-          return fault.where == "--set " + o.key;
-        }))
+    if (std::ranges::any_of(
+            condition, [&](const cases::Override& o) { return fault.where == "--set " + o.key; }))
       fault.where = fmt::format("{}, column {}", data_file, fault.where.substr(6));
-    if (std::ranges::none_of(all, [&](const Fault& f) {
-          return f.where == fault.where && f.what == fault.what;
-        }))
+    if (std::ranges::none_of(
+            all, [&](const Fault& f) { return f.where == fault.where && f.what == fault.what; }))
       all.push_back(std::move(fault));
   }
 }
 
 /// The case under each condition. Throws InputError with the faults of all.
 std::vector<TrialRuns> under_conditions(const fs::path& file, const Measurements& data,
-                                        const std::string& data_file,
-                                        const cases::Catalogue& known, const Overrides& set) {
+                                        const std::string& data_file, const cases::Catalogue& known,
+                                        const Overrides& set) {
   std::vector<TrialRuns> made;
   std::vector<Fault> wrong;
   for (const Overrides& condition : data.conditions) try {
@@ -144,8 +142,7 @@ double rebound_height(const cases::Case& mill_case, double fall) {
 
 std::size_t CalibrationJob::outcome(const Measurement& measured) const {
   const auto at = std::ranges::find(quantities, quantity_of(measured));
-  return measured.condition * quantities.size() +
-         static_cast<std::size_t>(at - quantities.begin());
+  return measured.condition * quantities.size() + static_cast<std::size_t>(at - quantities.begin());
 }
 
 TrialRuns::Measure CalibrationJob::measure() const {
@@ -176,6 +173,14 @@ CalibrationJob calibration_job(const fs::path& file, const std::string& data_fil
   job.goal.parameters = parameters_of(unchanged.ranges());
   if (auto wrong = job_faults(job, set); !wrong.empty()) throw InputError(std::move(wrong));
   check_quantities(job);
+  if (const int least = 4 * static_cast<int>(job.goal.parameters.size());
+      settings != 0 && settings < least)
+    throw InputError(Fault{"--settings",
+                           fmt::format("{} settings are too few for {} keys of [fit]", settings,
+                                       job.goal.parameters.size()),
+                           fmt::format("give {} or more; usual are {}", least,
+                                       usual_settings(job.goal.parameters.size())),
+                           "out-of-range"});
   for (const Measurement& m : job.data.values)
     if (const LabQuantity q = quantity_of(m);
         std::ranges::find(job.quantities, q) == job.quantities.end())

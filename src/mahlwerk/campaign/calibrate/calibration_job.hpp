@@ -24,10 +24,10 @@ struct LabQuantity {
 struct CalibrationJob {
   std::string data_file;
   Measurements data;
-  std::vector<TrialRuns> unchanged;      ///< one: the case itself
-  std::vector<TrialRuns> conditions;     ///< the case under each condition of the data
-  std::vector<LabQuantity> quantities;   ///< outcomes of a run; those of all conditions are listed
-                                         ///< condition by condition
+  std::vector<TrialRuns> unchanged;     ///< one: the case itself
+  std::vector<TrialRuns> conditions;    ///< the case under each condition of the data
+  std::vector<LabQuantity> quantities;  ///< outcomes of a run; those of all conditions are listed
+                                        ///< condition by condition
   CalibrationGoal goal;
   std::string measure_name;  ///< identifies measure() in a TrialStore
 
@@ -36,8 +36,8 @@ struct CalibrationJob {
   TrialRuns::Measure measure() const;
 };
 
-/// Whether `mahlwerk fit` calibrates this case: [fit] has a key of [contact] or [mill] that `set` does
-/// not give. Throws InputError.
+/// Whether `mahlwerk fit` calibrates this case: [fit] has a key of [contact] or [mill] that `set`
+/// does not give. Throws InputError.
 bool calibrates(const std::filesystem::path& file, const std::vector<cases::Override>& set);
 
 /// Reads a case file with [fit] and a table of measurements. `settings` 0: as many as usual. Throws

@@ -42,7 +42,8 @@ std::vector<Walker> begin(const LogDensity& log_density, const std::vector<Point
   const std::size_t known = all.size();
   for (std::size_t i = 0; all.size() < static_cast<std::size_t>(count); ++i) {
     Walker near = all[i % known];
-    for (double& x : near.point) x = std::clamp(x + 0.02 * (random.uniform() - 0.5), 1e-6, 1 - 1e-6);
+    for (double& x : near.point)
+      x = std::clamp(x + 0.02 * (random.uniform() - 0.5), 1e-6, 1 - 1e-6);
     near.log_density = density_at(log_density, near.point);
     all.push_back(near.log_density == nowhere ? all[i % known] : near);
   }

@@ -62,9 +62,8 @@ std::vector<std::optional<OutcomeEmulator>> emulators(const CalibrationGoal& goa
   for (std::size_t outcome = 0; outcome < goal.outcomes; ++outcome) {
     if (std::ranges::find(goal.data, outcome, &Datum::outcome) == goal.data.end()) continue;
     std::vector<std::vector<double>> values = values_by_trial(trials, outcome);
-    const bool positive = std::ranges::all_of(goal.data, [&](const Datum& d) {
-      return d.outcome != outcome || d.value > 0;
-    });
+    const bool positive = std::ranges::all_of(
+        goal.data, [&](const Datum& d) { return d.outcome != outcome || d.value > 0; });
     const bool logarithmic = positive && varies_by_factors(values);
     std::vector<SettingSample> samples;
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -107,8 +106,7 @@ double Likelihood::scatter(std::size_t quantity, const std::vector<double>& poin
 /// Standard deviation of a datum, of its logarithm where the emulator has that.
 double Likelihood::deviation(const Datum& datum, const std::vector<double>& point) const {
   const bool logarithmic = emulators_[datum.outcome]->logarithmic;
-  if (!std::isnan(datum.error))
-    return inflation_ * datum.error / (logarithmic ? datum.value : 1);
+  if (!std::isnan(datum.error)) return inflation_ * datum.error / (logarithmic ? datum.value : 1);
   return scatter(datum.quantity, point) * (logarithmic ? 1 : scale_[datum.quantity]);
 }
 

@@ -24,8 +24,8 @@ struct OutcomeEmulator {
 std::vector<std::optional<OutcomeEmulator>> emulators(const CalibrationGoal& goal,
                                                       const std::vector<Trial>& trials);
 
-/// Probability of the data as a function of the parameters (cal.3). A point has the positions of the
-/// parameters, then those of the unknown scatters in their range (cal.4).
+/// Probability of the data as a function of the parameters (cal.3). A point has the positions of
+/// the parameters, then those of the unknown scatters in their range (cal.4).
 class Likelihood {
  public:
   /// Keeps references to its arguments. `inflation` >= 1: factor on the known errors.

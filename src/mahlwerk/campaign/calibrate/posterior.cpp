@@ -103,8 +103,7 @@ FittedParameter describe_parameter(const FreeParameter& parameter,
   // A limit within the range means that the posterior falls off before the end (cal.7).
   made.open_low = share([&](double u) { return u < edge; }) > edge / 2;
   made.open_high = share([&](double u) { return u > 1 - edge; }) > edge / 2;
-  made.determined = moments(positions).deviation < 0.8 * flat &&
-                    !(made.open_low && made.open_high);
+  made.determined = moments(positions).deviation < 0.8 * flat && !(made.open_low && made.open_high);
   const auto end = [&](bool open, bool natural, const char* which) {
     if (open && made.determined && !natural)
       made.remarks.push_back(std::string("values at the ") + which +
@@ -113,7 +112,8 @@ FittedParameter describe_parameter(const FreeParameter& parameter,
   end(made.open_low, parameter.min_is_natural, "lower");
   end(made.open_high, parameter.max_is_natural, "upper");
   if (!made.determined)
-    made.remarks.emplace_back("the measurements hardly depend on it: most of its range is possible");
+    made.remarks.emplace_back(
+        "the measurements hardly depend on it: most of its range is possible");
   return made;
 }
 

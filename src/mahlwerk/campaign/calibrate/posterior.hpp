@@ -23,7 +23,8 @@ std::vector<std::vector<double>> thinned(const std::vector<std::vector<double>>&
 std::vector<std::vector<double>> correlation_of(const std::vector<std::vector<double>>& points,
                                                 std::size_t coordinates);
 
-/// A parameter with its 95 % interval, and whether the posterior is narrower than the range (cal.7).
+/// A parameter with its 95 % interval, and whether the posterior is narrower than the range
+/// (cal.7).
 FittedParameter describe_parameter(const FreeParameter& parameter,
                                    const std::vector<double>& positions, double central);
 

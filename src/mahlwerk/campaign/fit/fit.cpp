@@ -28,10 +28,9 @@ bool of_sizes(MeasuredQuantity what) {
 
 /// The first measurement of sizes, or of conversion; null if there is none.
 const Measurement* first(const Measurements& data, bool sizes) {
-  const auto found = std::ranges::find_if(
-      data.values, [&](const Measurement& m) {
-        return of_powder(m.what) && of_sizes(m.what) == sizes;
-      });
+  const auto found = std::ranges::find_if(data.values, [&](const Measurement& m) {
+    return of_powder(m.what) && of_sizes(m.what) == sizes;
+  });
   return found == data.values.end() ? nullptr : &*found;
 }
 
@@ -89,9 +88,10 @@ std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& 
   if (const auto m = std::ranges::find_if(
           data.values, [](const Measurement& one) { return !of_powder(one.what); });
       m != data.values.end())
-    found.push_back({fmt::format("{}:{}", file, m->line),
-                     fmt::format("{} was measured, but [fit] has no key that it depends on", m->name()),
-                     "add keys of [contact] or [mill] to [fit]", "nothing-to-fit"});
+    found.push_back(
+        {fmt::format("{}:{}", file, m->line),
+         fmt::format("{} was measured, but [fit] has no key that it depends on", m->name()),
+         "add keys of [contact] or [mill] to [fit]", "nothing-to-fit"});
   if (const Measurement* m = first(data, true); m != nullptr && !mill_case.grinding)
     lacks(m, "grinding");
   if (const Measurement* m = first(data, false); m != nullptr && !mill_case.kinetics)

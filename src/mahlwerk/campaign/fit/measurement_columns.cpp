@@ -96,8 +96,16 @@ std::optional<Column> column_of(const std::string& heading, const RunQuantities&
 
 std::string heading_near(const std::string& heading, const RunQuantities& known) {
   const auto end = std::min(heading.find_first_of(" (["), heading.size());
-  std::vector<std::string> names{"time", "D10",        "D50",  "D90",     "specific_surface",
-                                 "conversion", "size", "passing", "rebound_height", "fall_height"};
+  std::vector<std::string> names{"time",
+                                 "D10",
+                                 "D50",
+                                 "D90",
+                                 "specific_surface",
+                                 "conversion",
+                                 "size",
+                                 "passing",
+                                 "rebound_height",
+                                 "fall_height"};
   for (const RunQuantity& one : known) names.push_back(one.name);
   std::vector<std::string> words;
   for (const std::string& word : names)

@@ -89,16 +89,17 @@ class Reader {
       parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.stored_unit());
     } catch (const UnitError& error) {
       const std::string unit(column.stored_unit());
-      fault(fmt::format("column \"{}\": {}", heading,
-                        column.unit.empty() ? "the unit is missing" : error.what()),
-            fmt::format("write for instance \"{}{} ({})\"", column.name,
-                        column.role == Role::error ? "_error" : "",
-                        unit.empty()             ? "%"
-                        : column.role == Role::fall ||
-                                column.what == MeasuredQuantity::rebound_height ? "mm"
-                        : unit == "m"            ? "um"
-                                                 : unit),
-            "bad-quantity");
+      fault(
+          fmt::format("column \"{}\": {}", heading,
+                      column.unit.empty() ? "the unit is missing" : error.what()),
+          fmt::format("write for instance \"{}{} ({})\"", column.name,
+                      column.role == Role::error ? "_error" : "",
+                      unit.empty() ? "%"
+                      : column.role == Role::fall || column.what == MeasuredQuantity::rebound_height
+                          ? "mm"
+                      : unit == "m" ? "um"
+                                    : unit),
+          "bad-quantity");
     }
   }
 

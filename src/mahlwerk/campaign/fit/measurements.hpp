@@ -40,9 +40,9 @@ struct Measurement {
   std::size_t condition = 0;
   double time = std::numeric_limits<double>::quiet_NaN();  ///< [s] of milling; NaN: as in the case
   MeasuredQuantity what = MeasuredQuantity::quantile;
-  int percent = 0;  ///< of a quantile: 90 is D90
-  double size = 0;  ///< [m] for passing
-  double fall = 0;  ///< [m] for rebound_height: the height from which the ball falls
+  int percent = 0;            ///< of a quantile: 90 is D90
+  double size = 0;            ///< [m] for passing
+  double fall = 0;            ///< [m] for rebound_height: the height from which the ball falls
   RunQuantity quantity = {};  ///< for of_run
   double value = 0;
   double error = std::numeric_limits<double>::quiet_NaN();  ///< standard deviation; NaN: not known
@@ -60,8 +60,8 @@ struct Measurements {
   bool errors_known() const;
 };
 
-/// Reads a table of measurements, with columns of powder and of `known` quantities. Throws InputError
-/// with all faults found: line, what, remedy.
+/// Reads a table of measurements, with columns of powder and of `known` quantities. Throws
+/// InputError with all faults found: line, what, remedy.
 Measurements read_measurements(const std::filesystem::path& file, const RunQuantities& known = {});
 
 /// The same from text; `file` is the name that faults cite.

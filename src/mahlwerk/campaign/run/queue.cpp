@@ -69,7 +69,7 @@ struct ActivePoint {
 
   std::size_t index;
   EngineChoice choice;
-  cases::Case decided;  // the case with the chosen engine
+  cases::Case decided;             // the case with the chosen engine
   std::vector<cases::Case> drawn;  // its replicates, with [uncertainty]
   results::Outcome outcome;
   std::size_t next = 0;               // next replicate to begin

@@ -193,8 +193,7 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
 
 std::vector<Fault> run_faults(const cases::Case& mill_case) {
   std::vector<Fault> found = replicate_faults(mill_case);
-  for (std::size_t draw = 0; mill_case.uncertainty && draw < mill_case.uncertainty->count();
-       ++draw)
+  for (std::size_t draw = 0; mill_case.uncertainty && draw < mill_case.uncertainty->count(); ++draw)
     for (Fault& fault : replicate_faults(cases::case_of_replicate(mill_case, draw)))
       if (std::ranges::none_of(found, [&](const Fault& f) { return f.code == fault.code; }))
         found.push_back(std::move(fault));

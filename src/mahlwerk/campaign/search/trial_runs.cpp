@@ -60,10 +60,7 @@ TrialResult trial_result(const results::Outcome& outcome, const TrialRuns::Measu
 
 TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
                      std::vector<cases::Override> set, cases::ValueSource source)
-    : file_(file),
-      catalogue_(catalogue),
-      set_(std::move(set)),
-      source_(source) {
+    : file_(file), catalogue_(catalogue), set_(std::move(set)), source_(source) {
   if (source == cases::ValueSource::fit)
     take_ranges_of_fit(file);
   else

@@ -17,8 +17,8 @@ namespace mahlwerk::campaign {
 /// A case whose keys vary within ranges.
 class TrialRuns {
  public:
-  /// Takes the ranges of [optimise], [match] or [fit], which the case must have; `set` is applied to
-  /// the case first. Keys of [fit] that `set` gives, or that a powder model reads, are left out.
+  /// Takes the ranges of [optimise], [match] or [fit], which the case must have; `set` is applied
+  /// to the case first. Keys of [fit] that `set` gives, or that a powder model reads, are left out.
   /// Throws InputError if the case cannot be read, or an end of a range is invalid whatever the
   /// other keys are.
   TrialRuns(const std::filesystem::path& file, const cases::Catalogue& catalogue,
@@ -48,10 +48,12 @@ class TrialRuns {
                                const RunOptions& options, TrialStore& store,
                                std::string_view version) const;
   /// The same for several cases: the results by case, then by request.
-  static std::vector<std::vector<TrialResult>> run_each(
-      const std::vector<TrialRuns>& cases, const std::vector<TrialRequest>& asked,
-      const Measure& measure, const RunOptions& options, TrialStore& store,
-      std::string_view version);
+  static std::vector<std::vector<TrialResult>> run_each(const std::vector<TrialRuns>& cases,
+                                                        const std::vector<TrialRequest>& asked,
+                                                        const Measure& measure,
+                                                        const RunOptions& options,
+                                                        TrialStore& store,
+                                                        std::string_view version);
 
  private:
   void take_ranges_of_fit(const std::filesystem::path& file);

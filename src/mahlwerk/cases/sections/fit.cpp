@@ -57,8 +57,8 @@ class RangeReader {
   DottedLists lists_;
 };
 
-/// Reports ends of a range of a key of [contact] or [mill] that are no quantities, or do not increase.
-/// Whether the key exists is found when it gets a value.
+/// Reports ends of a range of a key of [contact] or [mill] that are no quantities, or do not
+/// increase. Whether the key exists is found when it gets a value.
 void check_range_of_run(const std::string& key, const FitRange& range, const std::string& location,
                         Findings& findings) {
   const auto fault = [&](std::string what, std::string remedy, const char* code) {
@@ -74,7 +74,8 @@ void check_range_of_run(const std::string& key, const FitRange& range, const std
       fault(fmt::format("\"{}\" is not below \"{}\"", range[0], range[1]),
             "write the least first, then the most", "out-of-range");
   } catch (const UnitError& error) {
-    fault(error.what(), "write two numbers with their units, the least and the most", "bad-quantity");
+    fault(error.what(), "write two numbers with their units, the least and the most",
+          "bad-quantity");
   }
 }
 
@@ -127,12 +128,13 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
       const std::string near = nearest_word(key, known);
       findings.faults.push_back(
           {location, fmt::format("[fit] cannot choose {}", key),
-           !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
-           : known.empty() ? "it chooses keys of [contact] and [mill], and numbers of [capture], "
-                             "[breakage], [fragments], [grinding] and [kinetics], of which the case "
-                             "has none"
-                           : fmt::format("it may choose {}, or a key of [contact] or [mill]",
-                                         quoted_list(known)),
+           !near.empty() ? fmt::format("did you mean \"{}\"?", near)
+           : known.empty()
+               ? "it chooses keys of [contact] and [mill], and numbers of [capture], "
+                 "[breakage], [fragments], [grinding] and [kinetics], of which the case "
+                 "has none"
+               : fmt::format("it may choose {}, or a key of [contact] or [mill]",
+                             quoted_list(known)),
            "unknown-key"});
       continue;
     } else {
@@ -147,12 +149,13 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
 }
 
 void list_fit_keys(KeyVisitor& v) {
-  v.custom({.key = any_key,
-            .about = "the dotted name of a key of [contact] or [mill], or of a number of [capture], "
-                     "[breakage], [fragments], [grinding] or [kinetics], with "
-                     "the least and the largest value of the search",
-            .required = true},
-           [] { return std::string(); });
+  v.custom(
+      {.key = any_key,
+       .about = "the dotted name of a key of [contact] or [mill], or of a number of [capture], "
+                "[breakage], [fragments], [grinding] or [kinetics], with "
+                "the least and the largest value of the search",
+       .required = true},
+      [] { return std::string(); });
 }
 
 void write(Writer& out, const std::map<std::string, FitRange>& fit) {

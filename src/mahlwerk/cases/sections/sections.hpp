@@ -24,8 +24,8 @@ class Writer;
 /// case does not use this function, because some sections must be read before others.
 void describe(CaseVisitor& v, Case& c);
 
-/// The keys of the sections about many runs: [sweep], [optimise], [match], [fit] and [uncertainty]. Only for
-/// visitors that list keys; such sections are read and written by functions of their own.
+/// The keys of the sections about many runs: [sweep], [optimise], [match], [fit] and [uncertainty].
+/// Only for visitors that list keys; such sections are read and written by functions of their own.
 void describe_many_runs(CaseVisitor& v);
 
 void describe(KeyVisitor& v, Jar& jar);

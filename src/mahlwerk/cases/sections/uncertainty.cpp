@@ -29,12 +29,14 @@ class DrawReader {
       return one.values.size() != keys_.front().values.size();
     });
     if (other != keys_.end())
-      fault(table, fmt::format("\"{}\" has {} values, \"{}\" has {}", keys_.front().key,
-                               keys_.front().values.size(), other->key, other->values.size()),
+      fault(table,
+            fmt::format("\"{}\" has {} values, \"{}\" has {}", keys_.front().key,
+                        keys_.front().values.size(), other->key, other->values.size()),
             "give each key as many values: those of a draw belong together");
     if (keys_.empty() && sound_)
-      fault(table, "[uncertainty] has no key",
-            "write for instance \"contact.restitution\" = [\"0.5\", \"0.6\"], or remove the section");
+      fault(
+          table, "[uncertainty] has no key",
+          "write for instance \"contact.restitution\" = [\"0.5\", \"0.6\"], or remove the section");
     return std::move(keys_);
   }
 

@@ -118,8 +118,7 @@ void drawn_parameters(const Outcome& outcome, Notices& list) {
         "few-draws",
         fmt::format("{} replicate{} few of the {} draws of [uncertainty]: the intervals are wide "
                     "or unknown. Write run.replicates = {} or more.",
-                    count, count == 1 ? " holds" : "s hold",
-                    outcome.mill_case.uncertainty->count(),
+                    count, count == 1 ? " holds" : "s hold", outcome.mill_case.uncertainty->count(),
                     std::min<std::size_t>(16, outcome.mill_case.uncertainty->count()))));
 }
 

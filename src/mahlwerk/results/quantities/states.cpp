@@ -60,7 +60,8 @@ std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Me
   for (std::size_t i = 0; i < chosen.size(); ++i)
     found.states[powers[i] > groups->between ? 1 : 0].replicates.push_back(
         number_of(outcome, *chosen[i]));
-  for (State& state : found.states) state.quantities = means(measures, each, state.replicates, Interval::of_mean);
+  for (State& state : found.states)
+    state.quantities = means(measures, each, state.replicates, Interval::of_mean);
   const double low = named(found.states[0].quantities, power_name).value,
                high = named(found.states[1].quantities, power_name).value;
   const double larger = std::max(std::abs(low), std::abs(high));
