@@ -95,6 +95,9 @@ report::CalibratedKey calibrated_key(const CalibrationJob& job, const Calibratio
                              .value = text(p.value),
                              .low = text(p.low),
                              .high = text(p.high),
+                             .number = p.value / one,
+                             .number_low = p.low / one,
+                             .number_high = p.high / one,
                              .open_low = p.open_low,
                              .open_high = p.open_high,
                              .determined = p.determined,
@@ -192,11 +195,12 @@ report::CalibrationReport report_of(const CalibrationJob& job, const Found& foun
 Json json_of(const report::CalibrationReport& found) {
   Json keys = Json::object(), points = Json::array();
   for (const report::CalibratedKey& k : found.keys)
-    keys[k.key] = Json::object({{"value", k.value},
-                                {"low", k.open_low ? Json() : Json(k.low)},
-                                {"high", k.open_high ? Json() : Json(k.high)},
+    keys[k.key] = Json::object({{"value", k.number},
+                                {"low", k.open_low ? Json() : Json(k.number_low)},
+                                {"high", k.open_high ? Json() : Json(k.number_high)},
+                                {"unit", k.unit},
                                 {"determined", k.determined},
-                                {"range", Json::array({k.from, k.to})},
+                                {"range", Json::array({k.least, k.most})},
                                 {"remarks", k.remarks}});
   for (const report::CalibratedPoint& p : found.points)
     points.push_back(Json::object({{"line", p.line},
@@ -215,7 +219,7 @@ Json json_of(const report::CalibrationReport& found) {
                        {"case", found.case_file},
                        {"data", found.data_file},
                        {"all_determined", found.all_determined()},
-                       {"keys", std::move(keys)},
+                       {"numbers", std::move(keys)},
                        {"correlation", found.correlation},
                        {"conditions", found.conditions},
                        {"values", std::move(points)},

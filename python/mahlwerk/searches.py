@@ -88,8 +88,14 @@ class Fit(Found):
 
     @property
     def case(self) -> Case:
-        """The case with the fitted values."""
-        return self._case("fitted.toml")
+        """The case with the fitted values; after a calibration with their [uncertainty]."""
+        calibrated = (self.folder / "calibrated.toml").is_file()
+        return self._case("calibrated.toml" if calibrated else "fitted.toml")
+
+    @cached_property
+    def posterior(self) -> np.ndarray:
+        """After a calibration: draws of the keys from their posterior, as a structured array."""
+        return read_csv(self.folder / "posterior.csv")
 
     def __repr__(self) -> str:
         return f"<Fit in {os.fspath(self.folder)}>"

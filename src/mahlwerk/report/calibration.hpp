@@ -18,6 +18,7 @@ struct CalibratedKey {
   std::string from, to;          ///< the range
   double least = 0, most = 1;    ///< the same in `unit`
   std::string value, low, high;  ///< most central draw and 95 % interval
+  double number = 0, number_low = 0, number_high = 1;  ///< the same in `unit`
   bool open_low = false, open_high = false, determined = true;
   std::vector<double> posterior = {};     ///< values of the draws
   std::vector<std::string> remarks = {};  ///< sentences without a full stop
