@@ -135,7 +135,7 @@ void check_quantities(const CalibrationJob& job) {
 }  // namespace
 
 double rebound_height(const cases::Case& mill_case, double fall) {
-  const double speed = std::sqrt(2 * mill_case.gravity * fall);
+  const double speed = std::sqrt(2 * mill_case.gravity * fall);  // (cal.1)
   const double e = cases::bounce_table(mill_case).wall(0, 0).restitution.at(speed);
   return e * e * fall;  // (cal.2)
 }
