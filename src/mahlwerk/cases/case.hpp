@@ -16,6 +16,7 @@
 #include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
+#include "mahlwerk/contact/lubrication.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -139,6 +140,13 @@ struct Contact {
   double lasting_speed = 0;
   double contact_time = 0;  ///< [s] t_c of the TC rule
   bool operator==(const Contact&) const = default;
+};
+
+/// Liquid in the jar; absent from a case without [liquid]: a dry mill.
+struct Liquid {
+  std::string material;   ///< name in the catalogue, or empty
+  contact::Liquid model;  ///< viscosity, density and extent
+  bool operator==(const Liquid&) const = default;
 };
 
 /// Frame of reference of the starting speeds.
@@ -317,6 +325,7 @@ struct Case {
   std::vector<BallSet> balls;
   std::optional<Powder> powder;
   Contact contact;
+  std::optional<Liquid> liquid;
   Run run;
   Observe observe;
   std::optional<Wear> wear;
