@@ -119,5 +119,29 @@ TEST(WetBounce, lets_a_ball_come_to_rest_that_rebounds_below_the_critical_speed)
   stays_below("energy balance over energy", std::abs(e.residual()) / e.lost(), 1e-9, "evt.8");
 }
 
+/// The small bounces of the TC rule stand for sustained contacts. If films stopped them, bounces
+/// would collapse: balls at rest would collide at no speed without end.
+TEST(WetBounce, leaves_the_bounces_of_sustained_contacts_alone) {
+  const scene::Chamber still{
+      geometry::Cylinder{0.03, 0.03}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  std::vector<scene::Ball> balls;
+  for (int i = 0; i < 8; ++i)
+    balls.push_back(
+        {0.004,
+         7850,
+         {0.009 * (i % 2) - 0.0045, 0.009 * (i / 2 % 2) - 0.0045, 0.0095 * (i / 4) - 0.0045},
+         {0.1 * (i - 3), 0.07 * i, 0},
+         {}});
+  const auto engine =
+      event::many_balls(still, balls, wet_rules(0.8, event::SustainedContactMode::tc),
+                        {1, geometry::faces(*still.shape), {0.8, 0, 0.3}});
+  Recorder recorder;
+  engine->advance(1, recorder);
+  const scene::EnergyBalance e = engine->energy_balance();
+  EXPECT_NEAR(e.time, 1, 1e-12);
+  EXPECT_GT(e.lost_liquid, 0);
+  stays_below("energy balance over energy lost", std::abs(e.residual()) / e.lost(), 1e-9, "evt.8");
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests::wet_bounce_test

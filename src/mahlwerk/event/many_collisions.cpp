@@ -93,7 +93,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
                                     double since, StoredEnergy stored) {
   ++energy_balance_.collisions;
   // Bodies without relative normal speed may collide again at zero speed, or less by rounding.
-  const double approach =
+  double approach =
       std::max(rules_.touch_speed(effective_radius, touch.mass, touch.approach), 1e-200);
   if (rules_.sustained_mode != SustainedContactMode::tc) {
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
@@ -101,6 +101,8 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
     if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
     return b;
   }
+  if (rules_.liquid)
+    approach = tc_rule_.wet_approach(touch.approach, approach, since, touch.pressing_acceleration);
   Bounce b = tc_rule_.collide(
       rule, {touch.mass, approach, touch.slip, since, touch.pressing_acceleration, stored.sum()});
   stored.update(b);

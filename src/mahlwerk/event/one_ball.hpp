@@ -152,7 +152,7 @@ class OneBall final : public scene::Engine {
                slip_velocity = tangential_velocity + r * cross(spin_, n);
     const double slip = norm(slip_velocity);
 
-    const double touch = rules_.touch_speed(r, m, approach);
+    const double touch = touch_speed(wall, approach);
     const auto [j, loss, stored_change] = bounce(face, wall, touch, slip);
     const double liquid_impulse = m * (approach - touch);
     const double liquid_loss = 0.5 * liquid_impulse * (approach + touch);
@@ -184,6 +184,18 @@ class OneBall final : public scene::Engine {
     contact::Loss loss;
     double stored_change = 0;  ///< [J] change of the stored energy (man.6)
   };
+  /// Largest acceleration that presses the ball to the wall [m/s2].
+  double pressing_acceleration(const Wall& wall) const {
+    return pressing_acceleration_ + squared(tangential_part(now_.ball.velocity, wall.inward)) *
+                                        std::max(wall.curvature, 0.0);
+  }
+  /// Speed at which the ball touches the wall [m/s].
+  double touch_speed(const Wall& wall, double approach) const {
+    const double touch = rules_.touch_speed(body_.radius, body_.mass, approach);
+    if (!rules_.liquid || rules_.sustained_mode != SustainedContactMode::tc) return touch;
+    return TcRule{rules_.contact_time, rules_.sustained_friction}.wet_approach(
+        approach, touch, mill_time() - last_contact_time_, pressing_acceleration(wall));
+  }
   /// Collision by the wall's rule (evt.6 to evt.8), or by the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
     const contact::BounceRule& rule = rules_.wall(face);
@@ -192,13 +204,10 @@ class OneBall final : public scene::Engine {
       return {j, contact::loss(j, body_.mass, approach, slip)};
     }
     const double since = mill_time() - last_contact_time_;
-    const double centripetal_acceleration =
-        squared(tangential_part(now_.ball.velocity, wall.inward)) * std::max(wall.curvature, 0.0);
     const TcRule tc_rule{rules_.contact_time, rules_.sustained_friction};
     StoredEnergy stored(stored_, tc_rule.storage_capacity(body_.mass, pressing_acceleration_));
-    auto b =
-        tc_rule.collide(rule, {body_.mass, approach, slip, since,
-                               pressing_acceleration_ + centripetal_acceleration, stored.sum()});
+    auto b = tc_rule.collide(
+        rule, {body_.mass, approach, slip, since, pressing_acceleration(wall), stored.sum()});
     stored.update(b);
     if (b.raised) ++energy_balance_.tc_collisions;
     energy_balance_.withheld += b.withheld;

@@ -57,6 +57,13 @@ struct TcRule {
     const double crowding = std::max(0.0, 1 - since / contact_time);
     return (alone + (crowded - alone) * crowding) * pressing_acceleration * contact_time;
   }
+  /// Speed [m/s] at which bodies touch in a film that slows them down from `approach` to `touch`.
+  /// Slower bounces than the lower limit stand for a sustained contact, which no film interrupts.
+  double wet_approach(double approach, double touch, double since,
+                      double pressing_acceleration) const {
+    const double limit = std::min(approach, min_rebound_speed(since, pressing_acceleration));
+    return std::max({touch, limit, 1e-200});
+  }
   /// Energy that a body of `mass` [kg] stores at most [J].
   double storage_capacity(double mass, double pressing_acceleration) const {
     const double speed = min_rebound_speed(0, pressing_acceleration);
