@@ -17,6 +17,7 @@
 #include "mahlwerk/cases/uncertainty.hpp"
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
+#include "mahlwerk/contact/lubrication.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -145,6 +146,13 @@ struct Contact {
 struct DrawnSections {
   Mill mill;
   Contact contact;
+};
+
+/// Liquid in the jar; absent from a case without [liquid]: a dry mill.
+struct Liquid {
+  std::string material;   ///< name in the catalogue, or empty
+  contact::Liquid model;  ///< viscosity, density and extent
+  bool operator==(const Liquid&) const = default;
 };
 
 /// Frame of reference of the starting speeds.
@@ -323,6 +331,7 @@ struct Case {
   std::vector<BallSet> balls;
   std::optional<Powder> powder;
   Contact contact;
+  std::optional<Liquid> liquid;
   Run run;
   Observe observe;
   std::optional<Wear> wear;

@@ -27,6 +27,7 @@ constexpr std::array sections{
     SectionSpec{"contact", "law", "rules and parameters of all contacts"},
     SectionSpec{"contact.pairs", "",
                 "an exception from [contact] for certain pairs; one section for each"},
+    SectionSpec{"liquid", "kind", "liquid in the jar: films on the bodies, or a jar full of it"},
     SectionSpec{"run", "", "engine, times, replicates and the start of a run"},
     SectionSpec{"observe", "", "statistics and records of a run"},
     SectionSpec{"wear", "model", "wear of balls and jar; may be empty"},
@@ -51,6 +52,7 @@ Case full_case() {
   c.powder.emplace().grain_size = 1e-3;
   c.contact.rule.friction = 0.3;  // so that the default of `bounce` holds
   c.contact.pairs.emplace_back();
+  c.liquid.emplace();
   c.wear.emplace();
   c.heat.emplace();
   c.capture.emplace();

@@ -214,9 +214,9 @@ class CaseReader {
   void read_top() {
     SectionReader in(&root_, "", findings_);
     for (const std::string_view name :
-         {"mill", "jar", "balls", "powder", "contact", "run", "observe", "wear", "heat", "capture",
-          "breakage", "fragments", "grinding", "kinetics", "sweep", "optimise", "match", "fit",
-          "uncertainty"})
+         {"mill",     "jar",   "balls",    "powder",  "contact",  "liquid",     "run",
+          "observe",  "wear",  "heat",     "capture", "breakage", "fragments",  "grinding",
+          "kinetics", "sweep", "optimise", "match",   "fit",      "uncertainty"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -273,6 +273,7 @@ class CaseReader {
     c_.mill = described<Mill>("mill", true, c_).value_or(Mill());
     c_.powder = described<Powder>("powder", false, c_.balls, c_.jar);  // adds grains to the balls
     c_.contact = read_contact(section("contact", false), c_, findings_);
+    c_.liquid = described<Liquid>("liquid", false);
     c_.run = described<Run>("run", true).value_or(Run());
     c_.observe = read_table<Observe>(section("observe", false), "observe");
     c_.wear = described<Wear>("wear", false);

@@ -80,5 +80,8 @@ std::vector<Fault> engine_faults(const Case& c);
 /// Whether the diameters of two balls sum to the width of the jar, to 1e-6 of it: hard spheres that
 /// lie across the jar then have no room to bounce.
 bool fits_exactly(const Case& c);
+/// Whether the case has a liquid that only the soft engine takes: around the balls, or one that
+/// resists the rebound.
+bool liquid_needs_soft(const Case& c);
 
 }  // namespace mahlwerk::cases

@@ -108,8 +108,8 @@ class ManyBalls final : public scene::Engine {
   void hit_wall(std::int32_t ball, int face);
   void hit_ball(std::int32_t ball, std::int32_t other);
   using Bounce = TcRule::Result;
-  Bounce bounce(const contact::BounceRule& rule, const CollisionKinematics& touch, double since,
-                StoredEnergy stored);
+  Bounce bounce(const contact::BounceRule& rule, const CollisionKinematics& touch,
+                double effective_radius, double since, StoredEnergy stored);
   void apply_impulse(std::int32_t ball, const Vec3& impulse, const Vec3& arm);
   bool slow(const CollisionKinematics& touch) const {
     return touch.approach < tc_rule_.min_rebound_speed(0, touch.pressing_acceleration);
@@ -118,7 +118,7 @@ class ManyBalls final : public scene::Engine {
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
                              double work, double before);
   void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
-              const Vec3& point, double impulse, const contact::Loss& loss);
+              const Vec3& point, const Bounce& bounce);
   double kinetic(std::int32_t ball, double t) const;
 
   /// Time argument for the jar's motion [s]. With static geometry it is the clock itself, which

@@ -24,9 +24,9 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
                                   pressing_acceleration_ + centripetal_acceleration);
 
   const Bounce b =
-      bounce(bounces_.wall(s.kind, face), touch, now_ - data.last_collision,
+      bounce(bounces_.wall(s.kind, face), touch, s.radius, now_ - data.last_collision,
              {data.stored_energy, tc_rule_.storage_capacity(s.mass, pressing_acceleration_)});
-  const Vec3 impulse = touch.impulse(b.impulse);
+  const Vec3 impulse = touch.impulse(b.total_impulse());
   const double before = kinetic(ball, now_);
   apply_impulse(ball, impulse, s.radius * n);
   const double work =
@@ -34,7 +34,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   energy_balance_.wall_work += work;
   update_energy_balance(touch, b, kinetic(ball, now_) - before, work, before);
   add_contact_time(data, slow(touch));
-  record(ball, ~face, touch, wall.point, b.impulse.normal, b.loss);
+  record(ball, ~face, touch, wall.point, b);
   predict_and_schedule(ball, candidates(ball));
 }
 
@@ -61,10 +61,10 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
 
   const double since = now_ - std::max(data_a.last_collision, data_b.last_collision);
   const Bounce bounced =
-      bounce(bounces_.balls(sa.kind, sb.kind), touch, since,
+      bounce(bounces_.balls(sa.kind, sb.kind), touch, sa.radius * sb.radius / reach, since,
              {data_a.stored_energy, tc_rule_.storage_capacity(sa.mass, pressing_acceleration_),
               data_b.stored_energy, tc_rule_.storage_capacity(sb.mass, pressing_acceleration_)});
-  const Vec3 impulse = touch.impulse(bounced.impulse);
+  const Vec3 impulse = touch.impulse(bounced.total_impulse());
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   apply_impulse(ball, impulse, sa.radius * n);
   apply_impulse(other, -impulse, -sb.radius * n);
@@ -72,8 +72,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
                         before);
   add_contact_time(data_a, slow(touch));
   add_contact_time(data_b, slow(touch));
-  record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced.impulse.normal,
-         bounced.loss);
+  record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced);
   predict_and_schedule(ball, near_ball);
   predict_and_schedule(other, near_other);
 }
@@ -90,18 +89,24 @@ void ManyBalls::add_contact_time(CollisionData& ball, bool slow) {
 /// Collision by the pair's rule, or by the TC rule for sustained contacts (man.4). `since` [s] is
 /// the time since the last collision of either body.
 ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
-                                    const CollisionKinematics& touch, double since,
-                                    StoredEnergy stored) {
+                                    const CollisionKinematics& touch, double effective_radius,
+                                    double since, StoredEnergy stored) {
   ++energy_balance_.collisions;
   // Bodies without relative normal speed may collide again at zero speed, or less by rounding.
-  const double approach = std::max(touch.approach, 1e-200);
+  double approach =
+      std::max(rules_.touch_speed(effective_radius, touch.mass, touch.approach), 1e-200);
   if (rules_.sustained_mode != SustainedContactMode::tc) {
     const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
-    return {j, contact::loss(j, touch.mass, approach, touch.slip)};
+    Bounce b{j, contact::loss(j, touch.mass, approach, touch.slip)};
+    if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
+    return b;
   }
+  if (rules_.liquid)
+    approach = tc_rule_.wet_approach(touch.approach, approach, since, touch.pressing_acceleration);
   Bounce b = tc_rule_.collide(
       rule, {touch.mass, approach, touch.slip, since, touch.pressing_acceleration, stored.sum()});
   stored.update(b);
+  if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
   if (b.raised) ++energy_balance_.tc_collisions;
   energy_balance_.withheld += b.withheld;
   if (since < rules_.contact_time) {
@@ -127,12 +132,13 @@ void ManyBalls::update_energy_balance(const CollisionKinematics& touch, const Bo
   energy_balance_.elastic += bounce.stored_change;
   energy_balance_.lost_normal += loss.normal;
   energy_balance_.lost_tangential += loss.tangential;
-  const double lost = loss.normal + loss.tangential + bounce.stored_change;
+  energy_balance_.lost_liquid += bounce.liquid_loss;
+  const double lost = loss.normal + loss.tangential + bounce.stored_change + bounce.liquid_loss;
   check_balance(energy_balance_, gained, work, lost, before);
 }
 
 void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
-                       const Vec3& point, double impulse, const contact::Loss& loss) {
+                       const Vec3& point, const Bounce& bounce) {
   const double t = mill_time();
   finished_.push_back({.time = t - start_,
                        .duration = 0,
@@ -141,12 +147,12 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                        .where = jar_->to_jar_axes(point, t),
                        .normal = jar_->to_jar_axes(touch.normal, t),
                        .mass = touch.mass,
-                       .approach = touch.approach,
+                       .approach = bounce.touch_speed(touch.mass, touch.approach),
                        .slip = touch.slip,
                        .glide = norm(touch.tangential_velocity),
-                       .impulse = impulse,
-                       .lost_normal = loss.normal,
-                       .lost_tangential = loss.tangential});
+                       .impulse = bounce.impulse.normal,
+                       .lost_normal = bounce.loss.normal,
+                       .lost_tangential = bounce.loss.tangential});
 }
 
 double ManyBalls::kinetic(std::int32_t ball, double t) const {

@@ -152,24 +152,29 @@ class OneBall final : public scene::Engine {
                slip_velocity = tangential_velocity + r * cross(spin_, n);
     const double slip = norm(slip_velocity);
 
-    const auto [j, loss, stored_change] = bounce(face, wall, approach, slip);
+    const double touch = touch_speed(wall, approach);
+    const auto [j, loss, stored_change] = bounce(face, wall, touch, slip);
+    const double liquid_impulse = m * (approach - touch);
+    const double liquid_loss = 0.5 * liquid_impulse * (approach + touch);
     reject_energy_gain(loss, m, approach, slip, mill_time() - start_);
-    const Vec3 impulse = -j.normal * n - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
+    const Vec3 impulse =
+        -(j.normal + liquid_impulse) * n - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
 
     BallState after = now_.ball;
     const double before = kinetic(after.velocity + now_.frame.velocity);
     const double work = apply_impulse(impulse, wall, after);
     const double gained = kinetic(after.velocity + now_.frame.velocity) - before;
-    check_balance(energy_balance_, gained, work, loss.normal + loss.tangential + stored_change,
-                  before);
+    check_balance(energy_balance_, gained, work,
+                  loss.normal + loss.tangential + stored_change + liquid_loss, before);
 
     energy_balance_.wall_work += work;
     energy_balance_.lost_normal += loss.normal;
     energy_balance_.lost_tangential += loss.tangential;
+    energy_balance_.lost_liquid += liquid_loss;
     energy_balance_.elastic += stored_change;
     ++energy_balance_.collisions;
-    record(face, wall, n, approach, slip, norm(tangential_velocity), j.normal, loss);
-    rebound_ = j.normal / m - approach;
+    record(face, wall, n, touch, slip, norm(tangential_velocity), j.normal, loss);
+    rebound_ = j.normal / m - touch;
     last_contact_time_ = mill_time();
     start_flight(after);
   }
@@ -179,6 +184,18 @@ class OneBall final : public scene::Engine {
     contact::Loss loss;
     double stored_change = 0;  ///< [J] change of the stored energy (man.6)
   };
+  /// Largest acceleration that presses the ball to the wall [m/s2].
+  double pressing_acceleration(const Wall& wall) const {
+    return pressing_acceleration_ + squared(tangential_part(now_.ball.velocity, wall.inward)) *
+                                        std::max(wall.curvature, 0.0);
+  }
+  /// Speed at which the ball touches the wall [m/s].
+  double touch_speed(const Wall& wall, double approach) const {
+    const double touch = rules_.touch_speed(body_.radius, body_.mass, approach);
+    if (!rules_.liquid || rules_.sustained_mode != SustainedContactMode::tc) return touch;
+    return TcRule{rules_.contact_time, rules_.sustained_friction}.wet_approach(
+        approach, touch, mill_time() - last_contact_time_, pressing_acceleration(wall));
+  }
   /// Collision by the wall's rule (evt.6 to evt.8), or by the TC rule (man.4).
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
     const contact::BounceRule& rule = rules_.wall(face);
@@ -187,13 +204,10 @@ class OneBall final : public scene::Engine {
       return {j, contact::loss(j, body_.mass, approach, slip)};
     }
     const double since = mill_time() - last_contact_time_;
-    const double centripetal_acceleration =
-        squared(tangential_part(now_.ball.velocity, wall.inward)) * std::max(wall.curvature, 0.0);
     const TcRule tc_rule{rules_.contact_time, rules_.sustained_friction};
     StoredEnergy stored(stored_, tc_rule.storage_capacity(body_.mass, pressing_acceleration_));
-    auto b =
-        tc_rule.collide(rule, {body_.mass, approach, slip, since,
-                               pressing_acceleration_ + centripetal_acceleration, stored.sum()});
+    auto b = tc_rule.collide(
+        rule, {body_.mass, approach, slip, since, pressing_acceleration(wall), stored.sum()});
     stored.update(b);
     if (b.raised) ++energy_balance_.tc_collisions;
     energy_balance_.withheld += b.withheld;
@@ -231,8 +245,10 @@ class OneBall final : public scene::Engine {
         integrator_.contact().normal_acceleration(face, now_.time, p.position, p.velocity);
     const double rate = jar_.motion_bounds().jerk + jar_.motion_bounds().spin * pressing +
                         pressing * norm(p.velocity) / body_.radius;
-    return bounces_collapse(rebound_, rules_.wall(face).restitution.at(rebound_), pressing, rate,
-                            tolerance_.grazing_depth());
+    const double touch = rules_.touch_speed(body_.radius, body_.mass, rebound_);
+    double restitution = rules_.wall(face).restitution.at(touch);
+    if (touch < rebound_) restitution *= touch / rebound_;
+    return bounces_collapse(rebound_, restitution, pressing, rate, tolerance_.grazing_depth());
   }
 
   /// Begins a sustained contact; the remaining normal speed is lost.

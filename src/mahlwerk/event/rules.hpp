@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/contact/bounce.hpp"
+#include "mahlwerk/contact/lubrication.hpp"
 
 namespace mahlwerk::event {
 
@@ -28,6 +30,14 @@ struct Rules {
   double contact_time = 1e-4;  ///< [s] t_c of the TC rule
   double threshold = 0;        ///< [m/s] slower collisions are not counted in hits_within
 
+  /// Films on the bodies, which slow them down before they touch (liq.3); none: dry. The engine
+  /// takes films that cavitate on rebound; it has no liquid around the balls.
+  std::optional<contact::Liquid> liquid = std::nullopt;
+
+  /// Speed [m/s] at which bodies touch that approach at `approach` [m/s].
+  double touch_speed(double effective_radius, double effective_mass, double approach) const {
+    return liquid ? liquid->touch_speed(effective_radius, effective_mass, approach) : approach;
+  }
   const contact::BounceRule& wall(int face) const {
     return faces.empty() ? bounce : faces[static_cast<std::size_t>(face)];
   }

@@ -27,10 +27,25 @@ struct TcRule {
   struct Result {
     contact::Impulse impulse;
     contact::Loss loss;
-    double drawn = 0;          ///< [J] taken from the store; the loss is less by it
-    double stored_change = 0;  ///< [J] change of the stored energy (StoredEnergy::update)
-    double withheld = 0;       ///< [J] that the pair's restitution would have dissipated, too
-    bool raised = false;       ///< more elastic than the pair's restitution
+    double drawn = 0;           ///< [J] taken from the store; the loss is less by it
+    double stored_change = 0;   ///< [J] change of the stored energy (StoredEnergy::update)
+    double withheld = 0;        ///< [J] that the pair's restitution would have dissipated, too
+    bool raised = false;        ///< more elastic than the pair's restitution
+    double liquid_impulse = 0;  ///< [N s] normal, of a liquid before the bodies touch
+    double liquid_loss = 0;     ///< [J] dissipated by it
+
+    /// A liquid slows bodies of effective mass `mass` [kg] down from `approach` to `touch` [m/s].
+    void slow_down(double mass, double approach, double touch) {
+      liquid_impulse = mass * (approach - touch);
+      liquid_loss = 0.5 * liquid_impulse * (approach + touch);
+    }
+    /// Speed at which they touch [m/s].
+    double touch_speed(double mass, double approach) const {
+      return approach - liquid_impulse / mass;
+    }
+    contact::Impulse total_impulse() const {
+      return {impulse.normal + liquid_impulse, impulse.tangential};
+    }
   };
 
   /// Lower limit of the rebound speed [m/s], not reached if energy is lacking (man.4). It falls
@@ -41,6 +56,13 @@ struct TcRule {
     constexpr double alone = 0.5, crowded = 10;
     const double crowding = std::max(0.0, 1 - since / contact_time);
     return (alone + (crowded - alone) * crowding) * pressing_acceleration * contact_time;
+  }
+  /// Speed [m/s] at which bodies touch in a film that slows them down from `approach` to `touch`.
+  /// Slower bounces than the lower limit stand for a sustained contact, which no film interrupts.
+  double wet_approach(double approach, double touch, double since,
+                      double pressing_acceleration) const {
+    const double limit = std::min(approach, min_rebound_speed(since, pressing_acceleration));
+    return std::max({touch, limit, 1e-200});
   }
   /// Energy that a body of `mass` [kg] stores at most [J].
   double storage_capacity(double mass, double pressing_acceleration) const {

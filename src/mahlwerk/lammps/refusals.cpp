@@ -64,6 +64,8 @@ std::vector<Fault> faults(const cases::Case& c) {
          fmt::format("law = \"{}\"", law), "write law = \"hertz-mindlin\" or \"linear-spring\"");
   refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
          "rolling = \"viscous\"", "write rolling = \"cdt\" or \"none\"");
+  refuse(c.liquid.has_value(), "liquid", "a liquid: its films act on bodies that do not touch",
+         "remove [liquid]");
   refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",
          "give a time");
   refuse(faces_differ(c), "contact", "faces of the jar with different contact values",

@@ -97,6 +97,22 @@ class MethodsText {
     return text;
   }
 
+  std::string liquid() const {
+    if (!c_.liquid) return "";
+    const contact::Liquid& l = c_.liquid->model;
+    const std::string name = c_.liquid->material.empty() ? "a liquid" : c_.liquid->material;
+    const std::string viscosity = value("liquid.viscosity", l.viscosity, "Pa s");
+    const std::string where =
+        l.flooded ? fmt::format(
+                        "The jar was full of {} (viscosity {}, density {}), which turned "
+                        "with it",
+                        name, viscosity, value("liquid.density", l.density, "kg/m3"))
+                  : fmt::format("Balls and wall carried films of {} (viscosity {}, thickness {})",
+                                name, viscosity, value("liquid.film", l.film, "m"));
+    return fmt::format("{}; lubrication ended at a separation of {}. ", where,
+                       value("liquid.roughness", l.roughness, "m"));
+  }
+
   /// "barrios (fracture energy 1 kJ/kg)"
   template <class AnyModel>
   std::string model(std::string_view section, const AnyModel& any) const {
@@ -185,7 +201,8 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
   const auto chosen = results::averaged_replicates(outcome);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(outcome));
-  text += say.mill() + say.charge() + say.contact(outcome.engine) + say.powder() + say.kinetics();
+  text += say.mill() + say.charge() + say.contact(outcome.engine) + say.liquid() + say.powder() +
+          say.kinetics();
   double time = 0;
   for (const results::Replicate* r : chosen) time += r->time() / static_cast<double>(chosen.size());
   text += fmt::format(

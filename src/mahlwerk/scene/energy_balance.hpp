@@ -12,11 +12,12 @@ struct EnergyBalance {
   double kinetic = 0;          ///< now, translation and rotation
   double potential = 0;        ///< now, in gravity
   double initial_energy = 0;   ///< kinetic + potential at the start
-  double wall_work = 0;        ///< done by the jar on the balls
+  double wall_work = 0;        ///< done by the jar on the balls, also through a liquid
   double lost_normal = 0;      ///< dissipated in collisions, along the normal
   double lost_tangential = 0;  ///< dissipated in collisions, along the wall
   double lost_lasting = 0;     ///< in sustained contacts: sliding, rolling, and on entering one
   double lost_rolling = 0;     ///< dissipated by rolling resistance of touching bodies
+  double lost_liquid = 0;      ///< dissipated by the flow of a liquid between and around balls
   double elastic = 0;          ///< stored in contacts now
   double lost_open = 0;        ///< part of the losses: by open contacts, not in any record yet
   double slid = 0;             ///< part of lost_tangential: by slip at the Coulomb limit
@@ -32,7 +33,9 @@ struct EnergyBalance {
   std::int64_t search_steps = 0;  ///< steps of the touch search
   std::int64_t time_steps = 0;    ///< time steps of the soft engine
 
-  double lost() const { return lost_normal + lost_tangential + lost_lasting + lost_rolling; }
+  double lost() const {
+    return lost_normal + lost_tangential + lost_lasting + lost_rolling + lost_liquid;
+  }
   /// Residual of the balance, > 0 if energy appeared (dem.32).
   double residual() const {
     return kinetic + potential + elastic - initial_energy - wall_work + lost();

@@ -46,7 +46,8 @@ double TimeSteps::recommended(double fraction) const {
 }
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
-                     const contact::PairTable& pairs, double speed) {
+                     const contact::PairTable& pairs, double speed,
+                     const std::optional<contact::Liquid>& liquid) {
   const SpeciesPairs species_pairs(balls, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
   const auto include_pair = [&](std::int32_t pair, double radius) {
@@ -59,6 +60,9 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
           found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
+    if (liquid)  // in which it stops bodies that are about to touch
+      found.dashpot =
+          std::min(found.dashpot, t.mass * liquid->roughness / liquid->resistance(t.radius));
   };
   const auto species = static_cast<std::int32_t>(species_pairs.all_species().size());
   for (std::int32_t a = 0; a < species; ++a) {
@@ -80,6 +84,13 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
                                        std::sqrt(ball.density / shear) / (0.1631 * nu + 0.8766));
     }
   }
+  if (liquid && liquid->flooded && liquid->drag)
+    for (const Species& ball : species_pairs.all_species()) {
+      const double reynolds = liquid->density * speed * 2 * ball.radius / liquid->viscosity;
+      const double drag = 6 * std::numbers::pi * liquid->viscosity * ball.radius *
+                          contact::drag_correction(reynolds);
+      found.dashpot = std::min(found.dashpot, ball.mass / drag);
+    }
   found.limit = std::min({found.rayleigh, 0.2 * found.contact, found.dashpot});
   return found;
 }

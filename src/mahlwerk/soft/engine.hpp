@@ -49,7 +49,9 @@ struct TimeSteps {
   /// (dem.30).
   double recommended(double fraction) const;
 };
+/// With a liquid, `dashpot` is also at most the time in which it stops a ball (liq.9).
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
-                     const contact::PairTable& pairs, double speed);
+                     const contact::PairTable& pairs, double speed,
+                     const std::optional<contact::Liquid>& liquid = std::nullopt);
 
 }  // namespace mahlwerk::soft

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "mahlwerk/contact/contact_model.hpp"
+#include "mahlwerk/contact/lubrication.hpp"
 
 namespace mahlwerk::soft {
 
@@ -17,6 +19,7 @@ struct Settings {
   /// Limit of the initial overlap, as a fraction of the smaller radius.
   double max_initial_overlap = 0.01;
   int threads = 1;  ///< threads of one run; results do not depend on it
+  std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
 };
 
 }  // namespace mahlwerk::soft

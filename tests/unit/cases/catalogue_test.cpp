@@ -108,7 +108,7 @@ TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
 /// mistake.
 TEST(Catalogue, every_material_conducts_and_stores_heat_as_solids_do) {
   for_each_entry([&](const CatalogueEntry& entry) {
-    if (entry.category != "materials") return;
+    if (entry.category != "materials" || entry.values.contains("viscosity")) return;
     const auto number = [&](const char* key, const char* unit) {
       return parse_in(entry.values.at(key).text, unit);
     };
@@ -117,6 +117,20 @@ TEST(Catalogue, every_material_conducts_and_stores_heat_as_solids_do) {
     const double by_volume = number("density", "kg/m3") * number("heat_capacity", "J/kg/K");
     EXPECT_TRUE(by_volume > 1.5e6 && by_volume < 4.5e6) << by_volume << " J/(m3 K)";
   });
+}
+
+TEST(Catalogue, every_liquid_flows_and_weighs_as_solvents_do) {
+  int liquids = 0;
+  for_each_entry([&](const CatalogueEntry& entry) {
+    const auto viscosity = entry.values.find("viscosity");
+    if (viscosity == entry.values.end()) return;
+    ++liquids;
+    const double eta = parse_in(viscosity->second.text, "Pa s");
+    EXPECT_TRUE(eta > 2e-4 && eta < 5e-3) << eta;
+    const double density = parse_in(entry.values.at("density").text, "kg/m3");
+    EXPECT_TRUE(density > 600 && density < 1700) << density;
+  });
+  EXPECT_EQ(liquids, 5);
 }
 
 TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified) {

@@ -70,6 +70,7 @@ inline const Catalogue& catalogue() {
     entry("materials/steel", "",
           {{"density", "7700 kg/m3"}, {"youngs_modulus", "200 GPa"}, {"poisson_ratio", "0.265"}});
     entry("materials/tic", "", {{"density", "4930 kg/m3"}});
+    entry("materials/oil", "", {{"density", "870 kg/m3"}, {"viscosity", "80 mPa s"}});
     entry("materials/mystery", "", {{"hardness", "5"}});
     entry("media/five", "", {{"diameter", "15 mm"}, {"count", "5"}, {"material", "steel"}});
     return Catalogue(folder.path());

@@ -42,6 +42,9 @@ TEST(WriteCase, what_was_read_is_read_back_without_the_catalogue) {
   expect_round_trip(read_sample(vial));
   expect_round_trip(read_sample(planetary));
   expect_round_trip(read_sample(drum));
+  const std::string oil = "[liquid]\nmaterial = \"oil\"\n";
+  expect_round_trip(read_sample(vial + oil + "kind = \"film\"\nfilm = \"7.3 um\"\n"));
+  expect_round_trip(read_sample(vial + oil + "kind = \"flooded\"\nreach = 0.3\ndrag = false\n"));
   expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\n"));
   expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\nframes_format = \"vtk\"\n"));
   expect_round_trip(read_sample(vial, {{"seed", "18446744073709551615"}}));

@@ -121,6 +121,9 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
     return {cases::EngineName::soft,
             {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
              "spheres have no room to bounce."}};
+  if (cases::liquid_needs_soft(mill_case))
+    return {cases::EngineName::soft,
+            {"Engine: soft, chosen by auto. The event engine has no liquid around the balls."}};
   if (const auto law = sticking(mill_case); law && against_soft(mill_case).empty())
     return {cases::EngineName::soft,
             {fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the event "

@@ -92,6 +92,7 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case, const s
   const contact::BounceTable bounces = cases::bounce_table(mill_case);
   event::Rules treatment = rules(mill_case.contact);
   treatment.threshold = mill_case.observe.threshold;
+  if (mill_case.liquid) treatment.liquid = mill_case.liquid->model;
   if (balls.size() > 1) return event::many_balls(mill, balls, treatment, bounces);
   for (int face = 0; face < bounces.faces(); ++face)
     treatment.faces.push_back(bounces.wall(0, face));

@@ -95,6 +95,7 @@ double rounded_down(double x) {
 SoftSettings soft_settings(const cases::Case& mill_case) {
   SoftSettings s;
   s.rules.model = mill_case.contact.model;
+  if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
   // Balls that another run or the jar at rest has pressed together keep their overlaps.
   constexpr double pressed = 0.5;
@@ -102,7 +103,7 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
     s.rules.max_initial_overlap = pressed;
   s.speed = meeting_speed(mill_case);
   s.steps = soft::time_steps(one_of_each(mill_case), *s.rules.model.law,
-                             cases::pair_table(mill_case), s.speed);
+                             cases::pair_table(mill_case), s.speed, s.rules.liquid);
   s.rules.time_step = mill_case.run.time_step
                           ? *mill_case.run.time_step
                           : rounded_down(s.steps.recommended(mill_case.run.time_step_fraction));

@@ -32,7 +32,23 @@ std::vector<Fault> soft_faults(const Case& c) {
   return found;
 }
 
+/// Balls of the event engine fly freely between collisions, in which only films fit.
+std::vector<Fault> liquid_faults(const Case& c) {
+  if (!c.liquid || c.run.engine != EngineName::event) return {};  // "auto" chooses soft
+  if (c.liquid->model.flooded)
+    return {{location_of(c, "liquid.kind"),
+             "kind = \"flooded\": the event engine computes free flight, in which no liquid drags",
+             "write engine = \"soft\" or \"auto\", or kind = \"film\" without drag",
+             "liquid-needs-soft"}};
+  if (c.liquid->model.resists_rebound)
+    return {{location_of(c, "liquid.rebound"),
+             "rebound = \"resists\": the event engine takes a film that cavitates on rebound",
+             "write rebound = \"cavitates\", or engine = \"soft\"", "liquid-needs-soft"}};
+  return {};
+}
+
 std::vector<Fault> event_faults(const Case& c) {
+  if (auto found = liquid_faults(c); !found.empty()) return found;
   if (!geometry::exact_touches(*c.jar.shape))
     return {{location_of(c, "run.engine"),
              fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
@@ -67,6 +83,10 @@ std::vector<Fault> event_faults(const Case& c) {
 
 }  // namespace
 
+bool liquid_needs_soft(const Case& c) {
+  return c.liquid && (c.liquid->model.flooded || c.liquid->model.resists_rebound);
+}
+
 bool fits_exactly(const Case& c) {
   constexpr double tight = 1e-6;
   const double jar = 2 * geometry::inradius(*c.jar.shape);
@@ -82,8 +102,8 @@ bool fits_exactly(const Case& c) {
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = geometry::exact_touches(*c.jar.shape);  // else "auto" chooses soft
-  const bool soft =
-      in_time_steps(c.run.engine) || (!exact && c.run.engine == EngineName::automatic);
+  const bool soft = in_time_steps(c.run.engine) ||
+                    ((!exact || liquid_needs_soft(c)) && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

@@ -64,6 +64,19 @@ void fillet_too_large(const Case& c, std::vector<Fault>& found) {
        "fillet-too-large"});
 }
 
+/// A film that the asperities of touching bodies pierce.
+void thin_film(const Case& c, std::vector<Fault>& found) {
+  if (!c.liquid || c.liquid->model.flooded) return;
+  const contact::Liquid& liquid = c.liquid->model;
+  if (!(liquid.film > 0) || 2 * liquid.film > liquid.roughness) return;  // 0: reported elsewhere
+  found.push_back({location_of(c, "liquid.film"),
+                   fmt::format("twice the film ({}) is not more than the roughness ({}): bodies "
+                               "touch before the liquid acts",
+                               show(liquid.film, "m"), show(liquid.roughness, "m")),
+                   "give a thicker film or a smaller roughness, or leave [liquid] out",
+                   "thin-film"});
+}
+
 /// Parts of a jar that do not fit together.
 void impossible_jar(const Case& c, std::vector<Fault>& found) {
   if (std::isnan(geometry::volume(*c.jar.shape))) return;  // invalid size, reported elsewhere
@@ -247,6 +260,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   balls_too_large(c, found);
   fillet_too_large(c, found);
   impossible_jar(c, found);
+  thin_film(c, found);
   periodic_box_in_a_mill(c, found);
   periodic_cylinder_in_a_mill(c, found);
   if (found.size() == so_far) too_many_balls(c, found);

@@ -45,6 +45,7 @@ void describe(CaseVisitor& v, Case& c) {
     v.section("contact.pairs", i + 1);
     describe(v, c.contact.pairs[i], c.contact, model);
   }
+  if (c.liquid) section("liquid", *c.liquid);
   section("run", c.run);
   section("observe", c.observe);
   if (c.wear) section("wear", *c.wear);

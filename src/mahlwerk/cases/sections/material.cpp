@@ -114,6 +114,11 @@ void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
 
 std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
                                    std::string& material) {
+  return read_of_material(in, spec, material);
+}
+
+std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec,
+                                       std::string& material) {
   const Node* name = in.find("material");
   if (name != nullptr) material = in.text("material").value_or("");
   if (material.empty() || !by_material(in, spec.key)) return in.optional_number(spec);

@@ -37,6 +37,7 @@ void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const 
 /// [contact] without its pairs. Returns the contact model, or null if it could not be read.
 const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c);
 void describe(KeyVisitor& v, PairRule& pair, const Contact& all, const ContactModel* model);
+void describe(KeyVisitor& v, Liquid& liquid);
 void describe(KeyVisitor& v, Run& run);
 void describe(KeyVisitor& v, Observe& observe);
 void describe(KeyVisitor& v, Wear& wear);
@@ -84,6 +85,9 @@ void describe_wall(KeyVisitor& v, Jar& jar);
 /// `material` to the given name.
 std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
                                    std::string& material);
+/// A number that the material in the catalogue may give, by the rules of read_density().
+std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec,
+                                       std::string& material);
 /// The mesh of a jar of kind "mesh". After a fault the shape has no surface.
 void describe_mesh(KeyVisitor& v, Jar& jar);
 /// Reads a file with a measured motion. Faults cite the file's lines.

@@ -42,8 +42,15 @@ std::vector<Measure> power_measures() {
 }
 
 std::vector<Measure> loss_measures(const cases::Case& mill_case) {
-  if (mill_case.run.engine != cases::EngineName::soft) return {};
-  return {
+  std::vector<Measure> of_liquid;
+  if (mill_case.liquid)
+    of_liquid.push_back({"dissipated_power_liquid", "W",
+                         "power dissipated by the flow of the liquid between and around balls",
+                         [](const cases::Case&, const Replicate& r) {
+                           return per_time(r, &EnergyBalance::lost_liquid);
+                         }});
+  if (mill_case.run.engine != cases::EngineName::soft) return of_liquid;
+  std::vector<Measure> all{
       {"dissipated_power_normal", "W",
        "power dissipated along the normal: dampers, hysteresis, cohesion",
        [](const cases::Case&, const Replicate& r) {
@@ -61,6 +68,8 @@ std::vector<Measure> loss_measures(const cases::Case& mill_case) {
          return per_time(r, &EnergyBalance::lost_rolling);
        }},
   };
+  all.insert(all.end(), of_liquid.begin(), of_liquid.end());
+  return all;
 }
 
 std::vector<Measure> contact_time_measures(const cases::Case& mill_case) {

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 10> shares{
     "finest_share",
     "conversion"};
 
-constexpr std::array<std::string_view, 62> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 63> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -36,6 +36,7 @@ constexpr std::array<std::string_view, 62> not_negative{"collision_rate",
                                                         "dissipated_power_tangential",
                                                         "dissipated_power_sliding",
                                                         "dissipated_power_rolling",
+                                                        "dissipated_power_liquid",
                                                         "dissipated_power_of_collisions",
                                                         "collision_power_normal",
                                                         "collision_power_tangential",

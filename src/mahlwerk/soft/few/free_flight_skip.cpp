@@ -31,12 +31,15 @@ std::int64_t FewBodySolver::collision_free_steps() const {
   double time = max_steps * settings_.time_step;
   const double now = mill_time(particles_.step);
   if (periodic_) return 0;
+  if (liquid_ && liquid_at_wall()) return 0;
+  const double reach = liquid_ ? liquid_->gap_reach(pairs_.all()) : 0;
   for (std::size_t i = 0; i < particles_.count; ++i) {
     const Vec3 x = particles_.position(i), v = particles_.velocity(i);
-    time = std::min(time, jar_->safe_time(x, v, now, initial_balls_[i].radius));
+    time = std::min(time, jar_->safe_time(x, v, now, initial_balls_[i].radius + reach));
     for (std::size_t j = i + 1; j < particles_.count; ++j) {
       const Vec3 r = particles_.position(j) - x, u = particles_.velocity(j) - v;
-      const double touch = initial_balls_[i].radius + initial_balls_[j].radius;
+      const double touch = initial_balls_[i].radius + initial_balls_[j].radius + reach;
+      if (reach > 0 && squared(r) < touch * touch) return 0;  // the liquid acts
       const double b = dot(r, u), c = squared(r) - touch * touch;
       const double d = b * b - squared(u) * c;
       if (b < 0 && d > 0) time = std::min(time, std::max(c, 0.0) / (std::sqrt(d) - b));

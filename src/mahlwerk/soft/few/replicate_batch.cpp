@@ -148,6 +148,10 @@ bool ReplicateBatch::pause() {
   return !active_.empty();
 }
 
+void ReplicateBatch::add_liquid_forces(std::size_t charge, const DriveSample& drive) {
+  active_[charge]->solver->add_liquid(drive);
+}
+
 void ReplicateBatch::begin(const PacketLanes& begun) {
   each_lane(begun, [&](std::size_t lane) {
     owners_[begun.packet][lane].replicate->solver->begin_lane(packets_[begun.packet], lane);

@@ -54,6 +54,7 @@ class ReplicateBatch final : private StepCallbacks {
   void attempt(Replicate& r, const F& f);
   std::int64_t next_skip_end() const;
   bool rebuild_neighbour_list(std::size_t charge) override;
+  void add_liquid_forces(std::size_t charge, const DriveSample& drive) override;
   bool pause() override;
   void deactivate(std::size_t charge);
 

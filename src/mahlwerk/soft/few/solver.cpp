@@ -36,6 +36,11 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       contacts_of_(balls.size()) {
   for (const SpeciesPair& b : pairs_.all())
     pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
+  if (settings.liquid) {
+    liquid_.emplace(*settings.liquid, settings.time_step);
+    pull_off_distance_ = std::max(pull_off_distance_, liquid_->gap_reach(pairs_.all()));
+    skips_ = skips_ && !liquid_->acts_on_balls();
+  }
   ParticleData& w = particles_;
   w.count = balls.size();
   w.balls.resize((w.count + lanes - 1) / lanes);
@@ -54,6 +59,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     mass_ += pairs_.species_of(b).mass;
   }
   skin_ = 0.03 * smallest;
+  if (liquid_) start_in_liquid();
   build_gather_maps();  // of no packets
   rebuild_neighbour_list();
   refuse_overlaps();
@@ -166,7 +172,8 @@ StepBlock FewBodySolver::step_block(std::vector<ParticleData*>& charges,
           .drive = drive_,
           .start = start_,
           .max_displacement = 0.5 * skin_,
-          .step = particles_.step};
+          .step = particles_.step,
+          .liquid = liquid_.has_value()};
 }
 
 void FewBodySolver::end_block() {

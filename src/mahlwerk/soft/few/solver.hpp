@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/contact/any_law.hpp"
@@ -10,6 +11,7 @@
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "mahlwerk/soft/few/step_block.hpp"
+#include "mahlwerk/soft/liquid.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
@@ -46,6 +48,12 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   double time_of(std::int64_t step) const;    // [s] since the start of the run
   void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
+
+  // Liquid (liquid.cpp).
+  void add_liquid_forces(std::size_t, const DriveSample& drive) override { add_liquid(drive); }
+  void start_in_liquid();
+  void add_liquid(const DriveSample& drive);
+  bool liquid_at_wall() const;
 
   // Energy (energy.cpp).
   struct ElasticEnergy {
@@ -107,12 +115,14 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   std::vector<scene::Ball> initial_balls_;  // radius, density, kind; initial positions
   Settings settings_;
   SpeciesPairs pairs_;
+  std::optional<LiquidForces> liquid_;
   BlockStepper step_block_;
   double start_, skin_;
-  double mass_ = 0;               // [kg] of all balls
-  double pull_off_distance_ = 0;  // [m] largest of all pairs
-  bool skips_, periodic_;         // skip free flight; periodic box
-  std::vector<double> gaps_;      // [m] from each ball to each face, when the list was built
+  double mass_ = 0;  // [kg] of all balls
+  // [m] Largest gap of all pairs at which a contact persists or a liquid acts.
+  double pull_off_distance_ = 0;
+  bool skips_, periodic_;     // skip free flight; periodic box
+  std::vector<double> gaps_;  // [m] from each ball to each face, when the list was built
 
   ParticleData particles_;
   std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; those that have a lane

@@ -37,6 +37,8 @@ class StepCallbacks {
   virtual void end(const PacketLanes& ended) = 0;
   /// After the forces of a step in which contacts ended.
   virtual void forces_done() = 0;
+  /// Adds the forces of the liquid to the balls of a charge, after those of the contacts.
+  virtual void add_liquid_forces(std::size_t charge, const DriveSample& drive) = 0;
   /// After a step in which a charge was idle (ParticleData::idle_from), or step StepBlock::pause.
   /// Returns whether the block goes on.
   virtual bool pause() = 0;
@@ -55,6 +57,7 @@ struct alignas(64) StepBlock {
   double start = 0;                    ///< [s] the mill's clock at step 0
   double max_displacement = 0;         ///< [m] a larger one rebuilds the neighbour list
   std::int64_t step = 0;               ///< step of the charges
+  bool liquid = false;                 ///< callbacks.add_liquid_forces() is called in each step
   std::int64_t pause = -1;             ///< step after which callbacks.pause() is called
 };
 

@@ -123,7 +123,7 @@ template <class Law, class V, class Put>
 
 /// Computes all packets, and the second half kick of all charges.
 template <class Law, class V>
-[[gnu::always_inline]] inline void apply_contacts(StepBlock& s) {
+[[gnu::always_inline]] inline void apply_contacts(StepBlock& s, const DriveSample& drive) {
   const bool in_registers = can_permute<V> && !s.shared && s.charges.front()->fits_registers;
   const Bodies<V> bodies{s.shared ? nullptr : s.charges.front()->bodies.data(), in_registers};
   Vec<V> force{}, torque{};
@@ -146,6 +146,8 @@ template <class Law, class V>
       }
     sum_forces<V>(*w);
   }
+  if (s.liquid)
+    for (std::size_t c = 0; c < s.charges.size(); ++c) s.callbacks.add_liquid_forces(c, drive);
   if (ended) s.callbacks.forces_done();
 }
 
@@ -170,7 +172,7 @@ template <class Law, class V>
     ++s.step;
     move_charges<V>(s, s.drive[k], s.drive[k + 1]);
     s.constants.jar_velocity = s.drive[k + 1].velocity;
-    apply_contacts<Law, V>(s);
+    apply_contacts<Law, V>(s, s.drive[k + 1]);
     bool pause = s.step == s.pause;
     for (const ParticleData* w : s.charges) pause |= !w->touched && w->step >= w->idle_from;
     if (pause && k + 2 < s.drive.size() && !s.callbacks.pause()) return;

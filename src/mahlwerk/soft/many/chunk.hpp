@@ -10,6 +10,7 @@
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
+#include "mahlwerk/soft/liquid.hpp"
 #include "mahlwerk/soft/many/block_list.hpp"
 #include "mahlwerk/soft/neighbours/pair_gaps.hpp"
 
@@ -103,7 +104,8 @@ struct ChunkDisplacement {
 
 /// Sums over the steps of a chunk.
 struct ChunkSums {
-  ContactWork work;  ///< halo contacts count half: both chunks compute them
+  ContactWork work;   ///< halo contacts count half: both chunks compute them
+  LiquidWork liquid;  ///< likewise
   std::int64_t ball_steps = 0, collisions = 0, sustained = 0;
   std::int64_t tests = 0;
 };

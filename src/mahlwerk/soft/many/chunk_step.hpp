@@ -7,6 +7,10 @@
 
 namespace mahlwerk::soft {
 
+struct ChunkStep;
+/// Force and torque on each ball of a chunk.
+using BallForces = std::vector<VectorPair>;
+
 /// Callbacks for contacts of a chunk that begin and end: rare events, outside the innermost loop.
 class ManyContactCallbacks {
  public:
@@ -22,6 +26,8 @@ class ManyContactCallbacks {
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// Tests wall pairs, and assigns a lane to those that begin to touch.
   virtual void test_walls(Chunk& chunk) = 0;
+  /// Adds the forces of the liquid to those on the balls of a chunk.
+  virtual void add_liquid_forces(const ChunkStep& step, Chunk& chunk, BallForces& forces) = 0;
 };
 
 /// Input and output of a step of one chunk. Rows are those of all balls.
@@ -47,12 +53,10 @@ struct alignas(64) ChunkStep {
   DriveSample drive, next_drive;  ///< at this step and at the next
   bool large = false;             ///< the balls exceed the processor's cache
   bool turning = false;           ///< the jar has a rotor
+  bool liquid = false;            ///< there is a liquid
   bool has_history = false;       ///< the law or rolling model needs OptionalHistory
   StepConstants constants;
 };
-
-/// Force and torque on each ball of a chunk.
-using BallForces = std::vector<VectorPair>;
 
 /// Computes a step of one chunk and updates `displacement`. Meanwhile prefetches the memory of the
 /// chunk `following`, if not null.

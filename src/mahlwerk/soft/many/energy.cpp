@@ -122,6 +122,8 @@ void ManyBodySolver::add_sums(scene::EnergyBalance& a, const Chunk& chunk) const
     add_work(a, d.work, l);
     a.deepest_overlap = std::max(a.deepest_overlap, d.work.max_overlap[l]);
   }
+  a.lost_liquid += d.liquid.lost;
+  a.wall_work += d.liquid.wall;
   a.contact_time += time_of(d.ball_steps);
   a.collisions += d.collisions;
   a.lasting_contacts += d.sustained;

@@ -78,6 +78,10 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   }
   for (const SpeciesPair& b : pairs_.all())
     pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
+  if (settings.liquid) {
+    liquid_.emplace(*settings.liquid, settings.time_step);
+    pull_off_distance_ = std::max(pull_off_distance_, liquid_->gap_reach(pairs_.all()));
+  }
   skin_ = 0.5 * smallest;
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   initialize_rows(balls);
@@ -107,13 +111,23 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   refuse_overlaps();
   for (std::size_t k = 0; k < n; ++k) {
     const scene::Ball& ball = balls[static_cast<std::size_t>(id_[k])];
-    const Vec3 v = ball.velocity + 0.5 * dt * b[0].body_acceleration,
-               predicted = v + 0.5 * dt * b[1].body_acceleration;
+    Vec3 v = ball.velocity + 0.5 * dt * b[0].body_acceleration,
+         predicted = v + 0.5 * dt * b[1].body_acceleration;
+    Vec3 w = ball.spin, predicted_spin = w;
+    if (liquid_ && liquid_->acts_on_balls()) {
+      const Species& s = pairs_.species(species_[k]);
+      LiquidWork ignored;
+      const LiquidLoad load = liquid_->on_ball(liquid_->motion(*jar_, b[0], mill_time(0)), s,
+                                               ball.position, ball.velocity, ball.spin, ignored);
+      const Vec3 kick = (0.5 * dt / s.mass) * load.force,
+                 spin_kick = (0.5 * dt / s.inertia) * load.torque;
+      v += kick, predicted += 2.0 * kick;
+      w += spin_kick, predicted_spin += 2.0 * spin_kick;
+    }
     const Vec3 x = ball.position + dt * v;
-    const Vec3& w = ball.spin;
     half_step_[k] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
     next_rows_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
-    next_spins_[k] = {w.x, w.y, w.z, 0};
+    next_spins_[k] = {predicted_spin.x, predicted_spin.y, predicted_spin.z, 0};
   }
   for (ChunkDisplacement& d : displacements_)
     d.spread = geometry::never;  // forces a rebuild at the first step
@@ -190,6 +204,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .next_drive = next_drive,
               .large = large_,
               .turning = jar_->first_rotor_face() < jar_->faces(),
+              .liquid = liquid_.has_value(),
               .has_history = has_history_,
               .constants = step_constants(settings_, jar_->periods())};
   s.constants.jar_velocity = drive.velocity;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/base/huge_page_allocator.hpp"
@@ -121,10 +122,15 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void record(Chunk& chunk, const ContactPackets& list, std::size_t n, std::size_t lane);
   void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
 
+  // Liquid (liquid.cpp).
+  void add_liquid_forces(const ChunkStep& step, Chunk& chunk, BallForces& forces) override;
+
   std::unique_ptr<const MovingWall> jar_;
   Settings settings_;
   SpeciesPairs pairs_;
+  std::optional<LiquidForces> liquid_;
   ChunkStepper step_chunk_;
+  // pull_off_distance_: largest gap [m] of all pairs at which a contact persists or a liquid acts.
   double start_, pull_off_distance_ = 0, mass_ = 0;
   bool periodic_, large_, has_history_;
   std::vector<PairParameters> parameters_;  // of each species pair

@@ -252,6 +252,7 @@ template <class Law, class V>
       group.put(all.max_overlap, max(group(all.max_overlap), group(d.max_overlap)));
     }
   }
+  if (s.liquid) s.callbacks->add_liquid_forces(s, chunk, ball_forces);
   chunk.sums.ball_steps += chunk.balls_in_contact;
   if (s.large)
     integrate_balls<V, true>(s, chunk, ball_forces.data(), displacement);
