@@ -40,8 +40,9 @@ std::optional<Column> column_called(std::string_view name) {
     column.role = name == "time" ? Role::time : Role::size;
     return column;
   }
-  for (const MeasuredQuantity what : {MeasuredQuantity::passing, MeasuredQuantity::specific_surface,
-                                      MeasuredQuantity::conversion})
+  for (const MeasuredQuantity what :
+       {MeasuredQuantity::passing, MeasuredQuantity::specific_surface, MeasuredQuantity::conversion,
+        MeasuredQuantity::yield, MeasuredQuantity::second_yield, MeasuredQuantity::ignition_time})
     if (name == name_of(what, 0)) {
       column.what = what;
       return column;
@@ -88,8 +89,8 @@ std::optional<Column> column_of(const std::string& heading) {
 std::string heading_near(const std::string& heading) {
   const auto end = std::min(heading.find_first_of(" (["), heading.size());
   std::vector<std::string> words;
-  for (const char* word :
-       {"time", "D10", "D50", "D90", "specific_surface", "conversion", "size", "passing"})
+  for (const char* word : {"time", "D10", "D50", "D90", "specific_surface", "conversion", "yield",
+                           "second_yield", "ignition_time", "size", "passing"})
     for (const char* ending : {"", "_error"})
       words.push_back(word + (ending + heading.substr(end)));
   return nearest_word(heading, words);

@@ -20,7 +20,8 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_faults = 20;  // a wrong column gives a fault in every row
-constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
+constexpr std::string_view examples =
+    "time, D10, D50, D90, specific_surface, conversion, yield, size";
 
 class Reader {
  public:
@@ -190,8 +191,7 @@ class Reader {
     m.value = numbers[i];
     if (column.error_in) m.error = numbers[*column.error_in];
     const std::size_t before = faults_.size();
-    const bool share =
-        m.what == MeasuredQuantity::passing || m.what == MeasuredQuantity::conversion;
+    const bool share = unit_of(m.what).empty();
     if (share ? m.value < 0 || m.value > 1 : m.value <= 0)
       out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
     if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
@@ -264,12 +264,19 @@ std::string name_of(MeasuredQuantity what, int percent) {
       return "specific_surface";
     case MeasuredQuantity::conversion:
       return "conversion";
+    case MeasuredQuantity::yield:
+      return "yield";
+    case MeasuredQuantity::second_yield:
+      return "second_yield";
+    case MeasuredQuantity::ignition_time:
+      return "ignition_time";
   }
   return "";
 }
 
 std::string_view unit_of(MeasuredQuantity what) {
   if (what == MeasuredQuantity::quantile) return "m";
+  if (what == MeasuredQuantity::ignition_time) return "s";
   return what == MeasuredQuantity::specific_surface ? "m2/kg" : "";
 }
 

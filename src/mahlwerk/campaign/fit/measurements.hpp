@@ -16,10 +16,13 @@ enum class MeasuredQuantity {
   quantile,          ///< [m] size below which a share of the mass lies
   passing,           ///< [1] share of the mass finer than a size
   specific_surface,  ///< [m2/kg]
-  conversion         ///< [1]
+  conversion,        ///< [1]
+  yield,             ///< [1] share of the first product
+  second_yield,      ///< [1] share of the second product
+  ignition_time      ///< [s] milling time until a self-propagating reaction
 };
 
-/// Name ("D90", "passing", "specific_surface" or "conversion"), and unit in which values are
+/// Name ("D90", "passing", "specific_surface", "conversion", ...), and unit in which values are
 /// stored.
 std::string name_of(MeasuredQuantity what, int percent);
 std::string_view unit_of(MeasuredQuantity what);

@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
@@ -187,6 +188,7 @@ Notices warnings(const Outcome& outcome) {
   append(list, state_notices(outcome.summary));
   not_steady(outcome, list);
   append(list, grinding_warnings(outcome));
+  append(list, kinetics_warnings(outcome));
   not_certain(outcome, list);
   return list;
 }
