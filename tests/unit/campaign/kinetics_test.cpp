@@ -185,8 +185,8 @@ TEST(KineticsFit, finds_the_barrier_and_the_frequency_factor_again) {
   recovers(mill +
                "[kinetics]\nmodel = \"thermal\"\ntime = \"1 h\"\ntemperature = \"60 degC\"\n"
                "frequency_factor = \"1e9 1/s\"\nactivation_energy = \"85 kJ/mol\"\n[fit]\n"
-               "\"kinetics.frequency_factor\" = [\"1e5 1/s\", \"1e13 1/s\"]\n"
-               "\"kinetics.activation_energy\" = [\"50 kJ/mol\", \"120 kJ/mol\"]\n",
+               "\"kinetics.frequency_factor\" = [\"1e3 1/s\", \"1e13 1/s\"]\n"
+               "\"kinetics.activation_energy\" = [\"40 kJ/mol\", \"120 kJ/mol\"]\n",
            "kinetics.temperature (degC),time (h),conversion\n40,1,0.5\n60,1,0.5\n80,1,0.5\n"
            "60,4,0.5\n");
 }
@@ -198,7 +198,7 @@ TEST(KineticsFit, of_an_ignition_dose_has_the_closed_form) {
                            "\"kinetics.ignition_dose\" = [\"1 J/g\", \"1e4 kJ/g\"]\n";
   const std::vector<Outcome> mills{ran(text)};
   const Measurements all =
-      read_measurements_text("ignition_time (min),ignition_time_error\n42,1\n", "data.csv");
+      read_measurements_text("ignition_time (min),ignition_time_error (min)\n42,1\n", "data.csv");
   const Fit found = fit(mills, all, free_parameters(mills[0].mill_case), {});
   const double rate = quantity(mills[0], "milling_dose") * 1000 / 3600;
   states("D_ig [J/kg]", found.result.parameters[0].value, rate * 42 * 60, 1e-6 * rate * 2520,

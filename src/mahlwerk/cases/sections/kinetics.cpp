@@ -12,11 +12,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Whether a key is visited that has no meaning under the present words unless `meaningful`.
-bool visits(KeyVisitor& v, bool meaningful) {
-  return meaningful || (v.visits_all() && !v.tries_all_words());
-}
-
 /// A number with a default, or one that must be measured on the powder.
 void describe_conversion(KeyVisitor& v, const NumberSpec& spec, double& value) {
   SectionReader* in = v.reader();
@@ -48,7 +43,7 @@ class ModelNumbers {
   /// Numbers that have a meaning only if `meaningful`; refused otherwise.
   void numbers(bool meaningful, std::initializer_list<std::string_view> keys, std::string_view why,
                const std::string& remedy) {
-    if (!visits(v_, meaningful)) return v_.refuse(keys, why, remedy);
+    if (!meaningful) return v_.refuse(keys, why, remedy);
     for (const std::string_view key : keys) number(key);
   }
 
@@ -107,7 +102,7 @@ void describe_model(KeyVisitor& v, powder::ImpactKinetics& m, Kinetics& k, const
                   "without `energy_exponent`", "remove it, or write energy_exponent = 1 or so");
   numbers.numbers(m.has_second(), {"second_share", "second_threshold"}, "under scheme = \"simple\"",
                   "remove it, or write scheme = \"sequential\" or \"parallel\"");
-  if (visits(v, !m.has_second()))
+  if (!m.has_second())
     v.integer({"hits_needed", 1, powder::ImpactKinetics::most_hits,
                "hits that convert a part of the powder", 1, "one hit converts"},
               m.hits_needed);
@@ -121,7 +116,7 @@ void describe_temperature(KeyVisitor& v, Kinetics& k, const Case& c) {
   v.optional_number(NumberSpec("temperature", "K", positive, "constant temperature of the powder")
                         .with_default_text("by [heat]"),
                     k.temperature);
-  if (!visits(v, !k.temperature && (c.heat || v.visits_all())))
+  if (k.temperature || !(c.heat || v.visits_all()))
     return v.refuse({"temperature_of"}, "without [heat] or with `temperature`", "remove it");
   v.word({"temperature_of",
           {"balls", "jar"},
@@ -169,7 +164,7 @@ void describe_model(KeyVisitor& v, powder::IgnitionKinetics& m, Kinetics& k, con
                   {"ignition_temperature", "milled_temperature", "activation_dose", "flash_rise"},
                   "under trigger = \"dose\"", "remove it, or write trigger = \"temperature\"");
   numbers.number("converted_share");
-  if (visits(v, !by_dose))
+  if (!by_dose)
     describe_temperature(v, k, c);
   else
     v.refuse({"temperature", "temperature_of"}, "under trigger = \"dose\"",
