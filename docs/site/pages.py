@@ -6,7 +6,8 @@ import pathlib
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
 THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "liquid", "charge", "statistics", "observe",
-          "lammps", "wear-heat", "powder", "fit", "calibration", "campaigns", "sensitivity", "optimum"]
+          "lammps", "wear-heat", "powder", "kinetics", "fit", "calibration", "campaigns", "sensitivity",
+          "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {

@@ -67,6 +67,7 @@ void multiply(ParsedUnit& m, const Unit& unit, int power) {
     add(m.dimension.time, unit.dimension.time);
     add(m.dimension.temperature, unit.dimension.temperature);
     add(m.dimension.angle, unit.dimension.angle);
+    add(m.dimension.amount, unit.dimension.amount);
   }
   if (!std::isfinite(m.scale.numerator) || !std::isfinite(m.scale.denominator))
     throw UnitError("the unit has too high a power");

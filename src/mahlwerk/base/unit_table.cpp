@@ -11,7 +11,7 @@ constexpr Dimension number{}, length{.length = 1}, mass{.mass = 1}, time{.time =
     temperature{.temperature = 1}, angle{.angle = 1}, cycles{.time = -1, .angle = 1},
     volume{.length = 3}, force{.length = 1, .mass = 1, .time = -2},
     pressure{.length = -1, .mass = 1, .time = -2}, energy{.length = 2, .mass = 1, .time = -2},
-    power{.length = 2, .mass = 1, .time = -3};
+    power{.length = 2, .mass = 1, .time = -3}, amount{.amount = 1};
 
 constexpr Unit table[] = {
     {"%", {1, 100}, number},
@@ -57,11 +57,14 @@ constexpr Unit table[] = {
     {"uJ", {1, 1e6}, energy},
     {"nJ", {1, 1e9}, energy},
     {"kJ", {1e3}, energy},
+    {"kcal", {4184}, energy},
     {"W", {}, power},
     {"mW", {1, 1e3}, power},
     {"uW", {1, 1e6}, power},
     {"kW", {1e3}, power},
     {"K", {}, temperature},
+    {"mol", {}, amount},
+    {"mmol", {1, 1e3}, amount},
 };
 
 struct DisplayUnits {

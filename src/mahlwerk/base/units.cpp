@@ -106,6 +106,9 @@ std::string_view kind_of(std::string_view unit) {
       {"kg/m2", "a mass per area"},
       {"kg/J/m", "a material parameter f_mat, in kg/(J m)"},
       {"J m/kg", "an energy per mass times a length"},
+      {"J/mol", "an energy per amount of substance"},
+      {"kg/mol", "a molar mass"},
+      {"m3/mol", "a volume per amount of substance"},
       {"", "a number without a unit"}};
   for (const auto& [u, kind] : kinds)
     if (u == unit) return kind;
@@ -172,6 +175,9 @@ std::string example_of(std::string_view unit) {
                                                                         {"J/kg", "100 J/kg"},
                                                                         {"kg/m2", "0.1 kg/m2"},
                                                                         {"J m/kg", "0.1 J m/kg"},
+                                                                        {"J/mol", "100 kJ/mol"},
+                                                                        {"kg/mol", "60 g/mol"},
+                                                                        {"m3/mol", "10 ml/mol"},
                                                                         {"", "0.5"}};
   for (const auto& [u, example] : examples)
     if (u == unit) return std::string(example);

@@ -12,7 +12,7 @@ namespace mahlwerk {
 /// Exponents of the base dimensions. Angle is a base dimension, so that 400 rpm is never read as
 /// 41.9 Hz: a turn is 2 pi rad, 1 Hz is one turn (cycle) per second (con.4).
 struct Dimension {
-  std::int8_t length = 0, mass = 0, time = 0, temperature = 0, angle = 0;
+  std::int8_t length = 0, mass = 0, time = 0, temperature = 0, angle = 0, amount = 0;
   bool operator==(const Dimension&) const = default;
 };
 

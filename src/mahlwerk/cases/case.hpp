@@ -22,7 +22,6 @@
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/powder/any_model.hpp"
-#include "mahlwerk/powder/dose.hpp"
 #include "mahlwerk/powder/feed.hpp"
 
 // A case: complete description of a run in SI units, with all defaults filled in.
@@ -290,16 +289,22 @@ struct Grinding {
   bool operator==(const Grinding&) const = default;
 };
 
-/// Conversion by dose of energy; absent from a case without [kinetics].
+/// Kinetics of a reaction of the powder; absent from a case without [kinetics].
 struct Kinetics {
   enum class Dose { dissipated, captured };  ///< energy that counts as dose
-  powder::Conversion conversion;
+  enum class TemperatureOf { balls, jar };   ///< node of [heat] whose temperature the powder has
+  Indirect<powder::AnyKinetics> model;
   Dose dose = Dose::dissipated;
   double time = 0;  ///< [s] of milling
   /// Name of a property that changes from `initial` to `final`, in its own unit, in proportion to
   /// the conversion; empty: none.
   std::string property;
   double initial = 0, final = 1;
+  std::optional<double> molar_mass = std::nullopt;    ///< [kg/mol] of the powder, for doses by mole
+  std::optional<double> mass_per_hit = std::nullopt;  ///< [kg] captured by a hit, without [capture]
+  Capture::Energy hit_energy = Capture::Energy::normal;  ///< of a hit, without [capture]
+  std::optional<double> temperature = std::nullopt;      ///< [K] constant; none: by [heat]
+  TemperatureOf temperature_of = TemperatureOf::balls;
   bool operator==(const Kinetics&) const = default;
 };
 

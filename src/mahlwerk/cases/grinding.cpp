@@ -30,7 +30,7 @@ void each_number(C& c, Visit visit) {
     all("grinding.", *c.grinding, grinding_shares());
     all("grinding.", *c.grinding, std::array{welding_energy});
   }
-  if (c.kinetics) all("kinetics.", c.kinetics->conversion, kinetics_fields());
+  if (c.kinetics) of_model("kinetics.", *c.kinetics->model);
 }
 
 std::invalid_argument no_such_parameter(const std::string& key) {

@@ -37,7 +37,7 @@ constexpr std::array sections{
                 "which hits break a grain; the powder's material may give the constants"},
     SectionSpec{"fragments", "model", "the fragments of a broken grain"},
     SectionSpec{"grinding", "", "how the size of the powder changes with time"},
-    SectionSpec{"kinetics", "law", "conversion of the powder by a dose of energy"},
+    SectionSpec{"kinetics", "model", "conversion of the powder: a reaction or a property"},
     SectionSpec{"sweep", "", "a campaign: keys of the case that vary", true},
     SectionSpec{"optimise", "", "search for the settings of a largest or smallest quantity", true},
     SectionSpec{"match", "", "search for settings that treat powder as another mill does", true},

@@ -6,22 +6,36 @@
 
 #include "mahlwerk/base/indirect.hpp"
 
-// Models of capture, breakage and fragments chosen at run time, as incomplete types;
+// Models of capture, breakage, fragments and kinetics chosen at run time, as incomplete types;
 // powder/models.hpp lists the models.
 namespace mahlwerk::powder {
 
 struct AnyCapture;
 struct AnyBreakage;
 struct AnyFragments;
+struct AnyKinetics;
+struct MillingConditions;
+struct ReactionShares;
 
 std::string_view name_of(const AnyCapture& capture);      ///< "barrios"
 std::string_view name_of(const AnyBreakage& breakage);    ///< "tavares"
 std::string_view name_of(const AnyFragments& fragments);  ///< "austin"
+std::string_view name_of(const AnyKinetics& kinetics);    ///< "by-impact"
 std::string_view about(const AnyCapture& capture);        ///< short description
 /// Whether the model has a median strength, which [capture] may use.
 bool has_median_strength(const AnyBreakage& breakage);
 /// Whether the model keeps a strength for each grain.
 bool tracks_strength(const AnyBreakage& breakage);
+
+/// Shares of reactant and products after a milling `time` [s] >= 0.
+ReactionShares reaction_shares(const AnyKinetics& kinetics, const MillingConditions& mill,
+                               double time);
+/// Whether the model takes the hits on the powder one energy after the other.
+bool reads_hits(const AnyKinetics& kinetics);
+/// Whether the model has two products.
+bool has_second_product(const AnyKinetics& kinetics);
+/// Whether the model reads the temperature of the powder.
+bool reads_temperature(const AnyKinetics& kinetics);
 
 /// Composition of a captured bed.
 enum class Bed {

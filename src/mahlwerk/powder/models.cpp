@@ -7,6 +7,7 @@
 template class mahlwerk::Indirect<mahlwerk::powder::AnyCapture>;
 template class mahlwerk::Indirect<mahlwerk::powder::AnyBreakage>;
 template class mahlwerk::Indirect<mahlwerk::powder::AnyFragments>;
+template class mahlwerk::Indirect<mahlwerk::powder::AnyKinetics>;
 
 namespace mahlwerk::powder {
 namespace {
@@ -27,6 +28,9 @@ std::string_view name_of(const AnyBreakage& breakage) {
 std::string_view name_of(const AnyFragments& fragments) {
   return name(fragments);
 }
+std::string_view name_of(const AnyKinetics& kinetics) {
+  return name(kinetics);
+}
 std::string_view about(const AnyCapture& capture) {
   return std::visit([](const auto& m) -> std::string_view { return m.about; }, capture);
 }
@@ -41,6 +45,23 @@ bool has_median_strength(const AnyBreakage& breakage) {
 }
 bool tracks_strength(const AnyBreakage& breakage) {
   return std::visit([](const auto& m) -> bool { return m.tracks_strength; }, breakage);
+}
+
+ReactionShares reaction_shares(const AnyKinetics& kinetics, const MillingConditions& mill,
+                               double time) {
+  return std::visit([&](const auto& m) { return m.shares(mill, time); }, kinetics);
+}
+bool reads_hits(const AnyKinetics& kinetics) {
+  return std::holds_alternative<ImpactKinetics>(kinetics);
+}
+bool has_second_product(const AnyKinetics& kinetics) {
+  const auto* by_impact = std::get_if<ImpactKinetics>(&kinetics);
+  return by_impact != nullptr && by_impact->has_second();
+}
+bool reads_temperature(const AnyKinetics& kinetics) {
+  const auto* ignition = std::get_if<IgnitionKinetics>(&kinetics);
+  return std::holds_alternative<ThermalKinetics>(kinetics) ||
+         (ignition != nullptr && ignition->trigger == IgnitionKinetics::Trigger::temperature);
 }
 
 }  // namespace mahlwerk::powder

@@ -18,6 +18,10 @@
 #include "mahlwerk/powder/fragments/binary.hpp"
 #include "mahlwerk/powder/fragments/t10.hpp"
 #include "mahlwerk/powder/fragments/vogel.hpp"
+#include "mahlwerk/powder/kinetics/dose.hpp"
+#include "mahlwerk/powder/kinetics/ignition.hpp"
+#include "mahlwerk/powder/kinetics/impact.hpp"
+#include "mahlwerk/powder/kinetics/thermal.hpp"
 
 namespace mahlwerk::powder {
 
@@ -56,6 +60,14 @@ using FragmentsModels =
     std::variant<VogelFragments, AustinFragments, T10Fragments, BinaryFragments, Halves>;
 struct AnyFragments : FragmentsModels {
   using Models = FragmentsModels;
+  using Models::Models;
+};
+
+/// `shares(mill, time [s])`: shares of reactant and products after a milling time.
+using KineticsModels =
+    std::variant<DoseKinetics, ImpactKinetics, ThermalKinetics, IgnitionKinetics>;
+struct AnyKinetics : KineticsModels {
+  using Models = KineticsModels;
   using Models::Models;
 };
 

@@ -152,11 +152,15 @@ class MethodsText {
   std::string kinetics() const {
     if (!c_.kinetics) return "";
     const cases::Kinetics& k = *c_.kinetics;
+    const auto* dose = std::get_if<powder::DoseKinetics>(&*k.model);
+    if (dose == nullptr)
+      return fmt::format("Conversion after {} of milling by the model {}. ",
+                         show_rounded(k.time, "s"), model("kinetics", *k.model));
     return fmt::format(
         "Conversion after {} of milling: 1 - exp(-((D - {})/({}))^{:.4g}) of the dose D of energy "
         "{} by mass of powder. ",
-        show_rounded(k.time, "s"), value("kinetics.onset", k.conversion.onset, "J/kg"),
-        value("kinetics.dose_constant", k.conversion.dose_constant, "J/kg"), k.conversion.exponent,
+        show_rounded(k.time, "s"), value("kinetics.onset", dose->onset, "J/kg"),
+        value("kinetics.dose_constant", dose->dose_constant, "J/kg"), dose->exponent,
         k.dose == cases::Kinetics::Dose::captured ? "captured" : "dissipated");
   }
 

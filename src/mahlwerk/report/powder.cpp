@@ -113,15 +113,42 @@ std::string fineness_section(const Outcome& outcome, const Quantities& list) {
                 "Surface of spheres of these sizes. grinding.csv has the numbers.");
 }
 
-std::string dose_section(const Outcome& outcome, const Quantities& list) {
+/// What the conversion follows, as a sentence.
+std::string kinetics_basis(const Outcome& outcome, const Quantities& list) {
   const cases::Kinetics& k = *outcome.mill_case.kinetics;
-  const std::string basis = fmt::format(
+  if (powder::name_of(*k.model) != "dose")
+    return fmt::format("By the model {}; the constants are those of the case.",
+                       powder::name_of(*k.model));
+  return fmt::format(
       "By the energy {} per mass of powder, {} after {}; the constants are those of the case.",
       k.dose == cases::Kinetics::Dose::captured ? "that captured grains receive" : "dissipated",
       shown_text(list, "milling_dose"), show_rounded(k.time, "s"));
-  return fmt::format("<h2>Dose</h2>\n<p>After {} of milling the conversion is {}.</p>\n",
-                     show_rounded(k.time, "s"), shown_text(list, "conversion")) +
-         figure(conversion_plot(outcome), basis + " conversion.csv has the numbers.") +
+}
+
+/// What the hits do, for kinetics by impact; the time of ignition.
+std::string kinetics_numbers(const Outcome& outcome, const Quantities& list) {
+  const powder::AnyKinetics& model = *outcome.mill_case.kinetics->model;
+  if (powder::reads_hits(model))
+    return fmt::format(
+        "<p>{} hits per second process powder, with {} each; a hit processes {} on the mean. Each "
+        "part of the reactant is processed {} times per second.</p>\n",
+        shown_text(list, "processing_hit_rate"), shown_text(list, "processing_hit_energy"),
+        shown_text(list, "processed_mass_per_hit"), shown_text(list, "processing_rate"));
+  if (powder::name_of(model) == "ignition")
+    return fmt::format("<p>Time of milling until the powder ignites: {}.</p>\n",
+                       shown_text(list, "ignition_time"));
+  return "";
+}
+
+std::string kinetics_section(const Outcome& outcome, const Quantities& list) {
+  const cases::Kinetics& k = *outcome.mill_case.kinetics;
+  const bool by_dose = powder::name_of(*k.model) == "dose";
+  return fmt::format("<h2>{}</h2>\n<p>After {} of milling the conversion is {}.</p>\n",
+                     by_dose ? "Dose" : "Kinetics", show_rounded(k.time, "s"),
+                     shown_text(list, "conversion")) +
+         kinetics_numbers(outcome, list) +
+         figure(conversion_plot(outcome),
+                kinetics_basis(outcome, list) + " conversion.csv has the numbers.") +
          (k.property.empty() ? "" : figure(property_plot(outcome), "Follows the conversion."));
 }
 
@@ -135,7 +162,7 @@ std::string powder_sections(const Outcome& outcome) {
   std::string text;
   if (outcome.mill_case.capture) text += capture_section(outcome, list);
   if (outcome.mill_case.grinding) text += fineness_section(outcome, list);
-  if (outcome.mill_case.kinetics) text += dose_section(outcome, list);
+  if (outcome.mill_case.kinetics) text += kinetics_section(outcome, list);
   return text;
 }
 

@@ -10,9 +10,11 @@
 #include <map>
 #include <utility>
 
+#include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -318,16 +320,28 @@ Plot over_time(const results::Outcome& outcome, std::string_view name, double fa
 }  // namespace
 
 Plot conversion_plot(const results::Outcome& outcome) {
+  const powder::AnyKinetics& model = *outcome.mill_case.kinetics->model;
+  const bool by_dose = powder::name_of(model) == "dose";
   Plot plot = over_time(outcome, "conversion", 0.01);
-  plot.title = "Conversion by dose";
+  plot.title = by_dose ? "Conversion by dose" : "Conversion over time";
   plot.y.label = "conversion (%)";
+  if (!powder::has_second_product(model)) return plot;
+  plot.y.label = "share (%)";
+  plot.series[0].name = "conversion";
+  for (const auto& [name, words] :
+       {std::pair{"yield", "first product"}, std::pair{"second_yield", "second product"}}) {
+    plot.series.push_back(over_time(outcome, name, 0.01).series[0]);
+    plot.series.back().name = words;
+  }
   return plot;
 }
 
 Plot property_plot(const results::Outcome& outcome) {
+  const cases::Kinetics& k = *outcome.mill_case.kinetics;
+  const bool by_dose = powder::name_of(*k.model) == "dose";
   Plot plot = over_time(outcome, "property", 1);
-  plot.title = outcome.mill_case.kinetics->property + " by dose";
-  plot.y.label = outcome.mill_case.kinetics->property;
+  plot.title = k.property + (by_dose ? " by dose" : " over time");
+  plot.y.label = k.property;
   return plot;
 }
 

@@ -14,6 +14,7 @@
 #include "mahlwerk/observe/collision_statistics.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/observe/stress_stream.hpp"
+#include "mahlwerk/powder/kinetics/milling_conditions.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/scene/balls.hpp"
@@ -47,6 +48,7 @@ struct GrindingOutcome {
   powder::StressSpectrum stresses;
   CaptureRates capture;                          ///< with [capture]
   double dose_rate = 0;                          ///< [W/kg] of [kinetics], or of captured grains
+  powder::MillingConditions conditions;          ///< with [kinetics]
   std::optional<powder::SizeEvolution> balance;  ///< with [grinding] method = "balance" or "both"
   std::optional<powder::SizeEvolution> sample;   ///< with "statistical" or "both"
 

@@ -37,7 +37,8 @@ cases::Case grinding_case(const std::string& engine = "event") {
                                .time = 600,
                                .smallest = 1e-6,
                                .sample = 5000};
-  c.kinetics = cases::Kinetics{.conversion = {2e3, 1, 0}, .time = 600, .property = ""};
+  c.kinetics =
+      cases::Kinetics{.model = powder::DoseKinetics{2e3, 1, 0}, .time = 600, .property = ""};
   return c;
 }
 

@@ -248,11 +248,12 @@ TEST(ReadKinetics, laws_doses_and_properties) {
   const auto read_as = [](const std::string& lines) {
     return read_sample(all + "[kinetics]\ndose_constant = \"5 kJ/g\"\n" + lines).kinetics.value();
   };
-  EXPECT_EQ(read_as(""), (Kinetics{{5e6, 1, 0}, Kinetics::Dose::dissipated, 30, "", 0, 1}));
-  EXPECT_EQ(
-      read_as("law = \"avrami\"\nexponent = 2\nonset = \"1 kJ/kg\"\ndose = \"captured\"\n"
-              "time = \"1 h\"\nproperty = \"amorphous content\"\ninitial = 5\nfinal = 100"),
-      (Kinetics{{5e6, 2, 1000}, Kinetics::Dose::captured, 3600, "amorphous content", 5, 100}));
+  EXPECT_EQ(read_as(""),
+            (Kinetics{powder::DoseKinetics{5e6, 1, 0}, Kinetics::Dose::dissipated, 30, "", 0, 1}));
+  EXPECT_EQ(read_as("law = \"avrami\"\nexponent = 2\nonset = \"1 kJ/kg\"\ndose = \"captured\"\n"
+                    "time = \"1 h\"\nproperty = \"amorphous content\"\ninitial = 5\nfinal = 100"),
+            (Kinetics{powder::DoseKinetics{5e6, 2, 1000}, Kinetics::Dose::captured, 3600,
+                      "amorphous content", 5, 100}));
   const auto fault = [](const std::string& lines) {
     return one_fault(powdered + "[kinetics]\ntime = \"1 h\"\n" + lines);
   };

@@ -228,7 +228,8 @@ class AnyCase {
     g.welding_energy = size();
   }
   void draw_kinetics(Kinetics& k) {
-    k.conversion = {size(), flip() ? 1 : random_.uniform(0.5, 4), flip() ? 0 : size()};
+    k.model =
+        powder::DoseKinetics{size(), flip() ? 1 : random_.uniform(0.5, 4), flip() ? 0 : size()};
     k.time = size();
     if (!flip()) return;
     k.property = "a \"property\"";

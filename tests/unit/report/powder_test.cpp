@@ -47,7 +47,7 @@ Outcome ground_outcome(const std::vector<int>& hits = {100, 120, 140}) {
   g.time = 60;
   g.smallest = 1e-6;
   o.mill_case.grinding = g;
-  o.mill_case.kinetics = cases::Kinetics{.conversion = {.dose_constant = 1e6},
+  o.mill_case.kinetics = cases::Kinetics{.model = powder::DoseKinetics{.dose_constant = 1e6},
                                          .time = 60,
                                          .property = "amorphous content",
                                          .initial = 0,

@@ -14,8 +14,11 @@
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/powder/any_model.hpp"
+#include "mahlwerk/powder/kinetics/milling_conditions.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -23,10 +26,11 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool of_sizes(MeasuredQuantity what) {
-  return what != MeasuredQuantity::conversion;
+  return what == MeasuredQuantity::quantile || what == MeasuredQuantity::passing ||
+         what == MeasuredQuantity::specific_surface;
 }
 
-/// The first measurement of sizes, or of conversion; null if there is none.
+/// The first measurement of sizes, or of kinetics; null if there is none.
 const Measurement* first(const Measurements& data, bool sizes) {
   const auto found = std::ranges::find_if(data.values, [&](const Measurement& m) {
     return of_powder(m.what) && of_sizes(m.what) == sizes;
@@ -43,12 +47,20 @@ double predicted_value(const powder::SizeEvolution& milling, const Measurement& 
       return powder::undersize(milling.grid, shares, m.size);
     case MeasuredQuantity::specific_surface:
       return powder::specific_surface(milling.grid, shares, density);
-    case MeasuredQuantity::conversion:
-    case MeasuredQuantity::of_run:
-    case MeasuredQuantity::rebound_height:
+    default:
       break;
   }
   return nothing;
+}
+
+/// A predicted value of a measurement that is not of sizes.
+double predicted_reaction(const cases::Case& mill_case, const powder::MillingConditions& mill,
+                          const Measurement& m) {
+  if (m.what == MeasuredQuantity::ignition_time) return results::ignition_time(mill_case, mill);
+  const powder::ReactionShares shares =
+      powder::reaction_shares(*mill_case.kinetics->model, mill, m.time);
+  if (m.what == MeasuredQuantity::yield) return shares.product;
+  return m.what == MeasuredQuantity::second_yield ? shares.second_product : shares.conversion;
 }
 
 }  // namespace
@@ -69,6 +81,27 @@ std::vector<FreeParameter> free_parameters(const cases::Case& mill_case,
   }
   return parameters;
 }
+
+namespace {
+
+/// Measurements that the model of [kinetics] does not predict.
+void kinetics_faults(const cases::Kinetics& kinetics, const Measurements& data,
+                     const std::string& file, std::vector<Fault>& found) {
+  const auto needs = [&](MeasuredQuantity what, bool predicted, const char* remedy) {
+    const auto m = std::ranges::find(data.values, what, &Measurement::what);
+    if (predicted || m == data.values.end()) return;
+    found.push_back(
+        {fmt::format("{}:{}", file, m->line),
+         fmt::format("{} was measured, but [kinetics] does not predict it", name_of(what, 0)),
+         remedy, "nothing-to-fit"});
+  };
+  needs(MeasuredQuantity::second_yield, powder::has_second_product(*kinetics.model),
+        "write scheme = \"sequential\" or \"parallel\" under model = \"by-impact\"");
+  needs(MeasuredQuantity::ignition_time, powder::name_of(*kinetics.model) == "ignition",
+        "write model = \"ignition\" in [kinetics]");
+}
+
+}  // namespace
 
 std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& data,
                               const std::vector<FreeParameter>& parameters,
@@ -96,6 +129,7 @@ std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& 
     lacks(m, "grinding");
   if (const Measurement* m = first(data, false); m != nullptr && !mill_case.kinetics)
     lacks(m, "kinetics");
+  if (mill_case.kinetics) kinetics_faults(*mill_case.kinetics, data, file, found);
   for (const FreeParameter& parameter : parameters)
     if (std::ranges::any_of(data.conditions, [&](const std::vector<cases::Override>& set) {
           return std::ranges::find(set, parameter.name, &cases::Override::key) != set.end();
@@ -154,7 +188,7 @@ Predictor::Predictor(const std::vector<results::Outcome>& mills,
   for (std::size_t i = 0; i < mills.size(); ++i) {
     Mill mill{&mills[i], results::averaged_replicates(mills[i]), {}, {}, false, {}};
     if (only) mill.replicates = {mill.replicates.at(*only)};
-    if (mills[i].mill_case.capture)
+    if (mills[i].mill_case.capture || results::kinetics_reads_hits(mills[i].mill_case))
       mill.stresses = results::stress_spectrum(mills[i].mill_case, mill.replicates);
     for (std::size_t k = 0; k < measurements_.size(); ++k)
       if (measurements_[k].condition == i) {
@@ -178,12 +212,13 @@ void Predictor::predict(const Mill& mill, const std::vector<double>& values,
       mill.grinds
           ? results::milling_by_balance(mill_case, mill.stresses, mill.beds ? &*mill.beds : nullptr)
           : powder::SizeEvolution{};
-  const double dose =
-      mill_case.kinetics ? results::dose_rate(mill_case, mill.replicates, mill.stresses) : nothing;
+  powder::MillingConditions conditions;
+  if (mill_case.kinetics)
+    conditions = results::milling_conditions(mill_case, mill.replicates, mill.stresses);
   for (const std::size_t k : mill.measurements)
     predicted[k] = of_sizes(measurements_[k].what)
                        ? predicted_value(milling, measurements_[k], *mill_case.powder->density)
-                       : mill_case.kinetics->conversion.at(dose * measurements_[k].time);
+                       : predicted_reaction(mill_case, conditions, measurements_[k]);
 }
 
 std::vector<double> Predictor::operator()(const std::vector<double>& values) const {
@@ -195,8 +230,7 @@ std::vector<double> Predictor::operator()(const std::vector<double>& values) con
 
 double residual(const Measurement& measured, double predicted) {
   const bool known = !std::isnan(measured.error);
-  if (measured.what == MeasuredQuantity::quantile ||
-      measured.what == MeasuredQuantity::specific_surface)
+  if (!unit_of(measured.what).empty())  // sizes, surfaces, times
     return math::log(predicted / measured.value) * (known ? measured.value / measured.error : 1);
   return (predicted - measured.value) / (known ? measured.error : 1);
 }

@@ -70,7 +70,7 @@ class Predictor {
   int threads_;
 };
 
-/// Residual of a measurement: (fit.8) for sizes and surfaces, (fit.9) for shares.
+/// Residual of a measurement: (fit.8) for sizes, surfaces and times, (fit.9) for shares.
 double residual(const Measurement& measured, double predicted);
 
 struct FitOptions {

@@ -44,6 +44,7 @@ std::optional<Column> column_called(std::string_view name, const RunQuantities& 
     }
   for (const MeasuredQuantity what :
        {MeasuredQuantity::passing, MeasuredQuantity::specific_surface, MeasuredQuantity::conversion,
+        MeasuredQuantity::yield, MeasuredQuantity::second_yield, MeasuredQuantity::ignition_time,
         MeasuredQuantity::rebound_height})
     if (name == name_of(what, 0)) {
       column.what = what;
@@ -96,16 +97,9 @@ std::optional<Column> column_of(const std::string& heading, const RunQuantities&
 
 std::string heading_near(const std::string& heading, const RunQuantities& known) {
   const auto end = std::min(heading.find_first_of(" (["), heading.size());
-  std::vector<std::string> names{"time",
-                                 "D10",
-                                 "D50",
-                                 "D90",
-                                 "specific_surface",
-                                 "conversion",
-                                 "size",
-                                 "passing",
-                                 "rebound_height",
-                                 "fall_height"};
+  std::vector<std::string> names{
+      "time",         "D10",           "D50",  "D90",     "specific_surface", "conversion", "yield",
+      "second_yield", "ignition_time", "size", "passing", "rebound_height",   "fall_height"};
   for (const RunQuantity& one : known) names.push_back(one.name);
   std::vector<std::string> words;
   for (const std::string& word : names)

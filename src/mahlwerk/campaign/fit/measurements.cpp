@@ -21,7 +21,8 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t max_faults = 20;  // a wrong column gives a fault in every row
-constexpr std::string_view examples = "time, D10, D50, D90, specific_surface, conversion, size";
+constexpr std::string_view examples =
+    "time, D10, D50, D90, specific_surface, conversion, yield, size";
 
 class Reader {
  public:
@@ -200,9 +201,8 @@ class Reader {
     m.value = numbers[i];
     if (column.error_in) m.error = numbers[*column.error_in];
     const std::size_t before = faults_.size();
-    const bool share =
-        m.what == MeasuredQuantity::passing || m.what == MeasuredQuantity::conversion;
     const bool of_run = m.what == MeasuredQuantity::of_run;  // an angle may be negative
+    const bool share = !of_run && unit_of(m.what).empty();
     if (share ? m.value < 0 || m.value > 1 : m.value <= 0 && !of_run)
       out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
     if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
@@ -282,6 +282,12 @@ std::string name_of(MeasuredQuantity what, int percent) {
       return "specific_surface";
     case MeasuredQuantity::conversion:
       return "conversion";
+    case MeasuredQuantity::yield:
+      return "yield";
+    case MeasuredQuantity::second_yield:
+      return "second_yield";
+    case MeasuredQuantity::ignition_time:
+      return "ignition_time";
     case MeasuredQuantity::rebound_height:
       return "rebound_height";
     case MeasuredQuantity::of_run:
@@ -292,6 +298,7 @@ std::string name_of(MeasuredQuantity what, int percent) {
 
 std::string_view unit_of(MeasuredQuantity what) {
   if (what == MeasuredQuantity::quantile || what == MeasuredQuantity::rebound_height) return "m";
+  if (what == MeasuredQuantity::ignition_time) return "s";
   return what == MeasuredQuantity::specific_surface ? "m2/kg" : "";
 }
 

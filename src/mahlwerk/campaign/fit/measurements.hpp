@@ -17,6 +17,9 @@ enum class MeasuredQuantity {
   passing,           ///< [1] share of the mass finer than a size
   specific_surface,  ///< [m2/kg]
   conversion,        ///< [1]
+  yield,             ///< [1] share of the first product
+  second_yield,      ///< [1] share of the second product
+  ignition_time,     ///< [s] milling time until a self-propagating reaction
   of_run,            ///< a quantity of summary.json
   rebound_height     ///< [m] to which a ball rebounds from the jar after a fall
 };
@@ -29,7 +32,7 @@ using RunQuantities = std::vector<RunQuantity>;
 /// Those of a run of a case.
 RunQuantities run_quantities(const cases::Case& mill_case);
 
-/// Name ("D90", "passing", "specific_surface" or "conversion"), and unit in which values are
+/// Name ("D90", "passing", "specific_surface", "conversion", ...), and unit in which values are
 /// stored.
 std::string name_of(MeasuredQuantity what, int percent);
 std::string_view unit_of(MeasuredQuantity what);

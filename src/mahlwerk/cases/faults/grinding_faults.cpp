@@ -131,13 +131,41 @@ class GrindingCheck {
   }
 
   void kinetics(const Kinetics& k) {
+    const bool by_dose = std::holds_alternative<powder::DoseKinetics>(*k.model);
     if (!c_.powder)
-      fault("kinetics.dose_constant", "[kinetics] needs a powder that takes the dose",
-            "add [powder] with mass", "missing-value");
+      fault(by_dose ? "kinetics.dose_constant" : "kinetics.model",
+            "[kinetics] needs a powder that takes the dose", "add [powder] with mass",
+            "missing-value");
     if (k.dose == Kinetics::Dose::captured && !c_.capture)
       fault("kinetics.dose",
             "dose = \"captured\" needs [capture]: the powder that collisions capture",
             "add [capture], or write dose = \"dissipated\"", "lone-section");
+    if (const auto* m = std::get_if<powder::ImpactKinetics>(&*k.model)) by_impact(k, *m);
+    if (powder::reads_temperature(*k.model) && !k.temperature && !c_.heat)
+      fault("kinetics.model",
+            fmt::format("[kinetics] model = \"{}\" needs the temperature of the powder",
+                        powder::name_of(*k.model)),
+            "write temperature = \"60 degC\" or so, or add [heat]", "missing-value");
+    if (const auto* m = std::get_if<powder::IgnitionKinetics>(&*k.model);
+        m != nullptr && m->milled_temperature > m->ignition_temperature)
+      fault("kinetics.milled_temperature",
+            fmt::format("milling would raise the ignition temperature, from {} to {}",
+                        show_rounded(m->ignition_temperature, "K"),
+                        show_rounded(m->milled_temperature, "K")),
+            "give a milled_temperature of at most ignition_temperature", "out-of-range");
+  }
+
+  void by_impact(const Kinetics& k, const powder::ImpactKinetics& m) {
+    if (!c_.capture && !k.mass_per_hit)
+      fault("kinetics.model",
+            "[kinetics] model = \"by-impact\" needs the mass of powder that a hit captures",
+            "add [capture], or write mass_per_hit = \"1 mg\" or so", "missing-value");
+    if (m.scheme == powder::ImpactKinetics::Scheme::parallel && m.energy_exponent == 0 &&
+        m.processed_share + m.second_share > 1)
+      fault("kinetics.second_share",
+            fmt::format("both reactions would process {:.4g} times the powder that a hit captures",
+                        m.processed_share + m.second_share),
+            "give shares with a sum of at most 1", "out-of-range");
   }
 
   const Case& c_;

@@ -16,9 +16,9 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::array exponents{&Dimension::mass, &Dimension::length, &Dimension::angle,
-                               &Dimension::temperature, &Dimension::time};
-constexpr std::array<std::string_view, 5> base_units{"kg", "m", "rad", "K", "s"};
+constexpr std::array exponents{&Dimension::mass,        &Dimension::length, &Dimension::angle,
+                               &Dimension::temperature, &Dimension::amount, &Dimension::time};
+constexpr std::array<std::string_view, 6> base_units{"kg", "m", "rad", "K", "mol", "s"};
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '%' || (c & 0x80);

@@ -50,13 +50,4 @@ constexpr std::int64_t min_sample = 100, max_sample = 1'000'000;
 /// in each class.
 constexpr double max_size_classes = 150, max_strength_tracking_classes = 48;
 
-constexpr auto kinetics_fields() {
-  using K = powder::Conversion;
-  return std::array{Field<K>{"dose_constant", "J/kg", &K::dose_constant, positive,
-                             "dose of energy, by mass of powder, that converts 63.2 %"},
-                    Field<K>{"exponent", "", &K::exponent, positive, "Avrami's exponent"},
-                    Field<K>{"onset", "J/kg", &K::onset, not_negative,
-                             "dose below which nothing happens", 0.0, "conversion begins at once"}};
-}
-
 }  // namespace mahlwerk::cases

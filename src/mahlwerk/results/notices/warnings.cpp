@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
@@ -210,6 +211,7 @@ Notices warnings(const Outcome& outcome) {
   drawn_parameters(outcome, list);
   not_steady(outcome, list);
   append(list, grinding_warnings(outcome));
+  append(list, kinetics_warnings(outcome));
   not_certain(outcome, list);
   return list;
 }

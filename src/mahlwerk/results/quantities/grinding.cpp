@@ -8,6 +8,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/nips.hpp"
 
 namespace mahlwerk::results {
@@ -19,7 +20,7 @@ using powder::StressSpectrum;
 
 const LogHistogram& energies(const Case& mill_case, const observe::Spectra& spectra) {
   using Energy = cases::Capture::Energy;
-  switch (mill_case.capture->energy) {
+  switch (mill_case.capture ? mill_case.capture->energy : mill_case.kinetics->hit_energy) {
     case Energy::normal:
       return spectra.energy_normal;
     case Energy::contact_point:
@@ -169,10 +170,14 @@ void grind(const Case& mill_case, Replicate& replicate, int index) {
   if (mill_case.capture) {
     grinding.stresses = stress_spectrum(mill_case, alone);
     grinding.capture = capture_rates(mill_case, grinding.stresses);
+  } else if (kinetics_reads_hits(mill_case)) {
+    grinding.stresses = stress_spectrum(mill_case, alone);
   }
   grinding.dose_rate = mill_case.capture && dose_is_captured(mill_case)
                            ? grinding.capture.power / mill_case.powder->mass
                            : dose_rate(mill_case, alone, grinding.stresses);
+  if (mill_case.kinetics)
+    grinding.conditions = milling_conditions(mill_case, alone, grinding.stresses);
   using Method = cases::Grinding::Method;
   if (mill_case.grinding && mill_case.grinding->method != Method::statistical)
     grinding.balance = milling_by_balance(mill_case, grinding.stresses);
@@ -251,29 +256,6 @@ std::vector<Measure> grinding_measures(const Case& mill_case) {
          return capture_of(r).power * c.grinding->time / (1000 * c.powder->mass);
        }},
   };
-  return list;
-}
-
-std::vector<Measure> kinetics_measures(const Case& mill_case) {
-  if (!mill_case.kinetics) return {};
-  std::vector<Measure> list{
-      {"milling_dose", "J/g", "energy by mass of powder over the milling time",
-       [](const Case& c, const Replicate& r) {
-         return r.grinding ? r.grinding->dose_rate * c.kinetics->time / 1000 : undefined;
-       }},
-      {"conversion", "1", "conversion after milling, by that dose",
-       [](const Case& c, const Replicate& r) {
-         return r.grinding ? c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time)
-                           : undefined;
-       }}};
-  if (!mill_case.kinetics->property.empty())
-    list.push_back({"property", "1", mill_case.kinetics->property + ", after milling",
-                    [](const Case& c, const Replicate& r) {
-                      if (!r.grinding) return undefined;
-                      const double done =
-                          c.kinetics->conversion.at(r.grinding->dose_rate * c.kinetics->time);
-                      return std::lerp(c.kinetics->initial, c.kinetics->final, done);
-                    }});
   return list;
 }
 

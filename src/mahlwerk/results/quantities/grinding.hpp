@@ -46,7 +46,6 @@ void grind(const cases::Case& mill_case, Replicate& replicate, int index);
 
 std::vector<Measure> capture_measures(const cases::Case& mill_case);
 std::vector<Measure> grinding_measures(const cases::Case& mill_case);
-std::vector<Measure> kinetics_measures(const cases::Case& mill_case);
 
 Table capture(const Outcome& outcome);  ///< capture.csv: a row per pair and bin of energy
 Table captured_grains(
@@ -54,7 +53,6 @@ Table captured_grains(
 Table grinding(const Outcome& outcome);  ///< grinding.csv: sizes over time
 /// size_distribution.csv: shares of the classes in the feed and at some milling times.
 Table size_distribution(const Outcome& outcome);
-Table conversion(const Outcome& outcome);  ///< conversion.csv: over time and dose
 
 /// Warnings where grinding models are used beyond their range of validity; else empty.
 Notices grinding_warnings(const Outcome& outcome);

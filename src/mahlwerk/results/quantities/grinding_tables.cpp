@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Tables of the powder: capture, grinding, size distribution, conversion.
+// Tables of the powder: capture, grinding, size distribution.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -172,30 +172,6 @@ Table size_distribution(const Outcome& outcome) {
       }
       table.rows.push_back(std::move(row));
     }
-  }
-  return table;
-}
-
-Table conversion(const Outcome& outcome) {
-  Table table{{{"time", "s", "milling time"},
-               {"dose", "J/g", "energy by mass of powder until then"},
-               {"conversion", "1", "conversion by that dose"}},
-              {}};
-  const std::vector<const Replicate*> chosen = grinding_replicates(outcome);
-  if (!outcome.mill_case.kinetics || chosen.empty()) return table;
-  const cases::Kinetics& kinetics = *outcome.mill_case.kinetics;
-  if (!kinetics.property.empty()) table.columns.push_back({"property", "1", kinetics.property});
-  constexpr int points = 200;
-  for (int i = 0; i <= points; ++i) {
-    const double time = kinetics.time * i / points;
-    const double dose =
-        mean_over(chosen, [&](const Replicate& r) { return r.grinding->dose_rate * time; });
-    const double done = mean_over(chosen, [&](const Replicate& r) {
-      return kinetics.conversion.at(r.grinding->dose_rate * time);
-    });
-    table.rows.push_back({time, dose / 1000, done});
-    if (!kinetics.property.empty())
-      table.rows.back().push_back(std::lerp(kinetics.initial, kinetics.final, done));
   }
   return table;
 }

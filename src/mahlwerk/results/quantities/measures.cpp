@@ -5,6 +5,7 @@
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 

@@ -8,7 +8,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr std::array<std::string_view, 10> shares{
+constexpr std::array<std::string_view, 13> shares{
     "contact_time_share",
     "tc_collision_share",
     "power_share_within_contact_time",
@@ -18,9 +18,12 @@ constexpr std::array<std::string_view, 10> shares{
     "occupied_share",
     "grazing_share",
     "finest_share",
-    "conversion"};
+    "conversion",
+    "yield",
+    "second_yield",
+    "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 63> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 69> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -71,6 +74,12 @@ constexpr std::array<std::string_view, 63> not_negative{"collision_rate",
                                                         "specific_surface",
                                                         "specific_grinding_energy",
                                                         "milling_dose",
+                                                        "milling_dose_per_mole",
+                                                        "processing_hit_rate",
+                                                        "processing_hit_energy",
+                                                        "processed_mass_per_hit",
+                                                        "processing_rate",
+                                                        "ignition_time",
                                                         "grain_count",
                                                         "coarse_graining_ratio",
                                                         "particles_per_grain",
