@@ -5,7 +5,8 @@ import pathlib
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
-THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "charge", "statistics", "observe",
+THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "elastic-plastic", "capillary",
+          "hollow-balls", "charge", "statistics", "observe",
           "lammps", "wear-heat", "powder", "fit", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
