@@ -179,7 +179,8 @@ TEST(HollowBalls, slip_of_two_different_balls_is_reduced_to_e_t_of_itself) {
     const scene::Chamber still{geometry::Cylinder{2, 2}, kinematics::Still{}, {}, {0, 0, 0}};
     event::Rules rules;
     rules.sustained_mode = event::SustainedContactMode::none;
-    const auto engine = event::many_balls(still, {a, b}, rules, {0.8, e_t, INFINITY});
+    const auto engine =
+        event::many_balls(still, {a, b}, rules, contact::BounceTable(1, 3, {0.8, e_t, INFINITY}));
     Recorder recorder;
     engine->advance(0.02, recorder);
     ASSERT_EQ(recorder.all.size(), 1U);
