@@ -15,8 +15,6 @@ struct BallLayers {
   double coating_density = 0;            ///< [kg/m3]
 
   bool layered() const { return wall_thickness.has_value() || coating_thickness > 0; }
-  /// Whether the layers fit into a ball of `radius` [m].
-  bool fit(double radius) const { return coating_thickness + wall_thickness.value_or(0) < radius; }
 
   /// Mass over the volume of the sphere [kg/m3], of a ball of `radius` [m] (hol.1).
   double mean_density(double radius) const { return layered() ? moment(radius, 3) : density; }

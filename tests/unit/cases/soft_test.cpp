@@ -132,7 +132,7 @@ TEST(ReadLaw, every_word_and_its_numbers) {
       "contact_angle = \"30 deg\"");
   EXPECT_EQ(wet.surface_tension, 0.05);
   const auto& capillary = std::get<contact::Capillary>(*wet.model.law);
-  EXPECT_EQ(capillary.bridge_volume, 1e-11);
+  EXPECT_DOUBLE_EQ(capillary.bridge_volume, 1e-11);
   EXPECT_NEAR(capillary.contact_angle, std::numbers::pi / 6, 1e-15);
   EXPECT_TRUE(contact_of("curved_walls = true").model.curved_walls);
   EXPECT_TRUE(contact_of("rescaled_unloading = true").model.rescaled_unloading);

@@ -63,7 +63,7 @@ void impossible_layers(const Case& c, std::vector<Fault>& found) {
            "a coating needs thickness and density",
            "give coating_thickness and coating_density, or neither", "impossible-ball"});
     const double thickness = set.wall_thickness.value_or(0) + set.coating_thickness.value_or(0);
-    if (!(thickness >= 0.5 * set.diameter)) continue;  // also values reported elsewhere
+    if (!set.layers().layered() || !(thickness >= 0.5 * set.diameter)) continue;
     found.push_back(
         {location_of(c, section + (set.wall_thickness ? "wall_thickness" : "coating_thickness")),
          fmt::format("the layers of a ball ({}) are not thinner than its radius ({})",
