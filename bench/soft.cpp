@@ -41,6 +41,8 @@ double planetary_ns(const contact::AnyLaw& law) {
   contact::Pair pair = steel(c.restitution, c.friction, c.rolling_friction);
   pair.surface_energy = 0.1;
   pair.cohesion = 1e5;
+  pair.surface_tension = 0.07;
+  pair.hardness = 6e9;
   std::vector<double> found;
   for (int i = 0; i < 5; ++i) {
     const auto engine = soft::make_engine(mill, {balls.begin(), balls.end()}, rules, {1, 3, pair});

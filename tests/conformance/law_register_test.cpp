@@ -114,7 +114,8 @@ TYPED_TEST(LawsOfCases, refuses_the_numbers_that_it_does_not_read) {
   for (const auto& parameter : contact::adhesion_of<L>()) own.insert(parameter.key);
   for (const std::string_view key : cases::law_keys())
     if (!own.contains(key)) refused(key, "1");
-  for (const auto& parameter : {contact::surface_energy, contact::cohesion})
+  for (const auto& parameter :
+       {contact::surface_energy, contact::cohesion, contact::surface_tension})
     if (!own.contains(parameter.key)) refused(parameter.key, "1");
 }
 

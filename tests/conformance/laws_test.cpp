@@ -43,6 +43,7 @@ EffectivePair bodies(double restitution, Adhesion adhesion) {
   if (adhesion == Adhesion::some) {
     pair.surface_energy = 0.5;
     pair.cohesion = 2e5;
+    pair.surface_tension = 0.07;
   }
   return {pair, 0.005, 0.002};
 }

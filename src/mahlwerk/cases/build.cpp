@@ -21,11 +21,12 @@ std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
     for (const SizeClass& size : sets[i].sizes())
       balls.insert(balls.end(), static_cast<std::size_t>(size.count),
                    {.radius = 0.5 * size.diameter,
-                    .density = sets[i].density,
+                    .density = sets[i].layers().mean_density(0.5 * size.diameter),
                     .position = {},
                     .velocity = {},
                     .spin = {},
-                    .kind = static_cast<std::int32_t>(i)});
+                    .kind = static_cast<std::int32_t>(i),
+                    .inertia_ratio = sets[i].layers().inertia_ratio(0.5 * size.diameter)});
   return balls;
 }
 

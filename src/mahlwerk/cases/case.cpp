@@ -9,8 +9,19 @@ namespace mahlwerk::cases {
 double BallSet::mass() const {
   scene::Ball ball;
   ball.radius = 0.5 * diameter;
-  ball.density = density;
+  ball.density = layers().mean_density(ball.radius);
   return ball.mass();
+}
+
+scene::BallLayers BallSet::layers() const {
+  return {.density = density,
+          .wall_thickness = wall_thickness,
+          .coating_thickness = coating_thickness.value_or(0),
+          .coating_density = coating_density.value_or(0)};
+}
+
+double BallSet::surface_density() const {
+  return coating_thickness ? coating_density.value_or(density) : density;
 }
 
 std::vector<SizeClass> BallSet::sizes() const {

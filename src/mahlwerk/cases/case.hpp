@@ -23,6 +23,7 @@
 #include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/feed.hpp"
+#include "mahlwerk/scene/ball_layers.hpp"
 
 // A case: complete description of a run in SI units, with all defaults filled in.
 namespace mahlwerk::cases {
@@ -77,7 +78,7 @@ struct Jar {
 struct BallSet {
   std::int64_t count = 1;  ///< number of balls of all sizes
   double diameter = 0;     ///< [m] of each ball; with a distribution, of the ball of mean volume
-  double density = 0;      ///< [kg/m3]
+  double density = 0;      ///< [kg/m3] of its material
   std::string material;    ///< name in the catalogue, or empty
   contact::ElasticConstants elastic = steel;
   Substance substance = hardened_steel;
@@ -87,9 +88,16 @@ struct BallSet {
   /// [m/s] initial velocities relative to Run::start_frame and [rad/s] initial spins, along the
   /// jar's own axes: one for each of `positions`, or none for random ones.
   std::vector<Vec3> velocities = {}, spins = {};
-  Distribution distribution = {};        ///< distribution of the diameters
-  std::vector<SizeClass> classes = {};   ///< its size classes, smallest first; none: equal balls
-  bool grains = false;                   ///< whether the balls are grains of the powder
+  Distribution distribution = {};       ///< distribution of the diameters
+  std::vector<SizeClass> classes = {};  ///< its size classes, smallest first; none: equal balls
+  bool grains = false;                  ///< whether the balls are grains of the powder
+  /// [m] of the shell of hollow balls, made of `density`; none: solid
+  std::optional<double> wall_thickness = std::nullopt;
+  /// [m] of a layer of another density around it; none: no coating
+  std::optional<double> coating_thickness = std::nullopt;
+  std::optional<double> coating_density = std::nullopt;  ///< [kg/m3]
+  scene::BallLayers layers() const;                      ///< of one ball
+  double surface_density() const;        ///< [kg/m3] of the coating, or of an uncoated ball
   double mass() const;                   ///< [kg] of one ball; with a distribution, the mean
   std::vector<SizeClass> sizes() const;  ///< the classes, or one class of equal balls
   bool operator==(const BallSet&) const = default;
@@ -123,6 +131,7 @@ struct PairRule {
   double rolling_friction = 0;  ///< as in Contact
   double surface_energy = 0;
   double cohesion = 0;
+  double surface_tension = 0;
   bool operator==(const PairRule&) const = default;
 };
 
@@ -135,6 +144,7 @@ struct Contact {
   double rolling_friction = 0;  ///< [1] mu_r; [s/m] with viscous rolling resistance
   double surface_energy = 0;    ///< [J/m2] gamma of one surface, for the law jkr
   double cohesion = 0;          ///< [J/m3] energy density, for the law sjkr
+  double surface_tension = 0;   ///< [N/m] of the liquid, for the law capillary
   SustainedContactModel lasting = SustainedContactModel::roll;
   /// [m/s] a ball that is pressed to the wall and rebounds slower enters a sustained contact
   double lasting_speed = 0;

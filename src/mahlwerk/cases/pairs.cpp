@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/powder/wear.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -30,7 +31,7 @@ void for_each_pair(const PairRule& pair, const Case& c, Balls balls, Wall wall) 
     for (const int face : a.faces) wall(j, face);
 }
 
-/// Pair parameters from [contact] or one of its pairs; with_moduli() adds the moduli.
+/// Pair parameters from [contact] or one of its pairs; with_material() adds moduli and hardness.
 template <class Owner>
 contact::Pair contact_pair(const Owner& owner) {
   return {.modulus = 0,
@@ -39,13 +40,22 @@ contact::Pair contact_pair(const Owner& owner) {
           .friction = owner.rule.friction,
           .rolling_friction = owner.rolling_friction,
           .surface_energy = owner.surface_energy,
-          .cohesion = owner.cohesion};
+          .cohesion = owner.cohesion,
+          .surface_tension = owner.surface_tension};
 }
 
-contact::Pair with_moduli(contact::Pair pair, contact::ElasticConstants a,
-                          contact::ElasticConstants b, double softening) {
+/// A body of a pair.
+struct Body {
+  contact::ElasticConstants elastic;
+  Substance substance;
+};
+
+contact::Pair with_material(contact::Pair pair, Body one, Body other, double softening) {
+  contact::ElasticConstants a = one.elastic, b = other.elastic;
   a.youngs_modulus *= softening;
   b.youngs_modulus *= softening;
+  pair.softening = softening;
+  pair.hardness = powder::hardness(std::min(one.substance.hardness, other.substance.hardness));
   pair.modulus = contact::effective_modulus(a, b);
   pair.shear_modulus = contact::effective_shear_modulus(a, b);
   return pair;
@@ -99,15 +109,18 @@ contact::PairTable pair_table(const Case& c) {
     for_each_pair(
         rule, c, [&](int i, int j) { table.set_balls(i, j, contact_pair(rule)); },
         [&](int i, int face) { table.set_wall(i, face, contact_pair(rule)); });
-  const auto elastic = [&](int kind) { return c.balls[static_cast<std::size_t>(kind)].elastic; };
+  const auto body = [&](int kind) {
+    const BallSet& set = c.balls[static_cast<std::size_t>(kind)];
+    return Body{set.elastic, set.substance};
+  };
+  const Body jar{c.jar.elastic, c.jar.substance};
   for (int i = 0; i < kinds(c); ++i) {
     for (int j = i; j < kinds(c); ++j)
       table.set_balls(i, j,
-                      with_moduli(table.balls(i, j), elastic(i), elastic(j), c.contact.softening));
+                      with_material(table.balls(i, j), body(i), body(j), c.contact.softening));
     for (int face = 0; face < faces(c); ++face)
-      table.set_wall(
-          i, face,
-          with_moduli(table.wall(i, face), elastic(i), c.jar.elastic, c.contact.softening));
+      table.set_wall(i, face,
+                     with_material(table.wall(i, face), body(i), jar, c.contact.softening));
   }
   return table;
 }

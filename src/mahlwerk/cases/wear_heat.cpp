@@ -20,7 +20,8 @@ double effusivity_of(const Substance& s, double density) {
 }
 
 Partner ball_of(const BallSet& set) {
-  return {0.5 * set.diameter, set.mass(), effusivity_of(set.substance, set.density), set.elastic};
+  return {0.5 * set.diameter, set.mass(), effusivity_of(set.substance, set.surface_density()),
+          set.elastic};
 }
 
 powder::FlashPair pair_of(const Partner& one, const Partner& other) {

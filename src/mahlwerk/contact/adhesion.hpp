@@ -15,5 +15,6 @@ struct AdhesionParameter {
 };
 constexpr AdhesionParameter surface_energy{"surface_energy", &Pair::surface_energy};
 constexpr AdhesionParameter cohesion{"cohesion", &Pair::cohesion};
+constexpr AdhesionParameter surface_tension{"surface_tension", &Pair::surface_tension};
 
 }  // namespace mahlwerk::contact

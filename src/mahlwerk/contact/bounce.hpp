@@ -7,6 +7,7 @@
 
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/contact/restitution.hpp"
+#include "mahlwerk/contact/slip_factor.hpp"
 
 // Instantaneous collisions of rough spheres (hard-sphere model): impulses and losses.
 namespace mahlwerk::contact {
@@ -27,12 +28,13 @@ struct Impulse {
   double tangential = 0;  ///< along the slip direction
 };
 
-/// Impulses of a collision of solid spheres (evt.6, evt.7): effective mass `mass` [kg], `approach`
-/// u_n and `slip` |u_t| [m/s]. `restitution` overrides the restitution of the rule.
+/// Impulses of a collision of spheres (evt.6, evt.7): effective mass `mass` [kg], `approach` u_n
+/// and `slip` |u_t| [m/s]. `restitution` overrides the restitution of the rule. `factor` is the
+/// slip factor of the two bodies (hol.4).
 inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip,
-                      double restitution) {
+                      double restitution, double factor = solid_slip_factor) {
   const double normal = mass * (1 + restitution) * approach;
-  const double sticking = 2.0 / 7.0 * mass * (1 - rule.tangential_restitution) * slip;
+  const double sticking = 1 / factor * mass * (1 - rule.tangential_restitution) * slip;
   return {normal, std::min(sticking, rule.friction * normal)};
 }
 inline Impulse bounce(const BounceRule& rule, double mass, double approach, double slip) {
@@ -40,13 +42,14 @@ inline Impulse bounce(const BounceRule& rule, double mass, double approach, doub
 }
 
 /// Energy that the collision dissipates [J], from the velocities before it and its impulses
-/// (evt.8).
+/// (evt.8). `factor` as for bounce().
 struct Loss {
   double normal = 0, tangential = 0;
 };
-inline Loss loss(const Impulse& j, double mass, double approach, double slip) {
+inline Loss loss(const Impulse& j, double mass, double approach, double slip,
+                 double factor = solid_slip_factor) {
   return {j.normal * (approach - 0.5 * j.normal / mass),
-          j.tangential * (slip - 0.5 * 3.5 * j.tangential / mass)};
+          j.tangential * (slip - 0.5 * factor * j.tangential / mass)};
 }
 
 }  // namespace mahlwerk::contact

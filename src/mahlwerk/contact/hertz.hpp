@@ -24,11 +24,12 @@ inline double mindlin_stiffness_ratio(const EffectivePair& t) {
 inline double hertz_overlap(const EffectivePair& t, double speed) {
   return math::pow(1.25 * t.mass * speed * speed / hertz_stiffness(t), 0.4);
 }
-/// Duration of an elastic collision [s] (dem.9): 2 sqrt(pi) Gamma(7/5) / Gamma(9/10) = 2.9433 times
-/// largest overlap over speed.
+/// Duration of an elastic collision [1], in terms of largest overlap over speed: 2 sqrt(pi)
+/// Gamma(7/5) / Gamma(9/10).
+constexpr double hertz_duration = 2.9432751843247047;
+/// Duration of an elastic collision [s] (dem.9).
 inline double hertz_time(const EffectivePair& t, double speed) {
-  constexpr double ratio = 2.9432751843247047;  // 2 sqrt(pi) Gamma(7/5) / Gamma(9/10)
-  return ratio * hertz_overlap(t, speed) / speed;
+  return hertz_duration * hertz_overlap(t, speed) / speed;
 }
 /// Elastic energy [J] at `overlap` [m].
 inline double hertz_energy(double stiffness, double overlap) {

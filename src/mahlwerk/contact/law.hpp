@@ -15,16 +15,18 @@
 #include "mahlwerk/contact/adhesion.hpp"
 #include "mahlwerk/contact/law_field.hpp"
 #include "mahlwerk/contact/pair_table.hpp"
+#include "mahlwerk/contact/slip_factor.hpp"
 
 // A contact law gives the normal force between two touching bodies, and the tangential stiffness
 // and damping of the contact. It is a template on the number type V: one contact (double) or those
 // of a register. The overlap is > 0 in contact, its rate is > 0 while the bodies approach (dem.1).
 namespace mahlwerk::contact {
 
-/// Two bodies that may touch: the properties of the pair, R* [m] and m* [kg] (dem.4).
+/// Two bodies that may touch: the properties of the pair, R* [m] and m* [kg] (dem.4), and their
+/// slip factor [1] (hol.4).
 struct EffectivePair {
   Pair pair;
-  double radius = 0, mass = 0;
+  double radius = 0, mass = 0, slip_factor = solid_slip_factor;
 };
 
 /// Coefficients that a law precomputes for a pair. Each law defines their meaning.

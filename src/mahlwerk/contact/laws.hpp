@@ -10,11 +10,13 @@
 
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/laws/adams_impact.hpp"
+#include "mahlwerk/contact/laws/capillary.hpp"
 #include "mahlwerk/contact/laws/hertz_mindlin.hpp"
 #include "mahlwerk/contact/laws/hertz_tsuji.hpp"
 #include "mahlwerk/contact/laws/jkr.hpp"
 #include "mahlwerk/contact/laws/linear_spring.hpp"
 #include "mahlwerk/contact/laws/sjkr.hpp"
+#include "mahlwerk/contact/laws/thornton_ning.hpp"
 #include "mahlwerk/contact/laws/walton_braun.hpp"
 
 namespace mahlwerk::contact {
@@ -29,8 +31,8 @@ using LawVariant = std::variant<Checked<L>...>;
 
 /// Register of all contact laws. To add a law, add a file to laws/ and its name here. The first is
 /// the default.
-using Laws =
-    LawVariant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr>;
+using Laws = LawVariant<HertzMindlin, HertzTsuji, LinearSpring, AdamsImpact, WaltonBraun, Jkr, Sjkr,
+                        ThorntonNing, Capillary>;
 /// A class, not an alias, so that any_law.hpp can declare it.
 struct AnyLaw : Laws {
   using Models = Laws;

@@ -24,6 +24,9 @@ struct Pair {
   double rolling_friction = 0;  ///< [1] mu_r >= 0; [s/m] for the viscous rule
   double surface_energy = 0;    ///< [J/m2] gamma of one surface, for JKR
   double cohesion = 0;          ///< [J/m3] energy density, for SJKR
+  double surface_tension = 0;   ///< [N/m] of the liquid of capillary bridges; 0: dry
+  double hardness = 0;          ///< [Pa] of the softer body; 0: the pair never yields
+  double softening = 1;         ///< [1] factor by which the moduli have been reduced
   bool operator==(const Pair&) const = default;
 };
 

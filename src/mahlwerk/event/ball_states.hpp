@@ -50,10 +50,11 @@ struct CollisionData {
   std::int32_t id = 0;             ///< the user's ball number; the storage index changes
 };
 
-/// Properties of balls of one size, density and kind [m, kg, kg m2, kg/m3].
+/// Properties of balls of one size, density, kind and inertia ratio [m, kg, kg m2, kg/m3].
 struct Species {
   double radius = 0, mass = 0, inertia = 0, density = 0;
   std::int32_t kind = 0;
+  double inertia_ratio = 0;  ///< [1] inertia / (mass radius^2)
 };
 
 }  // namespace mahlwerk::event

@@ -44,17 +44,19 @@ class ManyBalls final : public scene::Engine {
     Vec3 normal;  ///< from the ball to the contact
     Vec3 tangential_velocity,
         slip_velocity;  ///< [m/s] tangential velocity of the centres and of the surfaces
-    double mass, approach, slip;
+    double mass, slip_factor, approach, slip;
     double pressing_acceleration;  ///< [m/s2] largest acceleration that presses the two together
 
-    /// `relative_velocity` [m/s] is that of the centres, `rolling` [m/s] the sum of the spins
-    /// times their radii.
-    CollisionKinematics(const Vec3& n, double mass_, const Vec3& relative_velocity,
-                        const Vec3& rolling, double pressing_acceleration_)
+    /// `slip_factor` [1] is that of the two bodies (hol.4), `relative_velocity` [m/s] that of the
+    /// centres, `rolling` [m/s] the sum of the spins times their radii.
+    CollisionKinematics(const Vec3& n, double mass_, double slip_factor_,
+                        const Vec3& relative_velocity, const Vec3& rolling,
+                        double pressing_acceleration_)
         : normal(n),
           tangential_velocity(tangential_part(relative_velocity, n)),
           slip_velocity(tangential_velocity + cross(rolling, n)),
           mass(mass_),
+          slip_factor(slip_factor_),
           approach(dot(relative_velocity, n)),
           slip(norm(slip_velocity)),
           pressing_acceleration(pressing_acceleration_) {}

@@ -20,7 +20,8 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap, -wall.gap / s.radius);
   const double centripetal_acceleration =
       squared(tangential_part(where.velocity, n)) * std::max(wall.curvature, 0.0);
-  const CollisionKinematics touch(n, s.mass, relative_velocity, s.radius * data.spin,
+  const CollisionKinematics touch(n, s.mass, contact::slip_factor(s.inertia_ratio),
+                                  relative_velocity, s.radius * data.spin,
                                   pressing_acceleration_ + centripetal_acceleration);
 
   const Bounce b =
@@ -55,9 +56,10 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   const Vec3 n = apart / distance, relative_velocity = a.velocity - b.velocity;
   energy_balance_.deepest_overlap = std::max(energy_balance_.deepest_overlap,
                                              (reach - distance) / std::min(sa.radius, sb.radius));
-  const CollisionKinematics touch(n, sa.mass * sb.mass / (sa.mass + sb.mass), relative_velocity,
-                                  sa.radius * data_a.spin + sb.radius * data_b.spin,
-                                  pressing_acceleration_);
+  const CollisionKinematics touch(
+      n, sa.mass * sb.mass / (sa.mass + sb.mass),
+      contact::slip_factor({sa.mass, sa.inertia_ratio}, {sb.mass, sb.inertia_ratio}),
+      relative_velocity, sa.radius * data_a.spin + sb.radius * data_b.spin, pressing_acceleration_);
 
   const double since = now_ - std::max(data_a.last_collision, data_b.last_collision);
   const Bounce bounced =
@@ -96,15 +98,16 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
   double approach =
       std::max(rules_.touch_speed(effective_radius, touch.mass, touch.approach), 1e-200);
   if (rules_.sustained_mode != SustainedContactMode::tc) {
-    const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip);
-    Bounce b{j, contact::loss(j, touch.mass, approach, touch.slip)};
+    const contact::Impulse j = contact::bounce(rule, touch.mass, approach, touch.slip,
+                                               rule.restitution.at(approach), touch.slip_factor);
+    Bounce b{j, contact::loss(j, touch.mass, approach, touch.slip, touch.slip_factor)};
     if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
     return b;
   }
   if (rules_.liquid)
     approach = tc_rule_.wet_approach(touch.approach, approach, since, touch.pressing_acceleration);
-  Bounce b = tc_rule_.collide(
-      rule, {touch.mass, approach, touch.slip, since, touch.pressing_acceleration, stored.sum()});
+  Bounce b = tc_rule_.collide(rule, {touch.mass, approach, touch.slip, since,
+                                     touch.pressing_acceleration, stored.sum(), touch.slip_factor});
   stored.update(b);
   if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
   if (b.raised) ++energy_balance_.tc_collisions;
@@ -188,7 +191,8 @@ std::vector<scene::Ball> ManyBalls::balls() const {
                                                              path.at(t) - d.position,
                                                              path.velocity - d.velocity,
                                                              collision_data_[i].spin,
-                                                             s.kind};
+                                                             s.kind,
+                                                             s.inertia_ratio};
   }
   return list;
 }

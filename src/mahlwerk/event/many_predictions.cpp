@@ -80,12 +80,13 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
   clock_origin_ = std::isfinite(period) ? std::floor(start / period) * period : start;
   now_ = start - clock_origin_;
   epoch_ = jar_->frame_motion(motion_time(0));
-  std::map<std::tuple<double, double, std::int32_t>, std::uint32_t> known;
+  std::map<std::tuple<double, double, std::int32_t, double>, std::uint32_t> known;
   for (const scene::Ball& ball : balls) {
-    const auto [place, is_new] =
-        known.try_emplace({ball.radius, ball.density, ball.kind}, species_.size());
+    const auto [place, is_new] = known.try_emplace(
+        {ball.radius, ball.density, ball.kind, ball.inertia_ratio}, species_.size());
     if (is_new) {
-      species_.push_back({ball.radius, ball.mass(), ball.inertia(), ball.density, ball.kind});
+      species_.push_back(
+          {ball.radius, ball.mass(), ball.inertia(), ball.density, ball.kind, ball.inertia_ratio});
       radii_.push_back(ball.radius);
       tolerances_.push_back(tolerance(*jar_, ball.radius));
     }

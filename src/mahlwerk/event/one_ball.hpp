@@ -25,7 +25,7 @@ class OneBall final : public scene::Engine {
  public:
   OneBall(const TypedChamber<S, M>& jar, const scene::Ball& ball, const Rules& rules, double start)
       : jar_(jar),
-        body_{ball.radius, ball.mass(), ball.inertia()},
+        body_{ball.radius, ball.mass(), ball.inertia(), ball.inertia_ratio},
         rules_(rules),
         tolerance_(touch_tolerance(jar_, ball.radius)),
         integrator_(jar_, body_, rules, tolerance_),
@@ -107,7 +107,7 @@ class OneBall final : public scene::Engine {
                     : flight_.ball_state(at, jar_.gravity(), jar_.motion().frame_motion(at));
     const double density = body_.mass / (4.0 / 3.0 * std::numbers::pi * math::pow(body_.radius, 3));
     return {{body_.radius, density, p.position, p.velocity,
-             in_contact_ ? integrator_.state().spin : spin_}};
+             in_contact_ ? integrator_.state().spin : spin_, 0, body_.inertia_ratio}};
   }
 
   void serialize(Archive& archive) override {
@@ -200,14 +200,15 @@ class OneBall final : public scene::Engine {
   Bounce bounce(int face, const Wall& wall, double approach, double slip) {
     const contact::BounceRule& rule = rules_.wall(face);
     if (rules_.sustained_mode != SustainedContactMode::tc) {
-      const contact::Impulse j = contact::bounce(rule, body_.mass, approach, slip);
-      return {j, contact::loss(j, body_.mass, approach, slip)};
+      const contact::Impulse j = contact::bounce(
+          rule, body_.mass, approach, slip, rule.restitution.at(approach), body_.slip_factor());
+      return {j, contact::loss(j, body_.mass, approach, slip, body_.slip_factor())};
     }
     const double since = mill_time() - last_contact_time_;
     const TcRule tc_rule{rules_.contact_time, rules_.sustained_friction};
     StoredEnergy stored(stored_, tc_rule.storage_capacity(body_.mass, pressing_acceleration_));
-    auto b = tc_rule.collide(
-        rule, {body_.mass, approach, slip, since, pressing_acceleration(wall), stored.sum()});
+    auto b = tc_rule.collide(rule, {body_.mass, approach, slip, since, pressing_acceleration(wall),
+                                    stored.sum(), body_.slip_factor()});
     stored.update(b);
     if (b.raised) ++energy_balance_.tc_collisions;
     energy_balance_.withheld += b.withheld;

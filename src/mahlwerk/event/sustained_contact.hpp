@@ -52,6 +52,8 @@ struct SupportFaces {
 
 struct BallBody {
   double radius = 0, mass = 0, inertia = 0;
+  double inertia_ratio = contact::solid_inertia_ratio;  ///< inertia / (mass radius^2)
+  double slip_factor() const { return contact::slip_factor(inertia_ratio); }
 };
 
 /// Forces at an instant.
@@ -148,11 +150,11 @@ class SustainedContact {
   void stick(int face, double t, ContactState& y) const {
     const Wall wall = jar_->wall(face, y.position, t, ball_.radius);
     const Vec3 u = slip(face, t, y);
-    const double before = energy(t, y);
+    const double before = energy(t, y), factor = ball_.slip_factor(), share = 1 / factor;
     const double work =
-        -2.0 / 7.0 * ball_.mass * dot(u, jar_->motion().frame_motion(t).velocity + wall.velocity);
-    y.velocity -= 2.0 / 7.0 * u;
-    y.spin += 5.0 / (7.0 * ball_.radius) * cross(wall.inward, u);
+        -share * ball_.mass * dot(u, jar_->motion().frame_motion(t).velocity + wall.velocity);
+    y.velocity -= share * u;
+    y.spin += (factor - 1) / (factor * ball_.radius) * cross(wall.inward, u);
     y.work += work;
     y.lost += before + work - energy(t, y);
   }
@@ -184,7 +186,7 @@ class SustainedContact {
   ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
                        const Vec3& centre_velocity, const Vec3& body_acceleration,
                        ContactForces& forces) const {
-    const double r = ball_.radius;
+    const double r = ball_.radius, spin_gain = 1 / ball_.inertia_ratio;
     const auto constraint = jar_->wall_constraint(support.face[0], {y.position, y.velocity}, t);
     const Vec3 n = constraint.inward, w = jar_->motion().spin(t), point = y.position - r * n;
     const Vec3 wall = cross(w, point);
@@ -197,9 +199,9 @@ class SustainedContact {
     const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
                            cross(w, y.velocity - r * constraint.inward_rate);
     const Vec3 sticking_friction =
-        2.0 / 7.0 *
+        1 / ball_.slip_factor() *
         tangential_part(wall_rate + r * cross(y.spin, constraint.inward_rate) - body_acceleration +
-                            2.5 / r * cross(torque, n),
+                            spin_gain / r * cross(torque, n),
                         n);
     Vec3 friction = sticking_friction;
     if (support.friction_state == FrictionState::sliding)  // (evt.14)
@@ -212,7 +214,7 @@ class SustainedContact {
     forces.slip = slip;
     const Vec3 wall_force = normal_force * n + friction;  // per mass
     return {y.velocity, body_acceleration + wall_force,
-            2.5 / (r * r) * (torque - r * cross(n, friction)),
+            spin_gain / (r * r) * (torque - r * cross(n, friction)),
             ball_.mass * (dot(wall_force, centre_velocity + wall) + dot(torque, w)),
             -ball_.mass * (dot(friction, slip) + dot(torque, y.spin - w))};
   }
@@ -226,6 +228,7 @@ class SustainedContact {
     constexpr double creeping_speed = 1e-3;  // [m/s] below it friction is viscous
     constexpr double max_friction = 0.7;     // above it normal forces are not unique (evt.23)
     const double r = ball_.radius, mu = std::min(rules_.sustained_friction, max_friction);
+    const double spin_gain = 1 / ball_.inertia_ratio;
     const Vec3 w = jar_->motion().spin(t);
     std::array<Vec3, SupportFaces::max_count> n, wall, slip,
         friction_ratio;  // friction per normal force
@@ -251,7 +254,7 @@ class SustainedContact {
       const Vec3 torque = rolling_torque(y.spin - w, n[i], normal_force),
                  wall_force = normal_force * n[i] + friction;
       d.velocity += wall_force;
-      d.spin += 2.5 / (r * r) * (torque - r * cross(n[i], friction));
+      d.spin += spin_gain / (r * r) * (torque - r * cross(n[i], friction));
       d.work += ball_.mass * (dot(wall_force, centre_velocity + wall[i]) + dot(torque, w));
       d.lost -= ball_.mass * (dot(friction, slip[i]) + dot(torque, y.spin - w));
     }

@@ -174,8 +174,9 @@ class SustainedContactIntegrator {
     if (support_.friction_state != FrictionState::sliding) return geometry::never;
     const double speed = norm(forces_.slip);
     if (speed <= sticking_speed) return geometry::never;
-    const double slowing =
-        3.5 * dot(forces_.sticking_friction - forces_.friction, forces_.slip) / speed;  // [m/s2]
+    const double slowing = ball_.slip_factor() *
+                           dot(forces_.sticking_friction - forces_.friction, forces_.slip) /
+                           speed;  // [m/s2]
     return slowing > 0 ? 0.9 * speed / slowing : geometry::never;
   }
 

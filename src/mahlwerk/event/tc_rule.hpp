@@ -23,6 +23,7 @@ struct TcRule {
     double since;                  ///< [s] since the last collision of either body
     double pressing_acceleration;  ///< [m/s2] a, largest acceleration that presses the two together
     double stored = 0;             ///< [J] by both bodies together
+    double slip_factor = contact::solid_slip_factor;  ///< [1] of the two bodies (hol.4)
   };
   struct Result {
     contact::Impulse impulse;
@@ -86,8 +87,8 @@ struct TcRule {
                       : std::isfinite(rule.friction)   ? rule.friction
                                                        : friction;
     const double wanted_restitution = min_rebound / u;
-    const double affordable_restitution =
-        std::max(1.0, std::min(wanted_restitution, neutral_restitution(mu, u, in.slip)));
+    const double affordable_restitution = std::max(
+        1.0, std::min(wanted_restitution, neutral_restitution(mu, u, in.slip, in.slip_factor)));
     Result result = bounce({1, -1, mu}, in, affordable_restitution);
     const double enough = 0.5 * min_rebound;  // `min_rebound` itself would agitate beds too much
     if (affordable_restitution * u < enough && in.stored > 0)
@@ -100,8 +101,8 @@ struct TcRule {
  private:
   /// Restitution at which the loss by sliding at the Coulomb limit equals the energy gain of the
   /// rebound (man.5). Below 1 where the Coulomb limit is not reached: then nothing pays for a gain.
-  static double neutral_restitution(double mu, double u, double slip) {
-    const double inertia = 1.75 * mu * mu * u;
+  static double neutral_restitution(double mu, double u, double slip, double factor) {
+    const double inertia = 0.5 * factor * mu * mu * u;
     return (0.5 * u + mu * slip - inertia) / (0.5 * u + inertia);
   }
 
@@ -118,8 +119,9 @@ struct TcRule {
 
   static Result bounce(const contact::BounceRule& rule, const CollisionInput& in,
                        double restitution) {
-    const contact::Impulse j = contact::bounce(rule, in.mass, in.approach, in.slip, restitution);
-    return {j, contact::loss(j, in.mass, in.approach, in.slip)};
+    const contact::Impulse j =
+        contact::bounce(rule, in.mass, in.approach, in.slip, restitution, in.slip_factor);
+    return {j, contact::loss(j, in.mass, in.approach, in.slip, in.slip_factor)};
   }
 };
 

@@ -62,6 +62,9 @@ std::vector<Fault> faults(const cases::Case& c) {
          "take a cylinder");
   refuse(law != "hertz-mindlin" && law != "linear-spring", "contact.law",
          fmt::format("law = \"{}\"", law), "write law = \"hertz-mindlin\" or \"linear-spring\"");
+  refuse(std::ranges::any_of(c.balls, [](const auto& set) { return set.layers().layered(); }),
+         "balls", "hollow or coated balls: its spheres are homogeneous",
+         "leave out wall_thickness and coating_thickness");
   refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
          "rolling = \"viscous\"", "write rolling = \"cdt\" or \"none\"");
   refuse(c.liquid.has_value(), "liquid", "a liquid: its films act on bodies that do not touch",

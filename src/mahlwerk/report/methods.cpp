@@ -85,10 +85,19 @@ class MethodsText {
       const cases::BallSet& set = c_.balls[i];
       const std::string key = fmt::format("balls.{}.", i + 1);
       text += fmt::format(
-          "{}: {} spheres of {}{}{}, density {}. ", set.grains ? "Powder as grains" : "Balls",
+          "{}: {} spheres of {}{}{}, density {}{}{}. ", set.grains ? "Powder as grains" : "Balls",
           set.count, set.classes.empty() ? "" : "mean ", value(key + "diameter", set.diameter, "m"),
           set.material.empty() ? "" : ", " + set.material,
-          value(key + "density", set.density, "kg/m3"));
+          value(key + "density", set.density, "kg/m3"),
+          set.wall_thickness ? ", hollow with a shell of " +
+                                   value(key + "wall_thickness", *set.wall_thickness, "m")
+                             : "",
+          set.coating_thickness
+              ? fmt::format(
+                    ", with a coating of {} and {}",
+                    value(key + "coating_thickness", *set.coating_thickness, "m"),
+                    value(key + "coating_density", set.coating_density.value_or(0), "kg/m3"))
+              : "");
     }
     if (c_.powder && c_.powder->mass > 0)
       text += fmt::format("Powder: {:.4g} g{}{}. ", 1000 * c_.powder->mass,

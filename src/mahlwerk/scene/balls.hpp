@@ -9,18 +9,19 @@
 
 namespace mahlwerk::scene {
 
-/// A solid sphere and its motion, in the jar frame (axes of the laboratory, origin at the jar's
-/// centre).
+/// A sphere and its motion, in the jar frame (axes of the laboratory, origin at the jar's centre).
 struct Ball {
   double radius = 0;      ///< [m]
-  double density = 0;     ///< [kg/m3]
+  double density = 0;     ///< [kg/m3] mass over volume of the sphere
   Vec3 position;          ///< [m]
   Vec3 velocity;          ///< [m/s]
   Vec3 spin;              ///< [rad/s]
   std::int32_t kind = 0;  ///< number of its ball set
+  double inertia_ratio =
+      0.4;  ///< [1] I/(m R^2) (hol.2): 2/5 of a solid sphere, 2/3 of a thin shell
 
   double mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
-  double inertia() const { return 0.4 * mass() * radius * radius; }
+  double inertia() const { return inertia_ratio * mass() * radius * radius; }
 };
 
 }  // namespace mahlwerk::scene

@@ -35,6 +35,7 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   parameters.rolling_coefficient = broadcast(arm);
   parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
   parameters.stiffness_correction = broadcast(pair.stiffness_correction(settings.time_step));
+  parameters.slip_factor = broadcast(pair.effective.slip_factor);
   parameters.inertia =
       broadcast(b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
   return parameters;

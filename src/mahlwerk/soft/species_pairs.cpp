@@ -11,19 +11,21 @@ namespace mahlwerk::soft {
 
 SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact::PairTable& pairs,
                            const contact::AnyLaw& law) {
-  std::map<std::tuple<std::int32_t, double, double>, std::int32_t> known;
+  std::map<std::tuple<std::int32_t, double, double, double>, std::int32_t> known;
   for (const scene::Ball& b : balls) {
-    const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
+    const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density, b.inertia_ratio},
                                                static_cast<std::int32_t>(species_.size()));
-    if (fresh) species_.push_back({b.radius, b.density, b.mass(), b.inertia(), b.kind});
+    if (fresh)
+      species_.push_back({b.radius, b.density, b.mass(), b.inertia(), b.kind, b.inertia_ratio});
     species_index_.push_back(at->second);
   }
   row_length_ = static_cast<std::int32_t>(species_.size()) + pairs.faces();
   std::map<double, double> dampings;  // by restitution: computed once for each value
-  const auto make_pair = [&](const contact::Pair& pair, double radius, double mass) {
+  const auto make_pair = [&](const contact::Pair& pair, double radius, double mass,
+                             double slip_factor) {
     return std::visit(
         [&](const auto& l) {
-          SpeciesPair made{{pair, radius, mass}, 0, {}, 0, 0};
+          SpeciesPair made{{pair, radius, mass, slip_factor}, 0, {}, 0, 0};
           const auto [at, fresh] = dampings.try_emplace(pair.restitution);
           if (fresh) at->second = l.damping(pair.restitution);
           made.damping = at->second;
@@ -36,11 +38,13 @@ SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact:
   };
   for (const Species& a : species_) {
     for (const Species& b : species_)
-      pairs_.push_back(make_pair(pairs.balls(a.kind, b.kind),
-                                 a.radius * b.radius / (a.radius + b.radius),
-                                 a.mass * b.mass / (a.mass + b.mass)));
+      pairs_.push_back(
+          make_pair(pairs.balls(a.kind, b.kind), a.radius * b.radius / (a.radius + b.radius),
+                    a.mass * b.mass / (a.mass + b.mass),
+                    contact::slip_factor({a.mass, a.inertia_ratio}, {b.mass, b.inertia_ratio})));
     for (int face = 0; face < pairs.faces(); ++face)
-      pairs_.push_back(make_pair(pairs.wall(a.kind, face), a.radius, a.mass));
+      pairs_.push_back(make_pair(pairs.wall(a.kind, face), a.radius, a.mass,
+                                 contact::slip_factor(a.inertia_ratio)));
   }
 }
 

@@ -21,15 +21,18 @@ struct SpeciesPair {
 
   /// Correction c of the tangential stiffness for a step dt [s], in m/N: k_t is replaced by
   /// k_t (1 - c k_t) (dem.37). The integrator makes the tangential spring oscillate too fast, by
-  /// the fraction w^2 dt^2/6 of its frequency w, with w^2 = (7/2) k_t/m*. So k_t is reduced by the
-  /// fraction w^2 dt^2/3 = (7/6) (dt^2/m*) k_t.
-  double stiffness_correction(double dt) const { return 7.0 / 6.0 * dt * dt / effective.mass; }
+  /// the fraction w^2 dt^2/6 of its frequency w, with w^2 = s k_t/m*, s the slip factor (hol.4). So
+  /// k_t is reduced by the fraction w^2 dt^2/3.
+  double stiffness_correction(double dt) const {
+    return effective.slip_factor / 3 * dt * dt / effective.mass;
+  }
 };
 
-/// Balls of the same size, density and kind.
+/// Balls of the same size, density, kind and inertia ratio.
 struct Species {
   double radius = 0, density = 0, mass = 0, inertia = 0;
   std::int32_t kind = 0;
+  double inertia_ratio = 0;  ///< [1] inertia / (mass radius^2)
 };
 
 /// All species, and the law's coefficients for every pair of them.

@@ -108,6 +108,7 @@ TEST(ReadLaw, every_word_and_its_numbers) {
     std::string lines = "law = \"" + word + "\"\n";
     if (word == "jkr") lines += "surface_energy = \"0 J/m2\"";
     if (word == "sjkr") lines += "cohesion = \"10 kJ/m3\"";
+    if (word == "capillary") lines += "surface_tension = \"72.8 mN/m\"";
     const Contact c = contact_of(lines);
     EXPECT_EQ(*c.model.law, law) << word;
     EXPECT_EQ(c.cohesion, word == "sjkr" ? 1e4 : 0);
@@ -122,6 +123,17 @@ TEST(ReadLaw, every_word_and_its_numbers) {
   published.published_damping = true;
   published.damping_depth = 1e-6;
   EXPECT_EQ(*adams.model.law, contact::AnyLaw(published));
+  contact::ThorntonNing yielding;
+  yielding.yield_pressure = 3e9;
+  EXPECT_EQ(*contact_of("law = \"thornton-ning\"\nyield_pressure = \"3 GPa\"").model.law,
+            contact::AnyLaw(yielding));
+  const Contact wet = contact_of(
+      "law = \"capillary\"\nsurface_tension = \"50 mN/m\"\nbridge_volume = \"0.01 ul\"\n"
+      "contact_angle = \"30 deg\"");
+  EXPECT_EQ(wet.surface_tension, 0.05);
+  const auto& capillary = std::get<contact::Capillary>(*wet.model.law);
+  EXPECT_DOUBLE_EQ(capillary.bridge_volume, 1e-11);
+  EXPECT_NEAR(capillary.contact_angle, std::numbers::pi / 6, 1e-15);
   EXPECT_TRUE(contact_of("curved_walls = true").model.curved_walls);
   EXPECT_TRUE(contact_of("rescaled_unloading = true").model.rescaled_unloading);
 }

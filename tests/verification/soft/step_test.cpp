@@ -47,6 +47,8 @@ soft::StepError largest_error(const contact::AnyLaw& law, double e, double mu, d
     contact::Pair pair = pair_of({210e9, nu}, {210e9, nu}, e, mu);
     pair.surface_energy = 0.05;  // for laws with adhesion
     pair.cohesion = 1e6;
+    pair.surface_tension = 0.07;
+    pair.hardness = 2e9;  // yields at 0.06 m/s, for laws with yield
     const scene::Ball ball = steel(slope * mu, 1);
     const double share = usual_share(law, pair, ball), vt = ball.velocity.x;
     const double rolls = std::min(5.0 / 7 * vt, 2.5 * mu * (1 + e)) / ball.radius;
@@ -68,7 +70,9 @@ std::string row_of(const soft::StepError& error) {
 }
 
 TEST(TimeStep, usual_leaves_every_collision_off_by_a_hundredth_at_most_and_says_by_how_much) {
-  for (const contact::AnyLaw& law : contact::all_laws())
+  for (contact::AnyLaw law : contact::all_laws()) {
+    // A slow rebound must pass the bridge within the time that impact() simulates.
+    if (auto* wet = std::get_if<contact::Capillary>(&law)) wet->bridge_ratio = 1e-7;
     for (const double e : {0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0}) {
       const soft::StepError found = largest_error(law, e, 0.4);
       const contact::Pair pair = pair_of({210e9, 0.3}, {210e9, 0.3}, e, 0.4);
@@ -85,6 +89,7 @@ TEST(TimeStep, usual_leaves_every_collision_off_by_a_hundredth_at_most_and_says_
       EXPECT_LE(told.rebound + told.spin, 0.01 + 2 * (found.rebound + found.spin))
           << what << ": told far more than there is";
     }
+  }
 }
 
 TEST(TimeStep, what_is_told_of_the_usual_one_holds_for_any_poisson_ratio) {

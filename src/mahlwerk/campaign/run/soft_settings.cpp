@@ -28,12 +28,14 @@ std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
   std::vector<scene::Ball> balls;
   for (std::size_t i = 0; i < mill_case.balls.size(); ++i)
     for (const cases::SizeClass& size : mill_case.balls[i].sizes())
-      balls.push_back({.radius = 0.5 * size.diameter,
-                       .density = mill_case.balls[i].density,
-                       .position = {},
-                       .velocity = {},
-                       .spin = {},
-                       .kind = static_cast<std::int32_t>(i)});
+      balls.push_back(
+          {.radius = 0.5 * size.diameter,
+           .density = mill_case.balls[i].layers().mean_density(0.5 * size.diameter),
+           .position = {},
+           .velocity = {},
+           .spin = {},
+           .kind = static_cast<std::int32_t>(i),
+           .inertia_ratio = mill_case.balls[i].layers().inertia_ratio(0.5 * size.diameter)});
   return balls;
 }
 

@@ -51,6 +51,27 @@ void balls_too_large(const Case& c, std::vector<Fault>& found) {
   }
 }
 
+/// Layers of a ball that are thicker than its radius, and half a coating.
+void impossible_layers(const Case& c, std::vector<Fault>& found) {
+  for (std::size_t i = 0; i < c.balls.size(); ++i) {
+    const BallSet& set = c.balls[i];
+    const std::string section = fmt::format("balls.{}.", i + 1);
+    if (set.coating_thickness.has_value() != set.coating_density.has_value())
+      found.push_back(
+          {location_of(c,
+                       section + (set.coating_density ? "coating_density" : "coating_thickness")),
+           "a coating needs thickness and density",
+           "give coating_thickness and coating_density, or neither", "impossible-ball"});
+    const double thickness = set.wall_thickness.value_or(0) + set.coating_thickness.value_or(0);
+    if (!set.layers().layered() || !(thickness >= 0.5 * set.diameter)) continue;
+    found.push_back(
+        {location_of(c, section + (set.wall_thickness ? "wall_thickness" : "coating_thickness")),
+         fmt::format("the layers of a ball ({}) are not thinner than its radius ({})",
+                     show(thickness, "m"), show_rounded(0.5 * set.diameter, "m")),
+         "give thinner layers; a solid ball has no wall_thickness", "impossible-ball"});
+  }
+}
+
 void fillet_too_large(const Case& c, std::vector<Fault>& found) {
   const auto* jar = geometry::as<geometry::RoundedCylinder>(*c.jar.shape);
   if (jar == nullptr) return;
@@ -258,6 +279,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   unmatched_pairs(c, found);
   const std::size_t so_far = found.size();
   balls_too_large(c, found);
+  impossible_layers(c, found);
   fillet_too_large(c, found);
   impossible_jar(c, found);
   thin_film(c, found);

@@ -189,6 +189,27 @@ bool describe_sizes(KeyVisitor& v, BallSet& set) {
   return sound;
 }
 
+constexpr NumberSpec wall_of_ball("wall_thickness", "m", positive,
+                                  "shell of hollow balls, of their density; left out: solid");
+constexpr NumberSpec coating_of_ball("coating_thickness", "m", positive,
+                                     "layer of another density on a ball; left out: none");
+constexpr NumberSpec coating_density("coating_density", "kg/m3", positive,
+                                     "density of the coating; with coating_thickness");
+
+/// Hollow and coated balls. The number of balls of a size distribution follows from the mass of
+/// solid ones, and layers of one thickness would make the small ones denser or lighter.
+void describe_layers(KeyVisitor& v, BallSet& set) {
+  SectionReader* in = v.reader();
+  if (in != nullptr && set.distribution.law != Distribution::Law::equal) {
+    in->refuse({wall_of_ball.key, coating_of_ball.key, coating_density.key},
+               "for balls of several sizes", "give each size a set of its own");
+    return;
+  }
+  v.optional_number(wall_of_ball, set.wall_thickness);
+  v.optional_number(coating_of_ball, set.coating_thickness);
+  v.optional_number(coating_density, set.coating_density);
+}
+
 void describe_material(KeyVisitor& v, BallSet& set) {
   const NumberSpec density("density", "kg/m3", positive, "density of a ball");
   if (SectionReader* in = v.reader()) {
@@ -208,6 +229,7 @@ void describe_material(KeyVisitor& v, BallSet& set) {
   }
   describe(v, set.elastic, set.material);
   describe(v, set.substance, set.material);
+  describe_layers(v, set);
 }
 
 }  // namespace

@@ -38,7 +38,9 @@ constexpr auto touch_fields() {
       Field<Owner>{"surface_energy", "J/m2", &Owner::surface_energy, not_negative,
                    "energy of one surface, half the work of separation"},
       Field<Owner>{"cohesion", "J/m3", &Owner::cohesion, not_negative,
-                   "cohesion energy density, adhesive force over contact area"}};
+                   "cohesion energy density, adhesive force over contact area"},
+      Field<Owner>{"surface_tension", "N/m", &Owner::surface_tension, not_negative,
+                   "surface tension of the liquid of capillary bridges; 0: the pair is dry"}};
 }
 
 /// Key of [contact] for rolling models with damping.

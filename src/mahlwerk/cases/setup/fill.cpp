@@ -125,14 +125,17 @@ class ChargeFiller {
   std::vector<scene::Ball> balls() const {
     std::vector<scene::Ball> all;
     all.reserve(count_);
-    for (const Portion& portion : portions_)
+    for (const Portion& portion : portions_) {
+      const scene::BallLayers layers = sets_[portion.set].layers();
       for (std::size_t n = 0; n < portion.count; ++n)
         all.push_back({.radius = 0.5 * portion.diameter,
-                       .density = sets_[portion.set].density,
+                       .density = layers.mean_density(0.5 * portion.diameter),
                        .position = placed_[portion.from + n].position,
                        .velocity = {},
                        .spin = {},
-                       .kind = static_cast<std::int32_t>(portion.set)});
+                       .kind = static_cast<std::int32_t>(portion.set),
+                       .inertia_ratio = layers.inertia_ratio(0.5 * portion.diameter)});
+    }
     return all;
   }
 

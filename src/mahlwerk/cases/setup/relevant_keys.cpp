@@ -8,6 +8,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -45,7 +46,11 @@ bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
 /// Whether a value is needed: properties for wear and heat only with [wear] or [heat].
 bool is_relevant(std::string_view dotted, const Case& c) {
   const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
-  if (key == "hardness") return c.wear.has_value();
+  if (key == "hardness") {  // a default yield pressure follows from it
+    const auto* law = std::get_if<contact::ThorntonNing>(
+        &static_cast<const contact::Laws&>(*c.contact.model.law));
+    return c.wear.has_value() || (law != nullptr && law->yield_pressure == 0);
+  }
   if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
   return dotted != "jar.density" || c.wear || c.heat;
 }

@@ -39,10 +39,11 @@ struct HertzTsuji : HertzSpring {
   }
   double shortest_time(const EffectivePair& t, double speed) const { return hertz_time(t, speed); }
   /// For tangential motion, which is the faster one: the bodies also spin, so the effective mass is
-  /// 2/7.
+  /// 2/7, or one over the slip factor.
   double damper_time(const EffectivePair& t, double damping, double speed) const {
     const double k = hertz_stiffness(t), quarter = math::pow(hertz_overlap(t, speed), 0.25);
-    return damping > 0 ? 2.0 / 7.0 * std::sqrt(t.mass / k) / (damping * quarter) : unbounded_time;
+    return damping > 0 ? 1 / t.slip_factor * std::sqrt(t.mass / k) / (damping * quarter)
+                       : unbounded_time;
   }
 
   template <class V>

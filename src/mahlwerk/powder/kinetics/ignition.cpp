@@ -12,7 +12,7 @@ double IgnitionKinetics::temperature_after(double dose) const {
 }
 
 double IgnitionKinetics::ignition_time(const MillingConditions& mill, double horizon) const {
-  if (trigger == Trigger::dose) return ignition_dose / mill.dose_rate;  // (kin.8)
+  if (trigger == Trigger::dose) return ignition_dose / mill.dose_rate;  // (rea.8)
   return mill.temperature.first_time(
       [&](double temperature, double time) {
         return temperature + flash_rise >= temperature_after(mill.dose_rate * time);

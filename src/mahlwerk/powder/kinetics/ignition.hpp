@@ -17,8 +17,8 @@ struct IgnitionKinetics {
   static constexpr std::string_view about =
       "self-propagating: nothing until a critical dose or temperature, then all at once";
   enum class Trigger {
-    dose,        ///< (kin.8)
-    temperature  ///< (kin.9)
+    dose,        ///< (rea.8)
+    temperature  ///< (rea.9)
   };
   double ignition_dose = 0;         ///< [J/kg] > 0 critical dose
   double ignition_temperature = 0;  ///< [K] > 0 of the powder before milling
@@ -46,7 +46,7 @@ struct IgnitionKinetics {
                  "share of the powder that ignition converts", 1.0, "all of it"}};
   }
 
-  /// [K] Ignition temperature after a `dose` [J/kg] >= 0 (kin.9).
+  /// [K] Ignition temperature after a `dose` [J/kg] >= 0 (rea.9).
   double temperature_after(double dose) const;
   /// [s] Milling time until ignition; infinite if it is beyond `horizon` [s] by temperature.
   double ignition_time(const MillingConditions& mill, double horizon) const;

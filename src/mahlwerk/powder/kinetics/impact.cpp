@@ -23,15 +23,15 @@ ImpactRates ImpactKinetics::rates(const MillingConditions& mill) const {
   constexpr double whole = 1 - 0x1p-53;
   const auto rate_of = [=](double fraction) { return -math::log1p(-std::min(fraction, whole)); };
   for (const PowderHits& hit : mill.hits) {
-    const double captured = std::min(1.0, hit.mass / mill.powder_mass);  // (kin.2)
+    const double captured = std::min(1.0, hit.mass / mill.powder_mass);  // (rea.2)
     const double one = captured * share_of_hit(hit.energy);
     const double two = has_second() ? captured * share_of_hit(hit.energy, true) : 0;
     if (!(one + two > 0)) continue;
-    if (scheme == Scheme::parallel) {  // (kin.5)
+    if (scheme == Scheme::parallel) {  // (rea.5)
       const double both = rate_of(std::min(one + two, captured)) / (one + two);
       all.first += hit.rate * both * one;
       all.second += hit.rate * both * two;
-    } else {  // (kin.3)
+    } else {  // (rea.3)
       all.first += hit.rate * rate_of(one);
       all.second += hit.rate * rate_of(two);
     }
@@ -66,7 +66,7 @@ double share_processed(double mean, std::int64_t needed) {
 
 namespace {
 
-/// [1] Intermediate of a sequence with rates times time `a` and `b` (kin.5):
+/// [1] Intermediate of a sequence with rates times time `a` and `b` (rea.5):
 /// a (exp(-b) - exp(-a)) / (a - b), without cancellation.
 double intermediate(double a, double b) {
   const double apart = std::abs(a - b);

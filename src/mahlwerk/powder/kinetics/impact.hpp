@@ -13,7 +13,7 @@ namespace mahlwerk::powder {
 
 /// How often the powder is processed, and by which hits.
 struct ImpactRates {
-  double first = 0, second = 0;  ///< [1/s] rates of both reactions (kin.3)
+  double first = 0, second = 0;  ///< [1/s] rates of both reactions (rea.3)
   double hits = 0;               ///< [1/s] hits that process powder
   double power = 0;              ///< [W] their energies per second
   double mass = 0;               ///< [kg/s] powder that they process
@@ -61,7 +61,7 @@ struct ImpactKinetics {
 
   bool has_second() const { return scheme != Scheme::simple; }
   /// [1] Share of the captured powder that a hit of `energy` [J] processes by the first or the
-  /// second reaction, 0 to 1 (kin.1).
+  /// second reaction, 0 to 1 (rea.1).
   double share_of_hit(double energy, bool second = false) const;
   ImpactRates rates(const MillingConditions& mill) const;
   ReactionShares shares(const MillingConditions& mill, double time) const;
@@ -69,7 +69,7 @@ struct ImpactKinetics {
 };
 
 /// [1] Share of the powder that was processed at least `needed` >= 1 times, where the mean number
-/// is `mean` >= 0 (kin.4).
+/// is `mean` >= 0 (rea.4).
 double share_processed(double mean, std::int64_t needed);
 
 }  // namespace mahlwerk::powder

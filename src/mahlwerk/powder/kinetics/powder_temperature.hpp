@@ -22,8 +22,8 @@ struct PowderTemperature {
   /// [K] Temperature after a milling `time` [s] >= 0, with the mill running.
   double at(double time) const;
   /// Integral over the clock of `rate(T [K], milling)` until a milling `time` [s] >= 0, with the
-  /// pauses before it (kin.7). Gauss-Legendre quadrature on panels that grow with the time since
-  /// the mill was switched on or off; relative error below 1e-9 for rates by (kin.6).
+  /// pauses before it (rea.7). Gauss-Legendre quadrature on panels that grow with the time since
+  /// the mill was switched on or off; relative error below 1e-9 for rates by (rea.6).
   double integral(const std::function<double(double, bool)>& rate, double time) const;
   /// [s] The first milling time until `horizon` [s] at which `reached(T [K], milling time)` is
   /// true, if it stays true in the cycle that it begins in; infinite if there is none.

@@ -18,7 +18,7 @@ double ThermalKinetics::rate_constant(const MillingConditions& mill, double temp
 }
 
 ReactionShares ThermalKinetics::shares(const MillingConditions& mill, double time) const {
-  const double attempted = mill.temperature.integral(  // (kin.7)
+  const double attempted = mill.temperature.integral(  // (rea.7)
       [&](double temperature, bool milling) { return rate_constant(mill, temperature, milling); },
       time);
   return ReactionShares::of_one_product(-math::expm1(-attempted));

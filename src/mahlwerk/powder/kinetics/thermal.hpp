@@ -13,7 +13,7 @@ namespace mahlwerk::powder {
 constexpr double gas_constant = 8.31446261815324;  ///< [J/(mol K)] exact since 2019
 
 /// First order with a rate by Arrhenius, in the temperature of the powder, and a barrier that
-/// stress lowers (kin.6). Attempts are by time, or by the mill's impacts: the mill then sets the
+/// stress lowers (rea.6). Attempts are by time, or by the mill's impacts: the mill then sets the
 /// frequency factor and the temperature the exponential (Andersen and Mack 2017).
 struct ThermalKinetics {
   static constexpr std::string_view name = "thermal";
@@ -43,7 +43,7 @@ struct ThermalKinetics {
                                "stress that acts on the powder while the mill runs", 0.0, "none"}};
   }
 
-  /// [1/s] Rate constant at `temperature` [K] > 0 (kin.6).
+  /// [1/s] Rate constant at `temperature` [K] > 0 (rea.6).
   double rate_constant(const MillingConditions& mill, double temperature, bool milling) const;
   ReactionShares shares(const MillingConditions& mill, double time) const;
   bool operator==(const ThermalKinetics&) const = default;

@@ -57,7 +57,7 @@ double face_wear_rate(const Case& c, const Replicate& r, int face) {
 double balls_wear(const Case& c, const Replicate& r) {
   double mass = 0;
   for (int set = 0; set < std::ssize(c.balls); ++set)
-    mass += set_wear_rate(c, r, set) * c.balls[static_cast<std::size_t>(set)].density;
+    mass += set_wear_rate(c, r, set) * c.balls[static_cast<std::size_t>(set)].surface_density();
   return mass;
 }
 double jar_wear(const Case& c, const Replicate& r) {
@@ -112,7 +112,7 @@ Table wear(const Outcome& outcome) {
   const observe::StatisticsByPair& pairs = chosen.front()->tally.by_pair;
   for (int set = 0; set < pairs.kinds(); ++set)
     if (const auto i = static_cast<std::size_t>(set); !c.balls[i].grains)
-      add(cases::set_name(c, i), c.balls[i].density,
+      add(cases::set_name(c, i), c.balls[i].surface_density(),
           [&](const Replicate& r) { return set_wear_rate(c, r, set); });
   for (int pair = 0; pair < pairs.pairs(); ++pair)
     if (const auto kinds = pairs.kinds_of(pair); kinds.one == 0 && kinds.with_jar())

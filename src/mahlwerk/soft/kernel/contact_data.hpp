@@ -46,6 +46,7 @@ struct alignas(64) PairParameters {
   /// model.
   Lanes rolling_stiffness_ratio{};
   Lanes inertia{};               ///< [kg m2] reduced moment of inertia
+  Lanes slip_factor{};           ///< [1] of the pair (hol.4)
   Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
 };
 

@@ -187,9 +187,10 @@ template <class V>
       const V factor = limit / sqrt(max(squared, zero + 1e-300));
       spring_torque = select<V>(at_limit, factor * spring_torque, spring_torque);
     }
-    // Each ball rolls about the contact, with the inertia (7/5) m R^2 = 7/2 of that about its
-    // centre.
-    const V damping = limited(2.0 * constants.rolling_damping * sqrt(3.5 * inertia * stiffness));
+    // Each ball rolls about the contact, with the inertia about its centre times the slip factor:
+    // (7/5) m R^2 for a solid ball.
+    const V damping = limited(2.0 * constants.rolling_damping *
+                              sqrt(group(pair.slip_factor) * inertia * stiffness));
     torque = spring_torque - where<V>(~at_limit, damping) * rolling_velocity;
     history.rolling_spring_torque = where<V>(touching, spring_torque);
   }
@@ -271,10 +272,11 @@ template <class Law, class V>
   V rate = geometry.overlap_rate;
   Vec<V> slip = geometry.slip;
   if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
-    const V half = (3.0 / 7.0 * constants.inverse_dt) *
+    const V factor = group(pair.slip_factor);
+    const V half = (1.5 / factor * constants.inverse_dt) *
                    group(pair.stiffness_correction);  // half a step over the mass
     rate -= where<V>(correction.corrected, half * (law_force.force - correction.previous_force));
-    slip = slip + where<V>(correction.corrected & transitions->begun, 3.5 * half) * friction;
+    slip = slip + where<V>(correction.corrected & transitions->begun, factor * half) * friction;
   }
   work.impulse = constants.dt * law_force.force;
   work.normal = constants.dt * (law_force.force * rate);

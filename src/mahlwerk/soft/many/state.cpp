@@ -41,8 +41,8 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = pairs_.species(species_[k]);
     const Vec3 position = jar_->within_period(rows_[k].position());
-    all[static_cast<std::size_t>(id_[k])] = {s.radius, s.density, position, velocity(k, change),
-                                             spin(k),  s.kind};
+    all[static_cast<std::size_t>(id_[k])] = {
+        s.radius, s.density, position, velocity(k, change), spin(k), s.kind, s.inertia_ratio};
   }
   return all;
 }
