@@ -97,7 +97,7 @@ TEST(Fit, keys_that_it_cannot_choose) {
   };
   says("breakage.x_w_mi", "[fit] cannot choose breakage.x_w_mi|did you mean \"breakage.x_w_min\"?");
   says("grinding.time", "[fit] cannot choose grinding.time|");
-  says("mill.frequency", "it may choose \"capture.thickness\", ");
+  says("run.time", "it may choose \"capture.thickness\", ");
   EXPECT_NE(fault_of(vial + "[fit]\n\"breakage.f_mat\" = [1, 2]\n").find("the case has none"),
             std::string::npos);
   EXPECT_NE(fault_of("fit = 5\n" + vial).find("|`fit` must be a section|"), std::string::npos);
