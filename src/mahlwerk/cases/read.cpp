@@ -345,14 +345,13 @@ std::vector<Override> with_draw(std::vector<Override> overrides, const Uncertain
 Case CaseFile::read(const Catalogue& catalogue, const std::vector<Override>& overrides) const {
   Case made = CaseReader(root_, file_, catalogue).read(overrides);
   if (!made.uncertainty) return made;
-  std::vector<DrawnSections> sections;
+  std::vector<DrawnSections> drawn;
   for (std::size_t draw = 0; draw < made.uncertainty->count(); ++draw) {
     Case one =
         CaseReader(root_, file_, catalogue).read(with_draw(overrides, *made.uncertainty, draw));
-    sections.push_back({std::move(one.mill), std::move(one.contact)});
+    drawn.push_back({std::move(one.mill), std::move(one.contact)});
   }
-  made.uncertainty->sections =
-      std::make_shared<const std::vector<DrawnSections>>(std::move(sections));
+  made.uncertainty->sections = std::make_shared<const std::vector<DrawnSections>>(std::move(drawn));
   return made;
 }
 

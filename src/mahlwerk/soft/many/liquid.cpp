@@ -45,7 +45,7 @@ void ManyBodySolver::add_liquid_forces(const ChunkStep& step, Chunk& chunk, Ball
   const auto each = [&](const VerletList& list, double decrease, const auto& f) {
     const std::size_t due = list.due(decrease + pull_off_distance_, step.bin);
     std::for_each_n(list.pairs.begin(), due, f);
-    std::ranges::for_each(list.separated, f);
+    std::for_each(list.separated.begin(), list.separated.end(), f);
   };
   each(chunk.ball_pairs, chunk.max_gap_decrease, balls);
   each(chunk.wall_pairs, chunk.max_wall_gap_decrease, wall);
