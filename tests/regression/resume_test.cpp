@@ -34,6 +34,10 @@ engine = "event"
 time = "0.5 s"
 settle = "0.1 s"
 replicates = 2
+[power_meter]
+[microphone]
+[accelerometer]
+duration = "0.5 s"
 )";
 
 class Resume : public ProgramTest {

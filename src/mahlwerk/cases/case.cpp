@@ -39,8 +39,8 @@ bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && liquid == o.liquid && run == o.run &&
          observe == o.observe && wear == o.wear && heat == o.heat && capture == o.capture &&
-         grinding == o.grinding && kinetics == o.kinetics && gravity == o.gravity &&
-         sweep == o.sweep && optimise == o.optimise && match == o.match &&
+         grinding == o.grinding && kinetics == o.kinetics && sensors == o.sensors &&
+         gravity == o.gravity && sweep == o.sweep && optimise == o.optimise && match == o.match &&
          uncertainty == o.uncertainty && fit == o.fit;
 }
 

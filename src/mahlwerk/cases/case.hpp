@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/sensors.hpp"
 #include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/cases/uncertainty.hpp"
@@ -354,6 +355,7 @@ struct Case {
   std::optional<Capture> capture;
   std::optional<Grinding> grinding;
   std::optional<Kinetics> kinetics;
+  Sensors sensors;
   double gravity = 9.81;  ///< [m/s2], downwards
   Sweep sweep;            ///< keys that vary from run to run; empty: one run
   std::optional<Optimise> optimise;

@@ -7,6 +7,11 @@
 #include <limits>
 #include <numbers>
 
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/still.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
+
 namespace mahlwerk::cases {
 
 double jar_volume(const Jar& jar) {
@@ -67,6 +72,18 @@ double smallest_ball(const std::vector<BallSet>& balls) {
     for (const SizeClass& size : set.sizes()) diameter = std::min(diameter, size.diameter);
   }
   return diameter;
+}
+
+std::optional<double> shaft_speed(const Case& c) {
+  if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
+    return std::abs(drum->speed);
+  if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
+    return planetary->speed;
+  const auto* vessel = std::get_if<geometry::Attritor>(&*c.jar.shape);
+  const bool at_rest = kinematics::as<kinematics::Still>(*c.mill.motion) != nullptr;
+  if (at_rest && vessel != nullptr && vessel->rotor_speed != 0)
+    return std::abs(vessel->rotor_speed);
+  return std::nullopt;
 }
 
 }  // namespace mahlwerk::cases

@@ -32,5 +32,8 @@ double bulk_density(const std::vector<BallSet>& balls);
 /// [rad/s] Critical speed, at which the largest ball centrifuges on the wall of a tumbling jar
 /// (kin.11).
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity);
+/// [rad/s] Speed of the shaft that drives a drum, the disc of a planetary mill or a stirrer; no
+/// value where no shaft turns steadily.
+std::optional<double> shaft_speed(const Case& c);
 
 }  // namespace mahlwerk::cases

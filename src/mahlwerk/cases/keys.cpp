@@ -38,6 +38,10 @@ constexpr std::array sections{
     SectionSpec{"fragments", "model", "the fragments of a broken grain"},
     SectionSpec{"grinding", "", "how the size of the powder changes with time"},
     SectionSpec{"kinetics", "model", "conversion of the powder: a reaction or a property"},
+    SectionSpec{"power_meter", "", "readings of the motor's power and torque; may be empty"},
+    SectionSpec{"microphone", "", "hits that an acoustic sensor hears, by energy; may be empty"},
+    SectionSpec{"accelerometer", "", "acceleration of the jar by motion and impacts; may be empty"},
+    SectionSpec{"thermocouple", "", "temperature with the lag of a sensor; may be empty"},
     SectionSpec{"sweep", "", "a campaign: keys of the case that vary", true},
     SectionSpec{"optimise", "", "search for the settings of a largest or smallest quantity", true},
     SectionSpec{"match", "", "search for settings that treat powder as another mill does", true},
@@ -58,6 +62,7 @@ Case full_case() {
   c.capture.emplace();
   c.grinding.emplace();
   c.kinetics.emplace();
+  c.sensors = {PowerMeter(), Microphone(), Accelerometer(), Thermocouple()};
   return c;
 }
 

@@ -214,9 +214,10 @@ class CaseReader {
   void read_top() {
     SectionReader in(&root_, "", findings_);
     for (const std::string_view name :
-         {"mill",     "jar",   "balls",    "powder",  "contact",  "liquid",     "run",
-          "observe",  "wear",  "heat",     "capture", "breakage", "fragments",  "grinding",
-          "kinetics", "sweep", "optimise", "match",   "fit",      "uncertainty"})
+         {"mill",         "jar",      "balls",    "powder",      "contact",    "liquid",
+          "run",          "observe",  "wear",     "heat",        "capture",    "breakage",
+          "fragments",    "grinding", "kinetics", "power_meter", "microphone", "accelerometer",
+          "thermocouple", "sweep",    "optimise", "match",       "fit",        "uncertainty"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -284,6 +285,10 @@ class CaseReader {
                    .grinding = section("grinding", false)},
                   c_, findings_);
     c_.kinetics = described<Kinetics>("kinetics", false, c_);
+    c_.sensors.power_meter = described<PowerMeter>("power_meter", false, c_);
+    c_.sensors.microphone = described<Microphone>("microphone", false);
+    c_.sensors.accelerometer = described<Accelerometer>("accelerometer", false);
+    c_.sensors.thermocouple = described<Thermocouple>("thermocouple", false);
   }
 
   /// Sorts faults by line of the case file, so that a user can correct the file from top to bottom.

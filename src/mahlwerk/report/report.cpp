@@ -16,6 +16,7 @@
 #include "mahlwerk/report/powder.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/replay.hpp"
+#include "mahlwerk/report/sensor_plots.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
@@ -203,6 +204,27 @@ std::string wear_and_heat_section(const Outcome& outcome) {
   return text;
 }
 
+std::string sensors_section(const Outcome& outcome) {
+  const cases::Sensors& sensors = outcome.mill_case.sensors;
+  std::string text;
+  if (sensors.power_meter)
+    text += figure(power_meter_plot(outcome),
+                   "Readings in one run. power_meter.csv has the numbers, and the torque of a mill "
+                   "with a shaft.");
+  if (sensors.microphone)
+    text += figure(microphone_plot(outcome),
+                   "Hits per second that are heard with at least this normal energy: what an "
+                   "acoustic sensor counts above a threshold. microphone.csv has the numbers.");
+  if (sensors.accelerometer)
+    text += figure(accelerometer_plot(outcome),
+                   "The first part of the record of one run: the motion of the mill, and impacts "
+                   "as the sensor follows them. accelerometer.csv has the whole record.");
+  if (sensors.thermocouple)
+    text += figure(thermocouple_plot(outcome),
+                   "What the thermocouple shows, and the temperature where it is.");
+  return text.empty() ? "" : "<h2>Sensors</h2>\n" + text;
+}
+
 std::string warning_box(const Outcome& outcome) {
   std::string lines;
   for (const Notice& one : outcome.notices)
@@ -245,7 +267,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += pairs_table(outcome);
   if (!results::averaged_replicates(outcome).empty())
     body += spectra_section(outcome) + maps_section(outcome) + time_section(outcome) +
-            wear_and_heat_section(outcome);
+            wear_and_heat_section(outcome) + sensors_section(outcome);
   body += powder_sections(outcome);
   body += tables.below;
   body += methods_box(outcome, version);

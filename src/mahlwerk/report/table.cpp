@@ -31,6 +31,10 @@ constexpr std::array groups{
     Group{"captured_mass_rate", "Powder captured by collisions"},
     Group{"d10", "Fineness"},
     Group{"milling_dose", "Dose"},
+    Group{"motor_power", "Power meter"},
+    Group{"heard_hit_rate", "Microphone"},
+    Group{"acceleration_rms", "Accelerometer"},
+    Group{"thermocouple_reading", "Thermocouple"},
     Group{"grain_count", "Powder as grains"},
     Group{"energy_residual", "Numerical accuracy"},
 };

@@ -45,6 +45,9 @@ TEST(WriteCase, what_was_read_is_read_back_without_the_catalogue) {
   const std::string oil = "[liquid]\nmaterial = \"oil\"\n";
   expect_round_trip(read_sample(vial + oil + "kind = \"film\"\nfilm = \"7.3 um\"\n"));
   expect_round_trip(read_sample(vial + oil + "kind = \"flooded\"\nreach = 0.3\ndrag = false\n"));
+  expect_round_trip(read_sample(vial + "[heat]\n[power_meter]\n[microphone]\nhears = \"all\"\n"
+                                       "[accelerometer]\nmass = \"3 kg\"\n[thermocouple]\n"));
+  expect_round_trip(read_sample(vial + "[accelerometer]\nbandwidth = \"3 kHz\"\naxis = \"y\"\n"));
   expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\n"));
   expect_round_trip(read_sample(vial + "frames = \"0.7 ms\"\nframes_format = \"vtk\"\n"));
   expect_round_trip(read_sample(vial, {{"seed", "18446744073709551615"}}));

@@ -68,6 +68,7 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     if (replica_.window_ == 0) return;
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
+    r.sensors.collisions(finished);
     if (replica_.streams_)
       r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
@@ -214,6 +215,25 @@ void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
   charge_samples_taken_ = 0;
 }
 
+/// [s] The time of the next reading of the power meter. The last one is at the end of the run,
+/// whatever the rounding of the interval.
+double ReplicateRun::next_power_reading() const {
+  if (window_ == 0 || !mill_case_->sensors.power_meter)
+    return std::numeric_limits<double>::infinity();
+  constexpr double rounding = 1e-6;
+  const double interval = mill_case_->sensors.power_meter->interval,
+               at = interval * static_cast<double>(power_readings_ + 1);
+  const bool last = std::abs(at - mill_case_->run.time) < rounding * interval;
+  return mill_case_->run.settle + (last ? mill_case_->run.time : at);
+}
+
+void ReplicateRun::read_power_meter() {
+  const scene::EnergyBalance& now = result_.energy_balance;
+  if (next_power_reading() > now.time) return;
+  result_.sensors.power_meter.push_back({now.time, now.wall_work});
+  while (next_power_reading() <= now.time) ++power_readings_;
+}
+
 /// Takes the samples that are due: frames, frames of the report's film, samples of the charge.
 void ReplicateRun::take_samples() {
   if (!result_.stop_reason.empty()) return;
@@ -233,8 +253,9 @@ void ReplicateRun::take_samples() {
 /// [s] The time at which the next slice ends, unless another replicate ends it earlier.
 double ReplicateRun::slice_end() const {
   const double end = window_end(window_);
-  const double stop = std::min({end, frames_ ? frame_times_.next() : end,
-                                result_.replay.next_frame_time(), next_charge_sample()});
+  const double stop =
+      std::min({end, frames_ ? frame_times_.next() : end, result_.replay.next_frame_time(),
+                next_charge_sample(), next_power_reading()});
   return std::min(stop, result_.energy_balance.time + slice_);
 }
 
@@ -275,6 +296,7 @@ void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
   }
   result_.energy_balance = engine_->energy_balance();
   const double end = window_end(window_);
+  read_power_meter();
   take_samples();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
   slice_ = std::min(std::max(slice_, 1e-15), mill_case_->run.settle + mill_case_->run.time);
@@ -333,9 +355,10 @@ void ReplicateRun::serialize(Archive& archive) {
   r.charge.serialize(archive);
   r.replay.serialize(archive);
   r.stream.serialize(archive);
+  r.sensors.serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
   archive(window_)(last_)(
-      all_)(above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_);
+      all_)(above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
   engine_->serialize(archive);
 }
 

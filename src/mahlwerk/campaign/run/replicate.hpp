@@ -63,6 +63,8 @@ class ReplicateRun {
   void end_window();
   void plan_charge_samples(const scene::EnergyBalance& before, const scene::EnergyBalance& now);
   double next_charge_sample() const;  // [s]
+  double next_power_reading() const;  // [s]
+  void read_power_meter();
 
   const cases::Case* mill_case_;
   int index_;
@@ -76,6 +78,7 @@ class ReplicateRun {
   int charge_samples_ = 4;        // in this window
   int charge_samples_taken_ = 0;  // taken in this window
   std::int64_t charge_samples_ever_ = 0;
+  std::int64_t power_readings_ = 0;
   std::int64_t balls_ = 0;
   std::unique_ptr<scene::Engine> engine_;
   int window_ = 0;                      // 0: settling

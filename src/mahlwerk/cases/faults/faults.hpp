@@ -26,5 +26,7 @@ void bad_start_state(const Case& c, std::vector<Fault>& found);
 void bad_powder(const Case& c, std::vector<Fault>& found);
 /// Inconsistencies of [powder], [capture], [fragments], [grinding] and [kinetics].
 void bad_grinding(const Case& c, std::vector<Fault>& found);
+/// Sensors that the case cannot serve, and records that are too long.
+void bad_sensors(const Case& c, std::vector<Fault>& found);
 
 }  // namespace mahlwerk::cases

@@ -57,6 +57,10 @@ void describe(CaseVisitor& v, Case& c) {
     section("grinding", *c.grinding, c);
   }
   if (c.kinetics) section("kinetics", *c.kinetics, c);
+  if (c.sensors.power_meter) section("power_meter", *c.sensors.power_meter, c);
+  if (c.sensors.microphone) section("microphone", *c.sensors.microphone);
+  if (c.sensors.accelerometer) section("accelerometer", *c.sensors.accelerometer);
+  if (c.sensors.thermocouple) section("thermocouple", *c.sensors.thermocouple);
 }
 
 void describe_many_runs(CaseVisitor& v) {

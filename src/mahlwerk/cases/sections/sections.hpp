@@ -50,6 +50,11 @@ void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c);
 void describe(KeyVisitor& v, Grinding& g, const Case& c);
 /// Requires `c` with grinding and heat.
 void describe(KeyVisitor& v, Kinetics& k, const Case& c);
+/// Requires `c` with run.
+void describe(KeyVisitor& v, PowerMeter& meter, const Case& c);
+void describe(KeyVisitor& v, Microphone& microphone);
+void describe(KeyVisitor& v, Accelerometer& sensor);
+void describe(KeyVisitor& v, Thermocouple& sensor);
 
 /// Source of the defaults of [[contact.pairs]].
 constexpr std::string_view of_contact = "as in [contact]";

@@ -51,8 +51,10 @@ bool is_relevant(std::string_view dotted, const Case& c) {
         &static_cast<const contact::Laws&>(*c.contact.model.law));
     return c.wear.has_value() || (law != nullptr && law->yield_pressure == 0);
   }
-  if (key == "conductivity" || key == "heat_capacity" || key == "wall") return c.heat.has_value();
-  return dotted != "jar.density" || c.wear || c.heat;
+  if (key == "conductivity" || key == "heat_capacity") return c.heat.has_value();
+  const bool moved = c.sensors.accelerometer && !c.sensors.accelerometer->mass;
+  if (key == "wall") return c.heat || moved;
+  return dotted != "jar.density" || c.wear || c.heat || moved;
 }
 
 }  // namespace

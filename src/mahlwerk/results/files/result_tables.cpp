@@ -10,6 +10,7 @@
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
@@ -62,6 +63,10 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("size_distribution", "sizes of the powder at some times",
                size_distribution(outcome));
   unless_empty("conversion", "dose and conversion over the milling time", conversion(outcome));
+  unless_empty("power_meter", "readings of the motor's power", power_readings(outcome));
+  unless_empty("microphone", "hits that the microphone hears, by energy", heard_hits(outcome));
+  unless_empty("accelerometer", "samples of the accelerometer", acceleration(outcome));
+  unless_empty("thermocouple", "readings of the thermocouple", thermocouple_readings(outcome));
   unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.mill_case));
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.mill_case.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", motion_samples(*measured)});

@@ -14,6 +14,7 @@
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
 namespace mahlwerk::results {
@@ -212,6 +213,7 @@ Notices warnings(const Outcome& outcome) {
   not_steady(outcome, list);
   append(list, grinding_warnings(outcome));
   append(list, kinetics_warnings(outcome));
+  append(list, sensor_warnings(outcome));
   not_certain(outcome, list);
   return list;
 }

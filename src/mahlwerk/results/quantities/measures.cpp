@@ -7,6 +7,7 @@
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
+#include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
@@ -31,6 +32,7 @@ std::vector<Measure> measures(const cases::Case& mill_case) {
                                             capture_measures(mill_case),
                                             grinding_measures(mill_case),
                                             kinetics_measures(mill_case),
+                                            sensor_measures(mill_case),
                                             grain_measures(mill_case),
                                             check_measures()})
     all.insert(all.end(), group.begin(), group.end());

@@ -7,7 +7,6 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/still.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
@@ -24,15 +23,6 @@ double impacts_per_ball(const Case& c, const Replicate& r, const observe::Collis
 
 double drawn(const Replicate& r) {
   return per_time(r, &scene::EnergyBalance::wall_work);
-}
-
-/// [rad/s] Speed of the shaft that drives the mill; NaN where no shaft turns steadily.
-double shaft_speed(const Case& c) {
-  if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
-    return std::abs(drum->speed);
-  if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
-    return planetary->speed;
-  return undefined;
 }
 
 /// The jar's stirrer, if it has one that turns in a vessel at rest; else null.
@@ -53,7 +43,7 @@ double power_number(const Case& c, const Replicate& r) {
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
   if (kinematics::as<kinematics::Tumbling>(*mill_case.mill.motion) == nullptr) return;
   list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
-                    return shaft_speed(c) * 30 / std::numbers::pi;
+                    return *cases::shaft_speed(c) * 30 / std::numbers::pi;
                   }});
   list.push_back({"bulk_filling", "1",
                   "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
@@ -73,7 +63,7 @@ void add_stirrer_measures(const Case& mill_case, std::vector<Measure>& list) {
   list.push_back({"rotor_torque", "N m",
                   "drawn power over the speed of the rotor; without friction of the drive",
                   [](const Case& c, const Replicate& r) {
-                    return drawn(r) / std::abs(stirrer(c)->rotor_speed);  // (obs.16)
+                    return drawn(r) / *cases::shaft_speed(c);  // (obs.16)
                   }});
   list.push_back({"power_number", "1",
                   "Np: drawn power over rho N^3 d^5, with the bulk density rho of the balls, the "
@@ -111,12 +101,12 @@ std::vector<Measure> mill_measures(const Case& mill_case) {
        "loses energy",
        [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
   };
-  if (std::isfinite(shaft_speed(mill_case)))
+  if (cases::shaft_speed(mill_case) && stirrer(mill_case) == nullptr)
     list.push_back({"shaft_torque", "N m",
                     "drawn power over the speed of the shaft, per jar; without friction of the "
                     "drive",
                     [](const Case& c, const Replicate& r) {
-                      return drawn(r) / shaft_speed(c);  // (obs.7)
+                      return drawn(r) / *cases::shaft_speed(c);  // (obs.7)
                     }});
   add_drum_measures(mill_case, list);
   add_stirrer_measures(mill_case, list);

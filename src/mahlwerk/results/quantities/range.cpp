@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 13> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 69> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 76> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -91,7 +91,14 @@ constexpr std::array<std::string_view, 69> not_negative{"collision_rate",
                                                         "drum_speed",
                                                         "bulk_filling",
                                                         "void_filling",
-                                                        "impact_efficiency"};
+                                                        "impact_efficiency",
+                                                        "motor_power",
+                                                        "motor_power_scatter",
+                                                        "heard_hit_rate",
+                                                        "heard_hit_energy_mean",
+                                                        "acceleration_rms",
+                                                        "acceleration_rms_of_impacts",
+                                                        "acceleration_peak"};
 
 template <class Names>
 bool holds(const Names& names, std::string_view name) {

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/base/archive.hpp"
+#include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/scene/observer.hpp"
+
+namespace mahlwerk::observe {
+
+/// Record of the force of impacts on the jar along one direction, in equal intervals of time. The
+/// impulse of a contact is spread evenly over its duration.
+class ImpactRecord : public scene::Observer {
+ public:
+  /// `axis`: unit vector in the jar's own axes. The record has `count` intervals of `step` [s] from
+  /// `begin` [s] since the start of the run.
+  ImpactRecord(const Vec3& axis, double begin, double step, std::size_t count)
+      : axis_(axis), begin_(begin), step_(step), impulses_(count) {}
+
+  void collisions(std::span<const scene::Collision> finished) override;
+  double step() const { return step_; }    ///< [s]
+  double begin() const { return begin_; }  ///< [s]
+  const Vec3& axis() const { return axis_; }
+  /// [N s] Impulse of the balls on the jar along the axis, by interval.
+  const std::vector<double>& impulses() const { return impulses_; }
+  void serialize(Archive& archive) { archive(impulses_); }
+
+ private:
+  void add(double from, double to, double impulse);
+
+  Vec3 axis_;
+  double begin_, step_;
+  std::vector<double> impulses_;
+};
+
+/// Response of a sensor to the signal `input`, constant over each `step` [s] > 0: a low-pass filter
+/// of second order with Butterworth damping and `bandwidth` [Hz] > 0, which shows `start` steadily
+/// before. Exact at the end of each interval (sen.6).
+std::vector<double> low_pass(const std::vector<double>& input, double step, double bandwidth,
+                             double start);
+
+}  // namespace mahlwerk::observe

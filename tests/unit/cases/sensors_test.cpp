@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The sensors of a case.
+#include "mahlwerk/cases/sensors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::cases::sensors_test {
+namespace {
+
+using namespace sample;
+
+std::string code_of(const std::string& sensors) {
+  const auto found = faults_of(vial + sensors);
+  return found.size() == 1 ? found[0].code : fault_of(vial + sensors);
+}
+
+TEST(ReadSensors, empty_sections_are_sensors_with_defaults) {
+  EXPECT_EQ(read_sample(vial).sensors, Sensors());
+  const Case c =
+      read_sample(vial + "[heat]\n[power_meter]\n[microphone]\n[accelerometer]\n[thermocouple]\n");
+  const Sensors expected{PowerMeter{.interval = 0.3}, Microphone(), Accelerometer(),
+                         Thermocouple()};
+  EXPECT_EQ(c.sensors, expected);  // the vial runs for 60 s
+  EXPECT_EQ(source_of(c, "power_meter.interval"), "default: a 200th of run.time");
+}
+
+TEST(ReadSensors, every_key_is_read) {
+  const Case c = read_sample(vial + R"([heat]
+[power_meter]
+interval = "20 ms"
+idle_power = "0.1 kW"
+efficiency = "80 %"
+[microphone]
+threshold = "5 mJ"
+definition_time = "0.5 ms"
+hears = "all"
+[accelerometer]
+axis = "x"
+mass = "800 g"
+bandwidth = "5 kHz"
+duration = "20 ms"
+[thermocouple]
+place = "gas"
+lag = "1 min"
+)");
+  const Sensors expected{PowerMeter{0.02, 100, 0.8},
+                         Microphone{5e-3, 0.5e-3, Microphone::Hears::all},
+                         Accelerometer{Accelerometer::Axis::x, 0.8, 5e3, 50e3, 0.02},
+                         Thermocouple{Thermocouple::Place::gas, 60}};
+  EXPECT_EQ(c.sensors, expected);
+}
+
+TEST(ReadSensors, says_what_cannot_be) {
+  EXPECT_EQ(code_of("[thermocouple]\n"), "no-temperature");
+  EXPECT_EQ(code_of("[power_meter]\ninterval = \"0.1 ms\"\n"), "too-many-readings");  // of 60 s
+  EXPECT_EQ(code_of("[power_meter]\ninterval = \"0 s\"\n"), "out-of-range");
+  EXPECT_EQ(code_of("[power_meter]\nefficiency = 0\n"), "out-of-range");
+  EXPECT_EQ(code_of("[power_meter]\nefficiency = 1.1\n"), "out-of-range");
+  EXPECT_EQ(code_of("[microphone]\nthreshold = \"-1 J\"\n"), "out-of-range");
+  EXPECT_EQ(code_of("[microphone]\nhears = \"nothing\"\n"), "unknown-word");
+  EXPECT_EQ(code_of("[accelerometer]\nsample_rate = \"15 kHz\"\n"), "slow-sampling");
+  EXPECT_EQ(code_of("[accelerometer]\nduration = \"11 s\"\n"), "too-many-readings");
+  EXPECT_EQ(code_of("[accelerometer]\nmass = \"0 kg\"\n"), "out-of-range");
+  EXPECT_EQ(code_of("[accelerometer]\naxis = \"up\"\n"), "unknown-word");
+  EXPECT_EQ(code_of("[accelerometer]\nrange = \"5 m\"\n"), "unknown-key");
+}
+
+TEST(ShaftSpeed, is_that_of_drum_disc_or_stirrer) {
+  EXPECT_FALSE(shaft_speed(read_sample(vial)));
+  EXPECT_NEAR(*shaft_speed(read_sample(planetary)), 41.8879, 1e-4);  // 400 rpm
+  EXPECT_GT(*shaft_speed(read_sample(drum)), 0);
+}
+
+}  // namespace
+}  // namespace mahlwerk::cases::sensors_test
