@@ -9,7 +9,7 @@
 namespace mahlwerk::observe {
 
 /// Counts hits as an acoustic sensor does: hits that follow each other within the definition time
-/// are one (sen.3), with the largest of their normal energies. Uses fixed memory.
+/// are one (sns.3), with the largest of their normal energies. Uses fixed memory.
 class HitCounter : public scene::Observer {
  public:
   /// Hears collisions with a normal energy of at least `threshold` [J]; those between balls only if

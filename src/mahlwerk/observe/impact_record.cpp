@@ -15,7 +15,7 @@ void ImpactRecord::collisions(std::span<const scene::Collision> finished) {
   for (const scene::Collision& c : finished) {
     if (c.other >= 0) continue;
     const double from = (c.time - begin_) / step_;
-    add(from, from + c.duration / step_, c.impulse * dot(c.normal, axis_));  // (sen.4)
+    add(from, from + c.duration / step_, c.impulse * dot(c.normal, axis_));  // (sns.4)
   }
 }
 

@@ -37,7 +37,7 @@ class ImpactRecord : public scene::Observer {
 
 /// Response of a sensor to the signal `input`, constant over each `step` [s] > 0: a low-pass filter
 /// of second order with Butterworth damping and `bandwidth` [Hz] > 0, which shows `start` steadily
-/// before. Exact at the end of each interval (sen.6).
+/// before. Exact at the end of each interval (sns.6).
 std::vector<double> low_pass(const std::vector<double>& input, double step, double bandwidth,
                              double start);
 

@@ -20,7 +20,7 @@ std::vector<double> thermocouple_readings(std::span<const double> times,
       continue;
     }
     const double slope = (around[i] - around[i - 1]) / step;
-    // A ramp is followed at a distance of slope times lag (sen.8).
+    // A ramp is followed at a distance of slope times lag (sns.8).
     const double behind = readings.back() - around[i - 1] + slope * lag;
     readings.push_back(around[i] - slope * lag + behind * math::exp(-step / lag));
   }

@@ -79,7 +79,7 @@ TEST(Accelerometer, of_a_dropped_ball_shows_the_peak_of_its_impulse_in_both_engi
   for (const char* engine : {"event", "soft"}) {
     const Outcome outcome = outcome_of(drop(engine));
     states(fmt::format("peak in the {} engine [m/s2]", engine), value(outcome, "acceleration_peak"),
-           peak, tolerance * peak, "J/M omega exp(-pi/4), J = m (1 + e) v (sen.6)");
+           peak, tolerance * peak, "J/M omega exp(-pi/4), J = m (1 + e) v (sns.6)");
     const std::vector<double> a = column(results::acceleration(outcome), "of_impacts");
     EXPECT_LT(*std::ranges::min_element(a), -0.9 * peak);  // the ball pushes the jar down
     for (const double still : column(results::acceleration(outcome), "of_motion"))
@@ -163,14 +163,14 @@ TEST(PowerMeter, reads_all_the_work_of_the_jar) {
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       work += drawn[i] * (table.rows[i][0] - last);
       last = table.rows[i][0];
-      EXPECT_DOUBLE_EQ(motor[i], 30 + 2 * drawn[i]);  // (sen.1)
+      EXPECT_DOUBLE_EQ(motor[i], 30 + 2 * drawn[i]);  // (sns.1)
     }
     const results::Replicate& r = outcome.replicates.front();
     const double whole = r.energy_balance.wall_work - r.at_settled.wall_work;
     states(engine + ": work of the readings [J]", work, whole, 1e-10 * std::abs(whole),
            "that of the run");
     states("mean power of the motor [W]", value(outcome, "motor_power"),
-           30 + 2 * value(outcome, "drawn_power"), 1e-9, "(sen.1)");
+           30 + 2 * value(outcome, "drawn_power"), 1e-9, "(sns.1)");
     EXPECT_GT(value(outcome, "motor_power_scatter"), 0);
   }
 }
@@ -199,7 +199,7 @@ time = "0.3 s"
   const std::vector<double> torque = column(table, "torque"), drawn = column(table, "drawn_power");
   ASSERT_EQ(torque.size(), 200U);
   for (std::size_t i = 0; i < torque.size(); ++i)
-    EXPECT_DOUBLE_EQ(torque[i], 2 * drawn[i] / (10 * std::numbers::pi));  // (sen.2)
+    EXPECT_DOUBLE_EQ(torque[i], 2 * drawn[i] / (10 * std::numbers::pi));  // (sns.2)
 }
 
 TEST(Microphone, without_definition_time_hears_every_hit_on_the_jar) {

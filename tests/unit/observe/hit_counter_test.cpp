@@ -79,7 +79,7 @@ TEST(HitCounter, of_random_hits_hears_the_share_without_a_hit_shortly_before) {
     const double deviation = std::sqrt(share * (1 - share) / count);
     states(fmt::format("share of hits heard, n tau = {}", rate * definition),
            static_cast<double>(counter.heard().total()) / count, share, 4 * deviation + 1.0 / count,
-           "exp(-n tau) (sen.3), four standard deviations");
+           "exp(-n tau) (sns.3), four standard deviations");
   }
 }
 

@@ -89,7 +89,7 @@ TEST(LowPass, of_an_impulse_decays_as_the_closed_form) {
   states("largest deviation over the peak", worst / largest, 0, (sigma * step) * (sigma * step),
          "second order in the step");
   states("peak [1/s]", largest, omega * math::exp(-std::numbers::pi / 4),
-         omega * (sigma * step) * (sigma * step), "omega exp(-pi/4) (sen.6)");
+         omega * (sigma * step) * (sigma * step), "omega exp(-pi/4) (sns.6)");
 }
 
 TEST(LowPass, of_a_sine_has_the_amplitude_of_butterworth) {
@@ -112,7 +112,7 @@ TEST(LowPass, of_a_sine_has_the_amplitude_of_butterworth) {
 TEST(LowPass, does_not_depend_on_the_step_of_a_constant_input) {
   const double fine = low_pass(std::vector<double>(1000, 1.0), 1e-5, bandwidth, 0).back();
   const double coarse = low_pass(std::vector<double>(1, 1.0), 1e-2, bandwidth, 0).back();
-  states("response after 10 ms", coarse, fine, 1e-12, "exact for a constant input (sen.6)");
+  states("response after 10 ms", coarse, fine, 1e-12, "exact for a constant input (sns.6)");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ const Replicate* first_averaged(const Outcome& outcome) {
 
 // Power meter
 
-/// [W] Power that the motor takes if the balls of each jar draw `drawn` (sen.1).
+/// [W] Power that the motor takes if the balls of each jar draw `drawn` (sns.1).
 double motor_power(const Case& c, double drawn) {
   const cases::PowerMeter& meter = *c.sensors.power_meter;
   return meter.idle_power + static_cast<double>(c.mill.jars_carried) * drawn / meter.efficiency;
@@ -97,7 +97,7 @@ double moved_mass(const Case& c) {
 }
 
 /// [m/s2] What the sensor shows at the end of each interval of its record, without gravity: by the
-/// motion of the jar's centre and by impacts (sen.5).
+/// motion of the jar's centre and by impacts (sns.5).
 struct AccelerationSignal {
   std::vector<double> of_motion, of_impacts;
 };
@@ -218,7 +218,7 @@ Table power_readings(const Outcome& outcome) {
     table.columns.push_back({"torque", "N m", "torque of the balls of all jars on the shaft"});
   for (const PowerReading& one : readings(*shown)) {
     table.rows.push_back({one.time, one.drawn, motor_power(c, one.drawn)});
-    if (speed)  // (sen.2)
+    if (speed)  // (sns.2)
       table.rows.back().push_back(static_cast<double>(c.mill.jars_carried) * one.drawn / *speed);
   }
   return table;
