@@ -29,9 +29,12 @@ bool CalibrationReport::all_determined() const {
 std::string how_to_read(const CalibrationReport& found) {
   return fmt::format(
       "How to read it: if the model is right, the 95 % interval of a key contains the true value "
-      "in "
-      "95 of 100 such data sets. The keys are correlated: use them together, as calibrated.toml "
-      "does. {} A key that is not determined is not a result, whatever its value.",
+      "in 95 of 100 such data sets. {}{} A key that is not determined is not a result, whatever "
+      "its "
+      "value.",
+      found.keys.size() > 1
+          ? "The keys are correlated: use them together, as calibrated.toml does. "
+          : "",
       found.errors_known
           ? "The band of a prediction is that of the calibrated model, without the measurement "
             "error."

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 13> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 76> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -92,7 +92,6 @@ constexpr std::array<std::string_view, 76> not_negative{"collision_rate",
                                                         "bulk_filling",
                                                         "void_filling",
                                                         "impact_efficiency",
-                                                        "motor_power",
                                                         "motor_power_scatter",
                                                         "heard_hit_rate",
                                                         "heard_hit_energy_mean",
