@@ -10,7 +10,7 @@ endforeach()
 set(RANDOM123_INCLUDE ${headers})
 
 # Files that need other libraries, or write files.
-string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|sweep/.*work|sweep/campaign_folder)"
+string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|surrogate|sweep/.*work|sweep/campaign_folder)"
   "|campaign/run/(resumable|streams)|lammps/program|results/files/(hdf5|result_file|writer)|report/(write|replay_script)[.]cpp")
 
 function(header_library name)

@@ -36,7 +36,8 @@ struct Request {
   std::optional<double> checkpoint;  ///< [s] interval between two checkpoints of the run
   bool resume = false;               ///< resume from the last checkpoint
   bool quiet = false, json = false, force = false;
-  bool quick_only = false;  ///< of `papers`: without those that take long
+  std::vector<std::string> quantities;  ///< of `surrogate` and `ask`; empty: the usual ones
+  bool quick_only = false;              ///< of `papers`: without those that take long
 };
 
 /// Exit codes (docs/cli.md).

@@ -166,7 +166,7 @@ std::string example_of(std::string_view unit) {
                                                                         {"m3", "5 ml"},
                                                                         {"Pa", "200 GPa"},
                                                                         {"K", "20 degC"},
-                                                                        {"N/m", "1e7 N/m"},
+                                                                        {"N/m", "72 mN/m"},
                                                                         {"J/m2", "0.05 J/m2"},
                                                                         {"J/m3", "1e5 J/m3"},
                                                                         {"W/m/K", "15 W/m/K"},

@@ -25,9 +25,7 @@ std::vector<std::vector<double>> values_by_trial(const std::vector<Trial>& trial
   return made;
 }
 
-/// Whether an outcome that is always positive varies by a factor above 3: its logarithm is then
-/// smoother.
-bool varies_by_factors(const std::vector<std::vector<double>>& values) {
+bool vary_by_factors(const std::vector<std::vector<double>>& values) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& replicates : values)
     for (const double value : replicates) {
@@ -35,26 +33,10 @@ bool varies_by_factors(const std::vector<std::vector<double>>& values) {
       least = std::min(least, value);
       most = std::max(most, value);
     }
-  return least > 0 && most > 3 * least;
+  return varies_by_factors(least, most);
 }
 
 }  // namespace
-
-double OutcomeEmulator::transformed(double value) const {
-  return logarithmic ? math::log(value) : value;
-}
-double OutcomeEmulator::value_of(double transformed) const {
-  return logarithmic ? math::exp(transformed) : transformed;
-}
-
-double OutcomeEmulator::leave_one_out_error() const {
-  const std::vector<Posterior> others = model.process.leave_one_out();
-  const std::vector<Observation>& own = model.process.observations();
-  double squares = 0;
-  for (std::size_t i = 0; i < own.size(); ++i)
-    squares += (own[i].value - others[i].mean) * (own[i].value - others[i].mean);
-  return std::sqrt(squares / static_cast<double>(own.size()));
-}
 
 std::vector<std::optional<OutcomeEmulator>> emulators(const CalibrationGoal& goal,
                                                       const std::vector<Trial>& trials) {
@@ -64,7 +46,7 @@ std::vector<std::optional<OutcomeEmulator>> emulators(const CalibrationGoal& goa
     std::vector<std::vector<double>> values = values_by_trial(trials, outcome);
     const bool positive = std::ranges::all_of(
         goal.data, [&](const Datum& d) { return d.outcome != outcome || d.value > 0; });
-    const bool logarithmic = positive && varies_by_factors(values);
+    const bool logarithmic = positive && vary_by_factors(values);
     std::vector<SettingSample> samples;
     for (std::size_t i = 0; i < trials.size(); ++i) {
       if (logarithmic)

@@ -6,19 +6,9 @@
 #include <vector>
 
 #include "mahlwerk/campaign/calibrate/calibration.hpp"
-#include "mahlwerk/campaign/search/outcome_model.hpp"
+#include "mahlwerk/campaign/search/outcome_emulator.hpp"
 
 namespace mahlwerk::campaign {
-
-/// Emulator of an outcome, of its logarithm where it varies by a large factor.
-struct OutcomeEmulator {
-  OutcomeModel model;
-  bool logarithmic = false;
-
-  double transformed(double value) const;
-  double value_of(double transformed) const;
-  double leave_one_out_error() const;  ///< as PredictedOutcome::emulator_error
-};
 
 /// Emulators of all outcomes that have data; the others are empty.
 std::vector<std::optional<OutcomeEmulator>> emulators(const CalibrationGoal& goal,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -38,7 +39,41 @@ NlohmannJson to_nlohmann(const Json& json) {
   return std::visit(made, json.value());
 }
 
+Json from_nlohmann(const NlohmannJson& json) {
+  if (json.is_object()) {
+    Json made = Json::object();
+    for (const auto& [key, value] : json.items()) made[key] = from_nlohmann(value);
+    return made;
+  }
+  if (json.is_array()) {
+    Json made = Json::array();
+    for (const auto& value : json) made.push_back(from_nlohmann(value));
+    return made;
+  }
+  if (json.is_string()) return json.get<std::string>();
+  if (json.is_boolean()) return json.get<bool>();
+  if (json.is_number_float()) return json.get<double>();
+  if (json.is_number_unsigned()) return json.get<std::uint64_t>();
+  if (json.is_number()) return json.get<std::int64_t>();
+  return nullptr;
+}
+
 }  // namespace
+
+Json Json::parse(std::string_view text) {
+  try {
+    return from_nlohmann(NlohmannJson::parse(text));
+  } catch (const nlohmann::json::exception& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+const Json* Json::find(std::string_view key) const {
+  const Object* members = std::get_if<Object>(&value_);
+  if (members == nullptr) return nullptr;
+  const auto there = std::ranges::find(*members, key, &Member::key);
+  return there == members->end() ? nullptr : &there->value;
+}
 
 Json::Json() : value_(nullptr) {}
 Json::Json(std::nullptr_t) : value_(nullptr) {}

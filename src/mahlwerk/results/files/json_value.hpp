@@ -52,6 +52,9 @@ class Json {
   /// An object with its members in this order; each key once.
   static Json object(std::initializer_list<Member> members = {});
 
+  /// Reads a text. Throws std::invalid_argument, with the place and the cause, if it is not JSON.
+  static Json parse(std::string_view text);
+
   /// The value of a key of an object. A missing key is added; null becomes an object. Throws
   /// std::bad_variant_access for any other value.
   Json& operator[](std::string_view key);
@@ -61,6 +64,8 @@ class Json {
   Json& back();  ///< last value of a non-empty array
 
   const Value& value() const { return value_; }
+  /// The value of a key, or null if this is no object or has no such key.
+  const Json* find(std::string_view key) const;
 
   /// The text in one line, or with a line for each value if `indent` >= 0. Bytes that are not valid
   /// UTF-8 are replaced.
