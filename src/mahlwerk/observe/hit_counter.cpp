@@ -15,6 +15,7 @@ void HitCounter::collisions(std::span<const scene::Collision> finished) {
 }
 
 void HitCounter::hear(double time, double energy) {
+  ++impacts_;
   if (ringing_ && time - last_ < definition_time_) {
     largest_ = std::max(largest_, energy);
   } else {
@@ -33,7 +34,7 @@ LogHistogram HitCounter::heard() const {
 
 void HitCounter::serialize(Archive& archive) {
   ended_.serialize(archive);
-  archive(ringing_)(last_)(largest_);
+  archive(impacts_)(ringing_)(last_)(largest_);
 }
 
 }  // namespace mahlwerk::observe

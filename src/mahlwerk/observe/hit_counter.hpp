@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/observe/histogram.hpp"
 #include "mahlwerk/scene/observer.hpp"
@@ -18,6 +20,7 @@ class HitCounter : public scene::Observer {
       : threshold_(threshold), definition_time_(definition_time), between_balls_(between_balls) {}
 
   void collisions(std::span<const scene::Collision> finished) override;
+  std::int64_t impacts() const { return impacts_; }  ///< loud enough, also those heard as one
   LogHistogram heard() const;  ///< hits by energy [J], the present one included
   void serialize(Archive& archive);
 
@@ -26,6 +29,7 @@ class HitCounter : public scene::Observer {
 
   double threshold_, definition_time_;
   bool between_balls_;
+  std::int64_t impacts_ = 0;
   LogHistogram ended_;
   bool ringing_ = false;           // a hit is present
   double last_ = 0, largest_ = 0;  // [s] its last collision, [J] its energy

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/report/maps.hpp"
 #include "mahlwerk/report/methods.hpp"
@@ -208,9 +209,10 @@ std::string sensors_section(const Outcome& outcome) {
   const cases::Sensors& sensors = outcome.mill_case.sensors;
   std::string text;
   if (sensors.power_meter)
-    text += figure(power_meter_plot(outcome),
-                   "Readings in one run. power_meter.csv has the numbers, and the torque of a mill "
-                   "with a shaft.");
+    text +=
+        figure(power_meter_plot(outcome), "Readings in one run. power_meter.csv has the numbers.");
+  if (sensors.power_meter && cases::shaft_speed(outcome.mill_case))
+    text += figure(torque_plot(outcome), "Drawn power over the speed of the shaft.");
   if (sensors.microphone)
     text += figure(microphone_plot(outcome),
                    "Hits per second that are heard with at least this normal energy: what an "

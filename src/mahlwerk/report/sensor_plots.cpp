@@ -15,16 +15,28 @@ namespace mahlwerk::report {
 
 using results::Table;
 
-Plot power_meter_plot(const results::Outcome& outcome) {
+namespace {
+
+/// A column of the readings over time.
+Plot readings_plot(const results::Outcome& outcome, std::string title, std::string_view name,
+                   std::string_view words, std::string_view unit_name) {
   const Table table = results::power_readings(outcome);
-  const Multiple unit = multiple(largest(column(table, "motor_power")), "W");
-  return {
-      .title = "Power of the motor",
-      .x = {.label = "time (s)", .least = 0},
-      .y = {.label = fmt::format("power ({})", unit.unit)},
-      .series =
-          {{"", column(table, "time"), column(table, "motor_power", unit.factor), {}, Mark::line}},
-      .height = 260};
+  const Multiple unit = multiple(largest(column(table, name)), unit_name);
+  return {.title = std::move(title),
+          .x = {.label = "time (s)", .least = 0},
+          .y = {.label = fmt::format("{} ({})", words, unit.unit)},
+          .series = {{"", column(table, "time"), column(table, name, unit.factor), {}, Mark::line}},
+          .height = 260};
+}
+
+}  // namespace
+
+Plot power_meter_plot(const results::Outcome& outcome) {
+  return readings_plot(outcome, "Power of the motor", "motor_power", "power", "W");
+}
+
+Plot torque_plot(const results::Outcome& outcome) {
+  return readings_plot(outcome, "Torque of the balls on the shaft", "torque", "torque", "N m");
 }
 
 Plot microphone_plot(const results::Outcome& outcome) {

@@ -8,7 +8,8 @@
 // Plots of what the sensors of a case show. Each requires its sensor.
 namespace mahlwerk::report {
 
-Plot power_meter_plot(const results::Outcome& outcome);    ///< the motor's power over time
+Plot power_meter_plot(const results::Outcome& outcome);  ///< the motor's power over time
+Plot torque_plot(const results::Outcome& outcome);  ///< the same for the torque; mills with a shaft
 Plot microphone_plot(const results::Outcome& outcome);     ///< hits per second above an energy
 Plot accelerometer_plot(const results::Outcome& outcome);  ///< acceleration over a short time
 Plot thermocouple_plot(const results::Outcome& outcome);   ///< reading and true temperature

@@ -251,12 +251,22 @@ TEST(Sensors, change_no_other_number_of_a_run) {
   }
 }
 
+bool has(const Outcome& outcome, std::string_view code) {
+  return std::ranges::find(outcome.notices, code, &Notice::code) != outcome.notices.end();
+}
+
+TEST(Microphone, warns_where_impacts_merge) {
+  const Outcome clear = outcome_of(mill("event", "[microphone]\nthreshold = \"1 mJ\"\n"));
+  EXPECT_FALSE(has(clear, "merged-hits"));
+  EXPECT_TRUE(
+      has(outcome_of(mill("event", "[microphone]\ndefinition_time = \"0.1 s\"\n")), "merged-hits"));
+}
+
 TEST(Accelerometer, warns_of_softened_contacts) {
   std::string text = mill("soft", "[accelerometer]\n");
   text.replace(text.find("restitution"), 0, "softening = 0.1\n");
-  const Outcome outcome = outcome_of(text);
-  EXPECT_TRUE(std::ranges::any_of(outcome.notices,
-                                  [](const Notice& n) { return n.code == "softened-impacts"; }));
+  EXPECT_TRUE(has(outcome_of(text), "softened-impacts"));
+  EXPECT_FALSE(has(outcome_of(mill("soft", "[accelerometer]\n")), "softened-impacts"));
 }
 
 }  // namespace

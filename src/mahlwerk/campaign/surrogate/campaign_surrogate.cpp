@@ -266,7 +266,7 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
     throw no_surrogate(
         folder,
         fmt::format("the campaign has {} settings, more than {}: a surrogate of them "
-                    "would take hours",
+                    "would take minutes",
                     points.size(), most),
         "sweep with design = \"sobol\" and fewer samples");
   made.settings = points.size();

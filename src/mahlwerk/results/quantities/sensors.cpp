@@ -284,16 +284,42 @@ Table thermocouple_readings(const Outcome& outcome) {
   return table;
 }
 
-Notices sensor_warnings(const Outcome& outcome) {
+namespace {
+
+/// Impacts follow each other faster than the microphone can tell them apart (sns.3).
+void merged_hits(const Outcome& outcome, Notices& list) {
+  const auto chosen = averaged_replicates(outcome);
+  const auto& microphone = outcome.mill_case.sensors.microphone;
+  if (!microphone || chosen.empty()) return;
+  const double rate = mean_over(chosen, [](const Replicate& r) {
+    return static_cast<double>(r.sensors.microphone->impacts()) / r.time();
+  });
+  if (!(rate * microphone->definition_time > 1)) return;
+  list.push_back(warning(
+      "merged-hits",
+      fmt::format("{:.0f} impacts per second are loud enough for the microphone, more than one in "
+                  "its definition time of {}: it hears most of them as one, and its rate of hits "
+                  "says little. A higher microphone.threshold tells the strong ones apart.",
+                  rate, show_rounded(microphone->definition_time, "s"))));
+}
+
+void softened_impacts(const Outcome& outcome, Notices& list) {
   const Case& c = outcome.mill_case;
+  if (!c.sensors.accelerometer || !cases::in_time_steps(outcome.engine)) return;
+  if (!(c.contact.softening < 1)) return;
+  list.push_back(warning(
+      "softened-impacts",
+      fmt::format("contact.softening = {} makes contacts longer than real ones: the peaks of the "
+                  "accelerometer are too small where a contact lasts longer than 1/bandwidth.",
+                  show(c.contact.softening, ""))));
+}
+
+}  // namespace
+
+Notices sensor_warnings(const Outcome& outcome) {
   Notices list;
-  if (!c.sensors.accelerometer || !cases::in_time_steps(outcome.engine)) return list;
-  if (c.contact.softening < 1)
-    list.push_back(warning(
-        "softened-impacts",
-        fmt::format("contact.softening = {} makes contacts longer than real ones: the peaks of the "
-                    "accelerometer are too small where a contact lasts longer than 1/bandwidth.",
-                    show(c.contact.softening, ""))));
+  merged_hits(outcome, list);
+  softened_impacts(outcome, list);
   return list;
 }
 
