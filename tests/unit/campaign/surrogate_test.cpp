@@ -289,6 +289,9 @@ TEST(SurrogateFile, that_is_damaged_is_refused_wherever_the_damage_is) {
   EXPECT_EQ(read_fault(at, replaced(whole, "\"points\":[[", "\"points\":[[0.5,")), "cannot-read");
   EXPECT_EQ(read_fault(at, replaced(whole, "\"length_scales\":[", "\"length_scales\":[-1,")),
             "cannot-read");
+  EXPECT_EQ(read_fault(at, replaced(whole, "\"widening\":", "\"widening\":0.5,\"other\":")),
+            "cannot-read");
+  EXPECT_EQ(read_fault(at, std::string(100'000, '[') + std::string(100'000, ']')), "cannot-read");
   EXPECT_EQ(read_fault(at, "[]"), "cannot-read");
   EXPECT_EQ(read_fault(at, "{\"surrogate\": 1}"), "cannot-read");
 }

@@ -138,14 +138,17 @@ SurrogateQuantity quantity_of(const FileReader& read, const Json::Member& in, st
     throw read.damaged("`length_scales` has too few or many numbers");
   for (const double length : kernel.length_scales)
     if (!(length > 0)) throw read.damaged("a length scale is not above 0");
+  const HoldOut others{read.number_at(q, "hold_out_error"), read.number_at(q, "widening"),
+                       read.number_at(q, "hold_out_coverage")};
+  if (!(others.error >= 0 && others.widening >= 1))
+    throw read.damaged("`widening` is below 1, or `hold_out_error` below 0");
   return {in.key,
           read.text(q, "unit"),
           read.text(q, "about"),
           {{GaussianProcess(kernel, observations_of(read, q, keys)), read.number_at(q, "centre"),
             read.number_at(q, "scale"), read.number_at(q, "noise")},
            read.as_member<bool>(q, "logarithm")},
-          {read.number_at(q, "hold_out_error"), read.number_at(q, "widening"),
-           read.number_at(q, "hold_out_coverage")}};
+          others};
 }
 
 results::NoticeCounts notices_of(const FileReader& read, const Json& in) {

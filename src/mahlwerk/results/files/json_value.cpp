@@ -62,7 +62,12 @@ Json from_nlohmann(const NlohmannJson& json) {
 
 Json Json::parse(std::string_view text) {
   try {
-    return from_nlohmann(NlohmannJson::parse(text));
+    const auto shallow = [](int depth, NlohmannJson::parse_event_t, NlohmannJson&) {
+      constexpr int deepest = 100;  // values are read by recursion
+      if (depth > deepest) throw std::invalid_argument("the values are nested too deeply");
+      return true;
+    };
+    return from_nlohmann(NlohmannJson::parse(text, shallow));
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(error.what());
   }
