@@ -47,6 +47,14 @@ const char* const tetrahedron =
     "facet normal 0 0 0\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\n"
     "endsolid t\n";
 
+const char* const surrogate =
+    R"({"surrogate":1,"mahlwerk":"0.1.0","title":"t","digest":"0","settings":3,"failed":0,)"
+    R"("engines":["event"],"keys":[{"key":"mill.speed","from":"200 rpm","to":"800 rpm",)"
+    R"("logarithm":false}],"following":[],"notices":[],"quantities":{"d":{"unit":"W","about":"",)"
+    R"("hold_out_error":0.1,"widening":1.0,"hold_out_coverage":1.0,"logarithm":false,"centre":2.0,)"
+    R"("scale":1.0,"noise":0.01,"amplitude":1.0,"constant":0.1,"length_scales":[0.5],)"
+    R"("points":[[0.0],[0.5],[1.0]],"values":[-1.0,0.0,1.0],"variances":[0.01,0.01,0.01]}}})";
+
 std::vector<std::string> corpus() {
   std::vector<fs::path> files;
   for (const char* folder : {"/examples", "/papers", "/catalogue"})
@@ -64,6 +72,7 @@ std::vector<std::string> corpus() {
     all.push_back(with(Reader::measurements, "time [min],D50 [um]\n10,40\n20,30\n60,12\n"));
     all.push_back(with(Reader::checkpoint, "mahlwerk checkpoint 6\n"));
     all.push_back(with(Reader::state, mahlwerk::fuzz::state_of_a_run()));
+    all.push_back(with(Reader::surrogate, surrogate));
   }
   return all;
 }

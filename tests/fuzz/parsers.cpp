@@ -16,6 +16,7 @@
 #include "mahlwerk/campaign/fit/measurements.hpp"
 #include "mahlwerk/campaign/run/checkpoint.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/surrogate/campaign_surrogate.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/setup/stl.hpp"
 
@@ -58,6 +59,9 @@ density = "7850 kg/m3"
 [run]
 engine = "event"
 time = "0.01 s"
+[power_meter]
+[microphone]
+[accelerometer]
 )";
 
 /// A folder of this process for parsers that only read files.
@@ -86,6 +90,14 @@ void read_state(const std::string& bytes) {
   Archive archive(bytes);
   replica.serialize(archive);
   archive.finish();
+}
+
+void read_surrogate(const std::string& bytes) {
+  const std::filesystem::path file = folder() / "mill.json";
+  std::ofstream(file, std::ios::binary) << bytes;
+  const campaign::CampaignSurrogate read = campaign::read_surrogate(file);
+  if (read.quantities.empty()) return;
+  campaign::predict(read.quantities.front(), read.point({{"mill.speed", "300 rpm"}}));
 }
 
 }  // namespace
@@ -125,6 +137,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         break;
       case fuzz::Reader::state:
         read_state(bytes);
+        break;
+      case fuzz::Reader::surrogate:
+        read_surrogate(bytes);
         break;
     }
   } catch (const InputError&) {  // expected for bad input

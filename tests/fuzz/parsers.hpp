@@ -11,8 +11,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 namespace mahlwerk::fuzz {
 
 /// The parser that the first byte of an input selects.
-enum class Reader : std::uint8_t { case_file, mesh, motion, measurements, checkpoint, state };
-constexpr std::uint8_t readers = 6;
+enum class Reader : std::uint8_t {
+  case_file,
+  mesh,
+  motion,
+  measurements,
+  checkpoint,
+  state,
+  surrogate
+};
+constexpr std::uint8_t readers = 7;
 
 /// A valid state, as a seed for the parser of states.
 std::string state_of_a_run();

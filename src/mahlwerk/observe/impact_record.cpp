@@ -19,6 +19,12 @@ void ImpactRecord::collisions(std::span<const scene::Collision> finished) {
   }
 }
 
+void ImpactRecord::serialize(Archive& archive) {
+  const std::size_t count = impulses_.size();
+  archive(impulses_);
+  if (impulses_.size() != count) throw Archive::broken();
+}
+
 /// Adds an impulse between two times in intervals from the begin of the record.
 void ImpactRecord::add(double from, double to, double impulse) {
   const auto count = static_cast<double>(impulses_.size());

@@ -25,7 +25,8 @@ class ImpactRecord : public scene::Observer {
   const Vec3& axis() const { return axis_; }
   /// [N s] Impulse of the balls on the jar along the axis, by interval.
   const std::vector<double>& impulses() const { return impulses_; }
-  void serialize(Archive& archive) { archive(impulses_); }
+  /// Throws RunError for a saved record of another length.
+  void serialize(Archive& archive);
 
  private:
   void add(double from, double to, double impulse);
