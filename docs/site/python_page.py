@@ -9,7 +9,7 @@ SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
     "Results": ["Result", "Quantity", "Notice", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey"],
-    "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison"],
+    "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
     "Plots": ["plots.ResultPlots", "plots.CampaignPlots"],
     "Catalogue and keys": ["catalogue", "describe"],
     "Errors": ["MahlwerkError", "InputError", "RunError", "Interrupted"],

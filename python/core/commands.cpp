@@ -89,6 +89,7 @@ app::Request request_of(const py::dict& options) {
   take(options, "checkpoint", request.checkpoint);
   take(options, "force", request.force);
   take(options, "quick", request.quick_only);
+  take(options, "quantities", request.quantities);
   take(options, "mill", request.mill);
   take(options, "kind", request.kind);
   take(options, "jar", request.jar);

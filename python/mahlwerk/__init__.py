@@ -27,6 +27,7 @@ from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .records import record_columns
 from .result import Notice, Quantity, Result
 from .searches import Comparison, Fit, Match, Optimum
+from .surrogate import Prediction, Surrogate
 
 _core.set_data_folder(os.fspath(Path(__file__).with_name("data")))  # catalogue, papers, examples
 Fault = _core.Fault
@@ -34,8 +35,8 @@ atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
 __all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "InputError", "Interrupted",
-           "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Quantity", "Result", "RunError",
-           "SweptKey", "catalogue", "describe", "open", "record_columns"]
+           "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction", "Quantity", "Result",
+           "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "open", "record_columns"]
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:

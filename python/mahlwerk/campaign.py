@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from .plots import CampaignPlots
+    from .surrogate import Surrogate
 
 __all__ = ["Campaign", "SweptKey"]
 
@@ -154,6 +155,17 @@ class Campaign:
 
     def __iter__(self) -> Iterator[Result]:
         return (self[i] for i in range(len(self)))
+
+    def surrogate(self, out: Union[str, os.PathLike[str]], quantities: Iterable[str] = (), *,
+                  force: bool = False) -> Surrogate:
+        """Writes the file `out` with the results between the settings, as `mahlwerk surrogate`, and opens it.
+        `quantities`: default those that the page of the campaign shows; `force`: replaces an existing file."""
+        from .commands import command
+        from .surrogate import Surrogate
+
+        command(["surrogate"], target=os.fspath(self.folder), out=os.fspath(out),
+                quantities=list(quantities), force=force)
+        return Surrogate(out)
 
     @property
     def plot(self) -> CampaignPlots:

@@ -57,6 +57,25 @@ def test_a_case_from_python_sweeps_and_its_case_stays_beside_the_folder(ball):
         ball.sweep({"mill.frequenzy": ["1 Hz"]}, "none")
 
 
+def test_a_surrogate_is_that_of_the_command_line(example, program):
+    campaign = mahlwerk.Case(example("09-campaign"), FAST).sweep(out="here")
+    here = campaign.surrogate("here.json")
+    assert program("surrogate", "here", "--out", "there.json", "--quiet")[0] == 0
+    assert open("here.json").read() == open("there.json").read()
+    assert here.keys == {"mill.speed": ("200 rpm", "800 rpm"), "mill.ratio": ("-3", "-1.5")}
+    setting = {"mill.speed": "500 rpm", "mill.ratio": -2.2}
+    power = here(setting, ["dissipated_power"])
+    assert list(power) == ["dissipated_power"] and power["dissipated_power"].unit == "W"
+    assert power["dissipated_power"].low < power["dissipated_power"].value < power["dissipated_power"].high
+    assert set(here(setting)) == set(here.data["quantities"])
+    with pytest.raises(mahlwerk.InputError, match="does not extrapolate"):
+        here({**setting, "mill.speed": "900 rpm"})
+    with pytest.raises(mahlwerk.InputError, match="--force"):
+        campaign.surrogate("here.json")
+    only = campaign.surrogate("here.json", ["drawn_power"], force=True)
+    assert list(only.data["quantities"]) == ["drawn_power"] and "16 settings" in repr(only)
+
+
 def test_searches_and_fits_are_those_of_the_command_line(example, program):
     best = example("09-campaign") + "/optimise.toml"
     few = {**FAST, "optimise.settings": 6}
