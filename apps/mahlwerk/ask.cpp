@@ -160,6 +160,13 @@ int ask(const Request& request) {
     return success;
   }
   const campaign::DesignPoint point = s.point(request.set);
+  for (const SurrogateQuantity& q : asked) {
+    const campaign::Prediction p = campaign::predict(q, point);
+    if (!std::isfinite(p.low) || !std::isfinite(p.high))
+      throw InputError(Fault{request.target, fmt::format("the file gives no number for {}", q.name),
+                             "make the surrogate again: mahlwerk surrogate FOLDER --out FILE",
+                             "cannot-read"});
+  }
   if (request.json)
     json_to_stdout(answer_json(s, request, asked, point));
   else

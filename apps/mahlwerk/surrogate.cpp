@@ -22,39 +22,62 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The quantities that the page of a campaign shows and that vary over its settings.
-std::vector<std::string> usual_varying_quantities(const campaign::Store& store) {
-  const std::vector<results::Quantity> all = store.quantities();
-  std::vector<std::string> known;
-  for (const std::string& name : report::usual_quantities())
-    if (std::ranges::find(all, name, &results::Quantity::name) != all.end()) known.push_back(name);
-  std::vector<double> least(known.size(), INFINITY), most(known.size(), -INFINITY);
-  std::vector<bool> complete(known.size(), true);
-  store.read(known, [&](const campaign::StoredPoint& point) {
+/// Those of the quantities `names` that vary over the settings.
+std::vector<std::string> varying(const campaign::Store& store,
+                                 const std::vector<std::string>& names) {
+  std::vector<double> least(names.size(), INFINITY), most(names.size(), -INFINITY);
+  store.read(names, [&](const campaign::StoredPoint& point) {
     if (point.state != campaign::RunState::done) return;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      complete[i] = complete[i] && std::isfinite(point.value[i]);
+    for (std::size_t i = 0; i < names.size(); ++i) {
       least[i] = std::fmin(least[i], point.value[i]);
       most[i] = std::fmax(most[i], point.value[i]);
     }
   });
-  std::vector<std::string> varying;
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (complete[i] && most[i] > least[i]) varying.push_back(known[i]);
-  return varying;
+  std::vector<std::string> found;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (most[i] > least[i]) found.push_back(names[i]);
+  return found;
+}
+
+/// The varying quantities among those that the page of a campaign shows. Throws InputError, with
+/// others that vary, if there is none.
+std::vector<std::string> usual_quantities(const campaign::Store& store, const std::string& folder) {
+  std::vector<std::string> all, usual;
+  for (const results::Quantity& q : store.quantities()) {
+    all.push_back(q.name);
+    if (std::ranges::find(report::usual_quantities(), q.name) != report::usual_quantities().end())
+      usual.push_back(q.name);
+  }
+  if (std::vector<std::string> found = varying(store, usual); !found.empty()) return found;
+  const std::vector<std::string> others = varying(store, all);
+  throw InputError(
+      Fault{folder,
+            "none of the quantities that the page of the campaign shows varies over the "
+            "settings that have ended",
+            others.empty() ? "finish the campaign, or sweep a key that has an effect"
+                           : fmt::format("choose with --quantity: {}", fmt::join(others, ", ")),
+            "no-surrogate"});
 }
 
 /// Writes the file under another name and renames it: nobody sees a part of it.
-void write_whole(const fs::path& file, const std::string& text, bool replace) {
+void write_whole(const fs::path& name, const std::string& text, bool replace) {
+  const auto refuse = [&](const char* what, const char* remedy, const char* code) {
+    throw InputError(Fault{name.string(), what, remedy, code});
+  };
+  if (name.empty())
+    refuse("--out gives no name", "write for instance --out mill.json", "cannot-write");
   std::error_code failed;
-  if (fs::exists(file, failed) && !replace)
-    throw InputError(Fault{file.string(), "the file already exists",
-                           "choose another name, or replace it with --force", "result-exists"});
-  if (fs::is_directory(file, failed))
-    throw InputError(
-        Fault{file.string(), "this is a folder", "give the name of a file", "cannot-write"});
+  const bool there = fs::exists(fs::symlink_status(name, failed));
+  if (there && !replace)
+    refuse("the file already exists", "choose another name, or replace it with --force",
+           "result-exists");
+  const fs::path file = fs::is_symlink(name, failed) ? fs::weakly_canonical(name, failed) : name;
+  if (fs::exists(file, failed) && !fs::is_regular_file(file, failed))
+    refuse("this is no file but a folder or device", "give the name of a file", "cannot-write");
   if (!file.parent_path().empty()) results::make_folder(file.parent_path());
-  const fs::path aside = file.string() + ".part";
+  fs::path aside = file.string() + ".part";
+  for (int i = 1; fs::exists(fs::symlink_status(aside, failed)); ++i)
+    aside = fmt::format("{}.part-{}", file.string(), i);
   results::write_text(aside, text);
   fs::rename(aside, file, failed);
   if (failed) throw results::cannot_write(file, failed.message());
@@ -64,7 +87,7 @@ int surrogate(const Request& request) {
   const fs::path place = request.target;
   const campaign::Store store = campaign::open_store(place);
   const std::vector<std::string> names =
-      request.quantities.empty() ? usual_varying_quantities(store) : request.quantities;
+      request.quantities.empty() ? usual_quantities(store, place.string()) : request.quantities;
   const campaign::CampaignSurrogate made =
       campaign::surrogate_of(store, place.string(), names, version());
   write_whole(*request.out, campaign::surrogate_text(made), request.force);

@@ -69,7 +69,7 @@ TEST_F(SurrogateCommand, says_what_it_cannot_do) {
   ASSERT_EQ(mahlwerk("surrogate campaign --out mill.json --quiet").code, 0);
   expect_refused("surrogate campaign --out mill.json", "--force");
   EXPECT_EQ(mahlwerk("surrogate campaign --out mill.json --force --quiet").code, 0);
-  expect_refused("surrogate campaign --out campaign --force", "this is a folder");
+  expect_refused("surrogate campaign --out campaign --force", "a folder");
   expect_refused("ask nowhere.json --set a=1", "cannot be read");
   expect_refused("ask campaign --set a=1", "cannot be read");
   expect_refused("ask mill.json --set mill.frequency='30 Hz' --set contact.restitution=0.5",

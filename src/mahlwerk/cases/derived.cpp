@@ -76,7 +76,7 @@ double smallest_ball(const std::vector<BallSet>& balls) {
 
 std::optional<double> shaft_speed(const Case& c) {
   if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
-    return std::abs(drum->speed);
+    return drum->speed != 0 ? std::optional(std::abs(drum->speed)) : std::nullopt;
   if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
     return planetary->speed;
   const auto* vessel = std::get_if<geometry::Attritor>(&*c.jar.shape);

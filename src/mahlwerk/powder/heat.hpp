@@ -42,12 +42,32 @@ struct MillCycles {
 struct HeatPoint {
   double time = 0;            ///< [s] since the mill was first switched on
   double balls = 0, jar = 0;  ///< [K]
+  bool milling = false;       ///< whether the mill ran just before
 };
 
 /// Temperatures `duration` [s] >= 0 after `start` at constant heating, with air at `ambient` [K].
 /// Exact solution (hea.4).
 Temperatures temperatures_after(const HeatNodes& nodes, const Heating& heating, double ambient,
                                 const Temperatures& start, double duration);
+
+/// A thermocouple in surroundings of a temperature between those of balls and jar.
+struct Thermocouple {
+  double share_of_balls = 0;  ///< [1] of the balls' temperature, the rest of the jar's; 0 to 1
+  double lag = 0;             ///< [s] >= 0 time constant of its reading
+
+  double around(const Temperatures& now) const {  ///< [K]
+    return share_of_balls * now.balls + (1 - share_of_balls) * now.jar;
+  }
+};
+
+/// [K] Its reading `duration` [s] >= 0 after it showed `reading` [K], with all else as in
+/// temperatures_after(). Exact solution (sns.8).
+double reading_after(const Thermocouple& sensor, const HeatNodes& nodes, const Heating& heating,
+                     double ambient, const Temperatures& start, double reading, double duration);
+
+/// [K] Temperature of a gas without heat capacity between balls and wall: the mean of theirs, by
+/// area [m2] (sns.7). As a share of the balls' temperature.
+double share_of_balls_in_gas(double balls_area, double wall_area);
 
 /// Steady temperatures of milling without pauses (hea.5); infinite without cooling.
 Temperatures steady_temperatures(const HeatNodes& nodes, const Heating& heating, double ambient);

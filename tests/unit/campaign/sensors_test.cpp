@@ -231,6 +231,17 @@ TEST(Thermocouple, reads_between_the_ambient_and_what_it_touches) {
   EXPECT_LT(value(outcome, "thermocouple_reading"), value(outcome, "temperature_jar"));
 }
 
+TEST(Thermocouple, does_not_depend_on_what_was_long_before) {
+  const auto reading = [](const std::string& cycles) {
+    return value(outcome_of(mill("event", "[heat]\nmilling = \"20 min\"\n" + cycles +
+                                              "[thermocouple]\nplace = \"balls\"\nlag = \"60 "
+                                              "s\"\n")),
+                 "thermocouple_reading");
+  };
+  states("after days of pauses [degC]", reading("pause = \"24 h\"\ncycles = 20\n"), reading(""),
+         1e-6, "the jar is cold again after a day");
+}
+
 TEST(Sensors, show_the_same_bits_on_any_number_of_threads) {
   for (const std::string engine : {"event", "soft"}) {
     const Outcome one = outcome_of(mill(engine, all_sensors)),

@@ -65,7 +65,10 @@ TEST(ReadSensors, says_what_cannot_be) {
   EXPECT_EQ(code_of("[microphone]\nthreshold = \"-1 J\"\n"), "out-of-range");
   EXPECT_EQ(code_of("[microphone]\nhears = \"nothing\"\n"), "unknown-word");
   EXPECT_EQ(code_of("[accelerometer]\nsample_rate = \"15 kHz\"\n"), "slow-sampling");
-  EXPECT_EQ(code_of("[accelerometer]\nduration = \"11 s\"\n"), "too-many-readings");
+  EXPECT_EQ(code_of("[power_meter]\ninterval = \"61 s\"\n"), "too-few-readings");
+  EXPECT_EQ(code_of("[accelerometer]\nduration = \"3 s\"\n"), "too-many-readings");
+  EXPECT_EQ(code_of("[accelerometer]\nduration = \"10 us\"\n"), "too-few-readings");
+  EXPECT_EQ(code_of("[accelerometer]\nbandwidth = \"0.01 Hz\"\n"), "out-of-range");
   EXPECT_EQ(code_of("[accelerometer]\nmass = \"0 kg\"\n"), "out-of-range");
   EXPECT_EQ(code_of("[accelerometer]\naxis = \"up\"\n"), "unknown-word");
   EXPECT_EQ(code_of("[accelerometer]\nrange = \"5 m\"\n"), "unknown-key");
@@ -75,6 +78,7 @@ TEST(ShaftSpeed, is_that_of_drum_disc_or_stirrer) {
   EXPECT_FALSE(shaft_speed(read_sample(vial)));
   EXPECT_NEAR(*shaft_speed(read_sample(planetary)), 41.8879, 1e-4);  // 400 rpm
   EXPECT_GT(*shaft_speed(read_sample(drum)), 0);
+  EXPECT_FALSE(shaft_speed(read_sample(drum, {{"mill.speed", "0 rpm"}})));
 }
 
 }  // namespace

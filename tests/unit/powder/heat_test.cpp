@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::powder::heat_test {
@@ -171,6 +172,79 @@ TEST(HeatHistory, holds_the_ends_of_every_phase) {
   const auto hottest = std::ranges::max_element(points, {}, &HeatPoint::jar);
   EXPECT_LE(std::fmod(hottest->time, 900), 620) << "soon after milling ends";
   EXPECT_EQ(temperature_history(small_mill(), {5, 0.5, room, 600, 300, 10'000}).size(), 20'001u);
+}
+
+/// A reading by Euler's steps so small that their error is below 1e-5 of the temperature rise.
+double followed_reading(const Thermocouple& sensor, const HeatNodes& n, const Heating& heat,
+                        const Temperatures& start, double reading, double duration) {
+  constexpr int steps = 200'000;
+  const double dt = duration / steps;
+  for (int i = 0; i < steps; ++i) {  // the surroundings in the middle of the step
+    const double around = sensor.around(temperatures_after(n, heat, room, start, (i + 0.5) * dt));
+    reading += (around - reading) * (1 - math::exp(-dt / sensor.lag));
+  }
+  return reading;
+}
+
+TEST(ThermocoupleReading, agrees_with_small_steps) {
+  const HeatNodes mill = small_mill();
+  for (const double lag : {0.5, 30.0, 150.0, 2000.0})
+    for (const double share : {0.0, 0.4, 1.0})
+      for (const double duration : {3.0, 600.0, 20'000.0}) {
+        const Thermocouple sensor{share, lag};
+        const Temperatures start{330, 310};
+        // Steps of dt err by (dt/lag)^2/24 and (dt/fastest mode)^2/24 of the largest change.
+        const double dt = duration / 200'000, fastest = 130;
+        const double share_of_step = dt / std::min(lag, fastest);
+        states("lag " + std::to_string(lag) + " s [K]",
+               reading_after(sensor, mill, five_watts, room, start, 300, duration),
+               followed_reading(sensor, mill, five_watts, start, 300, duration),
+               1e-9 + 50 * share_of_step * share_of_step, "(sns.8) by small steps");
+      }
+}
+
+TEST(ThermocoupleReading, does_not_mind_a_phase_cut_in_two) {
+  const HeatNodes mill = small_mill();
+  const Temperatures start{350, 320}, middle = temperatures_after(mill, {}, room, start, 70);
+  for (const double lag : {1e-3, 1.0, 145.0, 1e4, 1e6}) {
+    const Thermocouple sensor{0.3, lag};
+    const double half = reading_after(sensor, mill, {}, room, start, 340, 70);
+    states("lag " + std::to_string(lag) + " s [K]",
+           reading_after(sensor, mill, {}, room, middle, half, 1000),
+           reading_after(sensor, mill, {}, room, start, 340, 1070), 1e-10, "exact (sns.8)");
+  }
+}
+
+TEST(ThermocoupleReading, lags_behind_a_ramp_by_its_time_constant) {
+  HeatNodes mill = small_mill();
+  mill.cooling = 0;  // balls and jar rise at 5 W over 181 J/K for ever
+  const double slope = 5 / 181.0, lag = 20, long_after = 1e5;
+  const Temperatures end = temperatures_after(mill, five_watts, room, {room, room}, long_after);
+  for (const double share : {0.0, 1.0}) {
+    const Thermocouple sensor{share, lag};
+    states("behind [K]",
+           sensor.around(end) -
+               reading_after(sensor, mill, five_watts, room, {room, room}, room, long_after),
+           slope * lag, 1e-9, "slope times lag");
+  }
+}
+
+TEST(ThermocoupleReading, has_no_lag_or_an_endless_one) {
+  const HeatNodes mill = small_mill();
+  const Temperatures start{350, 320}, end = temperatures_after(mill, five_watts, room, start, 100);
+  states("without lag [K]", reading_after({1, 0}, mill, five_watts, room, start, 300, 100),
+         end.balls, 0, "what is there");
+  states("a tiny lag [K]", reading_after({1, 1e-9}, mill, five_watts, room, start, 300, 100),
+         end.balls, 1e-9, "slope times lag");
+  states("a huge lag [K]", reading_after({1, 1e20}, mill, five_watts, room, start, 300, 100), 300,
+         1e-12, "it has not moved");
+  states("after no time [K]", reading_after({1, 5}, mill, five_watts, room, start, 300, 0), 300, 0,
+         "it has not moved");
+}
+
+TEST(ThermocoupleReading, of_the_gas_is_between_balls_and_wall_by_area) {
+  const Thermocouple sensor{share_of_balls_in_gas(1, 3), 0};
+  states("gas [K]", sensor.around({400, 300}), 325, 1e-12, "(sns.7)");
 }
 
 }  // namespace

@@ -37,6 +37,16 @@ Prediction predict(const SurrogateQuantity& quantity, const DesignPoint& point) 
           emulator.value_of(p.mean + half)};
 }
 
+namespace {
+
+/// "balls.diameter" for "balls.1.diameter", which is the same key.
+std::string plain_key(const std::string& key) {
+  constexpr std::string_view first = "balls.1.";
+  return key.starts_with(first) ? "balls." + key.substr(first.size()) : key;
+}
+
+}  // namespace
+
 DesignPoint CampaignSurrogate::point(const std::vector<cases::Override>& setting) const {
   std::vector<Fault> faults;
   std::vector<std::string> known;
@@ -44,20 +54,26 @@ DesignPoint CampaignSurrogate::point(const std::vector<cases::Override>& setting
   DesignPoint made(keys.size(), -1);
   for (const cases::Override& one : setting) {
     const std::string where = fmt::format("--set {}={}", one.key, one.value);
-    const auto key = std::ranges::find(keys, one.key, &SurrogateKey::key);
-    if (std::ranges::find(following, one.key) != following.end()) {
-      faults.push_back({where, fmt::format("{} follows from the other keys", one.key), "remove it",
-                        "unknown-key"});
+    const auto fault = [&](std::string what, std::string remedy, const char* code) {
+      faults.push_back({where, std::move(what), std::move(remedy), code});
+    };
+    const auto same = [&](const std::string& key) { return plain_key(key) == plain_key(one.key); };
+    if (std::ranges::any_of(following, same)) {
+      fault(fmt::format("{} follows from the other keys", one.key), "remove it", "unknown-key");
       continue;
     }
+    const auto key = std::ranges::find_if(keys, [&](const SurrogateKey& k) { return same(k.key); });
     if (key == keys.end()) {
       const std::string near = nearest_word(one.key, known);
-      faults.push_back(
-          {where,
-           fmt::format("the surrogate does not know {}: it was the same in all settings", one.key),
-           near.empty() ? fmt::format("it takes {}", fmt::join(known, ", "))
-                        : fmt::format("did you mean {}?", near),
-           "unknown-key"});
+      fault(fmt::format("the surrogate has no key {}", one.key),
+            near.empty()
+                ? fmt::format("it takes {}; all else is as in the campaign", fmt::join(known, ", "))
+                : fmt::format("did you mean {}?", near),
+            "unknown-key");
+      continue;
+    }
+    if (made[static_cast<std::size_t>(key - keys.begin())] >= 0) {
+      fault(fmt::format("{} is given twice", one.key), "give it once", "too-much");
       continue;
     }
     try {
@@ -125,24 +141,18 @@ std::optional<SurrogateKey> ranged_key(const std::string& key, std::size_t at,
   return made;
 }
 
-/// What the campaign knows of the scatter of a setting's mean (docs/campaigns.md).
-struct Scatter {
-  bool known = false;
-  bool of_draws = false;  ///< intervals contain the draws of [uncertainty] (cal.9)
-};
-
 /// A setting's mean, and its scatter from the half-width of its interval over `replicates`, or over
-/// time if there is one replicate, which counts as many.
+/// time if there is one replicate, which counts as many. `of_draws`: intervals contain the draws of
+/// [uncertainty] (cal.9).
 SettingSample sample_of_setting(DesignPoint point, double mean, double ci95, double replicates,
-                                bool logarithmic, Scatter& scatter) {
+                                bool logarithmic, bool of_draws) {
   constexpr double z95 = 1.959963984540054, many = 50;
   SettingSample made{.point = std::move(point), .count = std::max(1.0, replicates), .mean = mean};
   if (std::isfinite(ci95)) {
-    scatter.known = scatter.known || ci95 > 0;
     double variance_of_mean = 0;
     if (made.count > 1) {
       const double t = observe::student95(static_cast<int>(made.count) - 1);
-      const double widened = scatter.of_draws ? std::sqrt(made.count + 1) : 1;  // (cal.9)
+      const double widened = of_draws ? std::sqrt(made.count + 1) : 1;  // (cal.9)
       variance_of_mean = ci95 / t / widened * (ci95 / t / widened);
     } else {
       made.count = many;
@@ -157,7 +167,7 @@ SettingSample sample_of_setting(DesignPoint point, double mean, double ci95, dou
 
 SurrogateQuantity emulated(const results::Quantity& quantity, std::size_t column,
                            std::size_t replicates, const std::vector<StoredPoint>& points,
-                           const std::vector<DesignPoint>& places, Scatter& scatter,
+                           const std::vector<DesignPoint>& places, bool of_draws,
                            const std::string& folder) {
   double least = INFINITY, most = -INFINITY;
   std::size_t count = 0;
@@ -177,7 +187,7 @@ SurrogateQuantity emulated(const results::Quantity& quantity, std::size_t column
     if (std::isfinite(points[i].value[column]))
       samples.push_back(sample_of_setting(places[i], points[i].value[column],
                                           points[i].ci95[column], points[i].value[replicates],
-                                          logarithmic, scatter));
+                                          logarithmic, of_draws));
   OutcomeEmulator emulator{outcome_model(samples), logarithmic};
   const HoldOut others = hold_out(emulator);
   return {quantity.name, quantity.unit, quantity.about, std::move(emulator), others};
@@ -251,7 +261,7 @@ void take_keys(CampaignSurrogate& made, const Store& store, const std::string& f
 CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
                                const std::vector<std::string>& quantities,
                                std::string_view version) {
-  constexpr std::size_t fewest = 4, most = 1000;
+  constexpr std::size_t fewest = 4, most = CampaignSurrogate::most_settings;
   const std::vector<results::Quantity> chosen = chosen_quantities(store, folder, quantities);
   CampaignSurrogate made{.title = store.title(), .version = std::string(version)};
   std::vector<std::string> names = quantities;
@@ -277,25 +287,30 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
   std::vector<DesignPoint> places(points.size());
   take_keys(made, store, folder, points, places);
   made.notices = store.notices();
-  Scatter scatter;
-  scatter.of_draws = std::ranges::any_of(made.notices, [](const results::NoticeCount& n) {
+  const bool of_draws = std::ranges::any_of(made.notices, [](const results::NoticeCount& n) {
     return n.first.code == "uncertain-parameters";
   });
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  std::string exact;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
     made.quantities.push_back(
-        emulated(chosen[i], i, chosen.size(), points, places, scatter, folder));
-  if (!scatter.known)
-    results::count(made.notices,
-                   {warning("no-scatter",
-                            "The scatter of the runs is not known, and counts as zero: the "
-                            "intervals of the surrogate are too narrow. Sweep with several "
-                            "replicates.")});
+        emulated(chosen[i], i, chosen.size(), points, places, of_draws, folder));
+    if (std::ranges::none_of(points, [&](const StoredPoint& p) { return p.ci95[i] > 0; }))
+      exact += (exact.empty() ? "" : ", ") + chosen[i].name;
+  }
+  if (!exact.empty())
+    made.notices.push_back(
+        {warning("no-scatter",
+                 fmt::format("The scatter of {} is not known, and counts as zero: the intervals of "
+                             "the surrogate are too narrow. Sweep with several replicates.",
+                             exact)),
+         points.size()});
   if (made.engines.size() > 1)
-    results::count(made.notices,
-                   {warning("several-engines",
-                            fmt::format("The settings were run by the engines {}, whose results "
-                                        "differ: the surrogate has a step between them.",
-                                        fmt::join(made.engines, " and ")))});
+    made.notices.push_back(
+        {warning("several-engines",
+                 fmt::format("The settings were run by the engines {}, whose results "
+                             "differ: the surrogate has a step between them.",
+                             fmt::join(made.engines, " and "))),
+         points.size()});
   results::sort(made.notices);
   return made;
 }

@@ -38,6 +38,8 @@ struct Prediction {
 Prediction predict(const SurrogateQuantity& quantity, const DesignPoint& point);
 
 struct CampaignSurrogate {
+  static constexpr std::size_t most_settings = 1000;
+
   std::string title;
   std::string version;       ///< of the program that made it
   std::string digest = {};   ///< of the numbers it was made from, 16 hexadecimal digits

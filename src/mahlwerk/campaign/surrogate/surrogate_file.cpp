@@ -106,7 +106,8 @@ SurrogateKey key_of(const FileReader& read, const Json& in) {
   SurrogateKey made{read.text(in, "key"), read.text(in, "from"), read.text(in, "to"),
                     read.as_member<bool>(in, "logarithm")};
   try {
-    if (made.position(made.least) != 0.0 || made.position(made.most) != 1.0)
+    if (!(parse_quantity(made.least).value < parse_quantity(made.most).value) ||
+        made.position(made.least) != 0.0 || made.position(made.most) != 1.0)
       throw read.damaged(fmt::format("the range of {} is empty", made.key));
   } catch (const UnitError& error) {
     throw read.damaged(fmt::format("the range of {}: {}", made.key, error.what()));
@@ -118,12 +119,18 @@ std::vector<Observation> observations_of(const FileReader& read, const Json& in,
   const auto& points = read.as_member<Json::Array>(in, "points");
   const std::vector<double> values = read.numbers(read.at(in, "values"), "values"),
                             variances = read.numbers(read.at(in, "variances"), "variances");
+  if (points.size() > CampaignSurrogate::most_settings)
+    throw read.damaged(
+        fmt::format("it has more than {} settings", CampaignSurrogate::most_settings));
   if (points.empty() || points.size() != values.size() || points.size() != variances.size())
     throw read.damaged("`points`, `values` and `variances` have different lengths");
   std::vector<Observation> made;
   for (std::size_t i = 0; i < points.size(); ++i) {
     made.push_back({read.numbers(points[i], "points"), values[i], variances[i]});
     if (made.back().point.size() != keys) throw read.damaged("a point has too few or many numbers");
+    for (const double place : made.back().point)
+      if (!(place >= 0 && place <= 1))
+        throw read.damaged("a point lies outside the range of its keys");
     if (!(variances[i] > 0)) throw read.damaged("a variance is not above 0");
   }
   return made;
@@ -140,15 +147,23 @@ SurrogateQuantity quantity_of(const FileReader& read, const Json::Member& in, st
     if (!(length > 0)) throw read.damaged("a length scale is not above 0");
   const HoldOut others{read.number_at(q, "hold_out_error"), read.number_at(q, "widening"),
                        read.number_at(q, "hold_out_coverage")};
-  if (!(others.error >= 0 && others.widening >= 1))
-    throw read.damaged("`widening` is below 1, or `hold_out_error` below 0");
-  return {in.key,
-          read.text(q, "unit"),
-          read.text(q, "about"),
-          {{GaussianProcess(kernel, observations_of(read, q, keys)), read.number_at(q, "centre"),
-            read.number_at(q, "scale"), read.number_at(q, "noise")},
-           read.as_member<bool>(q, "logarithm")},
-          others};
+  if (!(others.error >= 0 && others.widening >= 1 && others.coverage >= 0 &&
+        others.coverage <= 1 + 1e-9))
+    throw read.damaged("`hold_out_error`, `widening` or `hold_out_coverage` is out of range");
+  SurrogateQuantity made{
+      in.key,
+      read.text(q, "unit"),
+      read.text(q, "about"),
+      {{GaussianProcess(kernel, observations_of(read, q, keys)), read.number_at(q, "centre"),
+        read.number_at(q, "scale"), read.number_at(q, "noise")},
+       read.as_member<bool>(q, "logarithm")},
+      others};
+  const OutcomeModel& model = made.emulator.model;
+  const Prediction middle = predict(made, DesignPoint(keys, 0.5));
+  if (!(model.scale > 0 && kernel.amplitude > 0 && std::isfinite(middle.low) &&
+        std::isfinite(middle.high)))
+    throw read.damaged(fmt::format("the numbers of {} give no result", in.key));
+  return made;
 }
 
 results::NoticeCounts notices_of(const FileReader& read, const Json& in) {
@@ -224,6 +239,7 @@ CampaignSurrogate read_surrogate(const std::filesystem::path& file) {
   made.notices = notices_of(read, all);
   for (const Json::Member& q : read.as_member<Json::Object>(all, "quantities"))
     made.quantities.push_back(quantity_of(read, q, made.keys.size()));
+  if (made.quantities.empty()) throw read.damaged("`quantities` is empty");
   return made;
 }
 

@@ -4,6 +4,8 @@
 // Sensors that the case cannot serve, and records that are too long.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
@@ -13,10 +15,16 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr double most_readings = 1e5, most_samples = 1e6;
+constexpr double most_readings = 1e5, most_samples = 2e5;
 
-void too_many_readings(const Case& c, const PowerMeter& meter, std::vector<Fault>& found) {
+void wrong_interval(const Case& c, const PowerMeter& meter, std::vector<Fault>& found) {
   const double count = c.run.time / meter.interval;
+  if (count < 1 - 1e-9)
+    found.push_back({location_of(c, "power_meter.interval"),
+                     fmt::format("an interval of {} is longer than the run ({}): the meter would "
+                                 "make no reading",
+                                 show_rounded(meter.interval, "s"), show_rounded(c.run.time, "s")),
+                     "give a shorter interval, or a longer run.time", "too-few-readings"});
   if (!(meter.interval > 0) || !(count > most_readings)) return;
   found.push_back({location_of(c, "power_meter.interval"),
                    fmt::format("a reading every {} makes {:.2g} readings, more than {:.0g}",
@@ -35,6 +43,13 @@ void slow_or_long_record(const Case& c, const Accelerometer& sensor, std::vector
                                  show(sensor.sample_rate, ""), show(sensor.bandwidth, "Hz")),
                      "give a higher sample_rate or a smaller bandwidth", "slow-sampling"});
   const double count = sensor.duration * sensor.sample_rate;
+  const double within_run = std::min(sensor.duration, c.run.time) * sensor.sample_rate;
+  if (within_run < 2)
+    found.push_back({location_of(c, "accelerometer.sample_rate"),
+                     fmt::format("the record has fewer than two samples: it lasts {}",
+                                 show_rounded(std::min(sensor.duration, c.run.time), "s")),
+                     "give a higher sample_rate, or a longer duration and run.time",
+                     "too-few-readings"});
   if (count > most_samples)
     found.push_back(
         {location_of(c, "accelerometer.duration"),
@@ -47,7 +62,7 @@ void slow_or_long_record(const Case& c, const Accelerometer& sensor, std::vector
 }  // namespace
 
 void bad_sensors(const Case& c, std::vector<Fault>& found) {
-  if (c.sensors.power_meter) too_many_readings(c, *c.sensors.power_meter, found);
+  if (c.sensors.power_meter) wrong_interval(c, *c.sensors.power_meter, found);
   if (c.sensors.accelerometer) slow_or_long_record(c, *c.sensors.accelerometer, found);
   if (c.sensors.thermocouple && !c.heat)
     found.push_back({location_of(c, "thermocouple.lag"),

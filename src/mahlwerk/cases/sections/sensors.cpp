@@ -7,17 +7,24 @@
 namespace mahlwerk::cases {
 
 void describe(KeyVisitor& v, PowerMeter& meter, const Case& c) {
-  constexpr std::string_view usual = "a 200th of run.time";
-  const NumberSpec interval("interval", "s", positive, "time between two readings");
-  v.number(v.reader() != nullptr ? interval.with_default(c.run.time / 200, usual)
-                                 : interval.with_default_text(usual),
-           meter.interval);
-  v.number({"idle_power", "W", not_negative, "power of the motor that turns the mill without balls",
-            PowerMeter().idle_power, "only the charge takes power"},
+  NumberSpec interval("interval", "s", positive, "time between two readings");
+  if (v.reader() == nullptr)
+    interval = interval.with_default_text("a 200th of run.time; 0.1 s with \"until\"");
+  else if (c.run.until)
+    interval = interval.with_default(0.1, "usual of meters");
+  else
+    interval = interval.with_default(c.run.time / 200, "a 200th of run.time");
+  v.number(interval, meter.interval);
+  v.number({"idle_power",
+            "W",
+            {.least = 0, .most = 1e9},
+            "power of the motor that turns the mill without balls",
+            PowerMeter().idle_power,
+            "only the charge takes power"},
            meter.idle_power);
   v.number({"efficiency",
             "",
-            {.least = 0, .most = 1, .without_least = true},
+            {.least = 0.01, .most = 1},
             "power that reaches the charge over what the motor takes for it",
             PowerMeter().efficiency,
             "a drive without losses; measured: 0.7-0.95"},
@@ -49,12 +56,16 @@ void describe(KeyVisitor& v, Accelerometer& sensor) {
           "direction that is measured, in the jar's own axes",
           {"across the jar's axis", "across it and x", "along the jar's axis"}},
          sensor.axis);
-  v.optional_number(
-      NumberSpec("mass", "kg", positive, "mass that impacts accelerate: jar, lid and holder")
-          .with_default_text("that of the jar's wall: area, thickness and density"),
-      sensor.mass);
-  v.number({"bandwidth", "Hz", positive, "frequency up to which the sensor follows, at -3 dB",
-            Accelerometer().bandwidth, "a piezoelectric sensor of general use"},
+  v.optional_number(NumberSpec("mass", "kg", {.least = 1e-6, .most = 1e6},
+                               "mass that impacts accelerate: jar, lid and holder")
+                        .with_default_text("that of the jar's wall: area, thickness and density"),
+                    sensor.mass);
+  v.number({"bandwidth",
+            "Hz",
+            {.least = 0.1, .most = 1e7},
+            "frequency up to which the sensor follows, at -3 dB",
+            Accelerometer().bandwidth,
+            "a piezoelectric sensor of general use"},
            sensor.bandwidth);
   const double usual = 10 * (sensor.bandwidth > 0 ? sensor.bandwidth : 1);
   v.number({"sample_rate", "Hz", positive, "samples per second of the recorder",
@@ -73,8 +84,12 @@ void describe(KeyVisitor& v, Thermocouple& sensor) {
           "where the thermocouple is",
           {"in the jar's wall", "in the gas inside the jar", "at the balls"}},
          sensor.place);
-  v.number({"lag", "s", not_negative, "time constant of the reading after a step",
-            Thermocouple().lag, "a sheath of some millimetres in a bore; uncalibrated, 1-60 s"},
+  v.number({"lag",
+            "s",
+            {.least = 0, .most = 1e6},
+            "time constant of the reading after a step",
+            Thermocouple().lag,
+            "a sheath of some millimetres in a bore; uncalibrated, 1-60 s"},
            sensor.lag);
 }
 

@@ -11,7 +11,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
-#include "mahlwerk/powder/thermocouple.hpp"
+#include "mahlwerk/powder/heat.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
 namespace mahlwerk::results {
@@ -149,28 +149,39 @@ std::vector<Measure> accelerometer_measures() {
 
 // Thermocouple
 
+powder::Thermocouple thermocouple(const Case& c) {
+  using Place = cases::Thermocouple::Place;
+  const cases::Thermocouple& sensor = *c.sensors.thermocouple;
+  const double gas =
+      powder::share_of_balls_in_gas(cases::balls_surface(c), wall_area(*c.jar.shape));
+  return {sensor.place == Place::wall ? 0 : sensor.place == Place::balls ? 1 : gas, sensor.lag};
+}
+
 /// Temperatures around the thermocouple and its readings.
 struct ThermocoupleRecord {
   std::vector<double> times;             ///< [s]
   std::vector<double> around, readings;  ///< [K]
+  std::size_t last_milling = 0;          ///< index of the end of the last milling
 };
 
 ThermocoupleRecord thermocouple_record(const Case& c, double power) {
-  using Place = cases::Thermocouple::Place;
-  constexpr int points = 2000;  // the steepest part is resolved
-  const double area = wall_area(*c.jar.shape);
-  const cases::Thermocouple& sensor = *c.sensors.thermocouple;
+  const powder::HeatNodes nodes = cases::heat_nodes(c, wall_area(*c.jar.shape));
+  const powder::MillCycles cycles = cases::mill_cycles(c, power);
+  const powder::Thermocouple sensor = thermocouple(c);
   ThermocoupleRecord record;
-  for (const powder::HeatPoint& p : powder::temperature_history(
-           cases::heat_nodes(c, area), cases::mill_cycles(c, power), points)) {
+  powder::HeatPoint last;
+  for (const powder::HeatPoint& p : powder::temperature_history(nodes, cycles)) {
+    record.readings.push_back(
+        record.times.empty()
+            ? p.jar
+            : powder::reading_after(sensor, nodes, p.milling ? cycles.heating() : powder::Heating{},
+                                    cycles.ambient, {last.balls, last.jar}, record.readings.back(),
+                                    p.time - last.time));
+    if (p.milling) record.last_milling = record.times.size();
     record.times.push_back(p.time);
-    record.around.push_back(
-        sensor.place == Place::wall ? p.jar
-        : sensor.place == Place::balls
-            ? p.balls
-            : powder::gas_temperature(p.balls, cases::balls_surface(c), p.jar, area));
+    record.around.push_back(sensor.around({p.balls, p.jar}));
+    last = p;
   }
-  record.readings = powder::thermocouple_readings(record.times, record.around, sensor.lag);
   return record;
 }
 
@@ -179,13 +190,7 @@ std::vector<Measure> thermocouple_measures() {
            "reading of the thermocouple at the end of the last milling",
            [](const Case& c, const Replicate& r) {
              const ThermocoupleRecord record = thermocouple_record(c, dissipated_power(r));
-             const cases::Heat& heat = *c.heat;
-             const double end =
-                 static_cast<double>(heat.cycles) * (heat.milling + heat.pause) - heat.pause;
-             // The history has the end of each milling among its times.
-             const auto at = std::ranges::lower_bound(record.times, end * (1 - 1e-9));
-             return record.readings[static_cast<std::size_t>(at - record.times.begin())] -
-                    kelvin_at_zero_celsius;
+             return record.readings[record.last_milling] - kelvin_at_zero_celsius;
            }}};
 }
 
@@ -314,10 +319,22 @@ void softened_impacts(const Outcome& outcome, Notices& list) {
                   show(c.contact.softening, ""))));
 }
 
+/// The record cannot be as long as the case asks for.
+void short_record(const Outcome& outcome, Notices& list) {
+  const auto& sensor = outcome.mill_case.sensors.accelerometer;
+  if (!sensor || sensor->duration <= outcome.mill_case.run.time) return;
+  list.push_back(note("short-record",
+                      fmt::format("The record of the accelerometer ends with the run, after {} "
+                                  "instead of {}.",
+                                  show_rounded(outcome.mill_case.run.time, "s"),
+                                  show_rounded(sensor->duration, "s"))));
+}
+
 }  // namespace
 
 Notices sensor_warnings(const Outcome& outcome) {
   Notices list;
+  short_record(outcome, list);
   merged_hits(outcome, list);
   softened_impacts(outcome, list);
   return list;
