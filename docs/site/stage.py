@@ -82,7 +82,7 @@ class Stage:
             raise SystemExit(f"{source}: the link to '{target}' leads nowhere")
         page = self.sources.get(wanted) or self.sources.get(f"{wanted}/README.md")
         if page:
-            return f"[{words}]({relative(page, name)}.md{'#' * bool(anchor)}{anchor})"
+            return f"[{words}]({relative(page + '.md', name)}{'#' * bool(anchor)}{anchor})"
         if picture and wanted.endswith(PICTURES):
             copied = self.place / "pictures" / wanted
             copied.parent.mkdir(parents=True, exist_ok=True)
@@ -90,9 +90,9 @@ class Stage:
             return f"![{words}]({relative('pictures/' + wanted, name)})"
         if (HOME / wanted).is_dir():
             if wanted == "examples":
-                return f"[{words}]({relative('examples/index', name)}.md)"
+                return f"[{words}]({relative('examples/index.md', name)})"
             self.folders.add(wanted)
-            return f"[{words}]({relative('source/' + wanted + '/index', name)}.md)"
+            return f"[{words}]({relative('source/' + wanted + '/index.md', name)})"
         return raw_link(relative(self.raw(wanted), name), words)
 
     def raw(self, wanted: str) -> str:
