@@ -202,6 +202,27 @@ time = "0.3 s"
     EXPECT_DOUBLE_EQ(torque[i], 2 * drawn[i] / (10 * std::numbers::pi));  // (sns.2)
 }
 
+TEST(PowerMeter, at_a_drum_at_rest_has_no_torque) {
+  const Outcome outcome = outcome_of(R"([mill]
+kind = "tumbling"
+speed = "0 rpm"
+[jar]
+kind = "cylinder"
+diameter = "40 mm"
+height = "30 mm"
+[[balls]]
+count = 2
+diameter = "10 mm"
+density = "7850 kg/m3"
+[run]
+engine = "event"
+time = "0.1 s"
+[power_meter]
+)");
+  EXPECT_EQ(value(outcome, "drum_speed"), 0);
+  EXPECT_EQ(results::power_readings(outcome).columns.size(), 3U);
+}
+
 TEST(Microphone, without_definition_time_hears_every_hit_on_the_jar) {
   for (const std::string engine : {"event", "soft"}) {
     const Outcome jar = outcome_of(mill(engine, "[microphone]\ndefinition_time = \"0 s\"\n"));

@@ -43,7 +43,7 @@ double power_number(const Case& c, const Replicate& r) {
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
   if (kinematics::as<kinematics::Tumbling>(*mill_case.mill.motion) == nullptr) return;
   list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
-                    return *cases::shaft_speed(c) * 30 / std::numbers::pi;
+                    return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
                   }});
   list.push_back({"bulk_filling", "1",
                   "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
