@@ -22,6 +22,7 @@
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/notices.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "messages.hpp"
@@ -78,8 +79,7 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   c.engine.insert(c.engine.end(), memory.begin(), memory.end());
   if (!memory.empty()) return c;
   const campaign::EngineChoice choice = campaign::choose_engine(first);
-  cases::Case decided = first;
-  decided.run.engine = choice.engine;
+  const cases::Case decided = campaign::decided_case(first, choice);
   c.notes = cases::size_notes(first);
   if (std::string grains = cases::grains_note(first); !grains.empty())
     c.notes.push_back(std::move(grains));
@@ -101,7 +101,7 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
     add(campaign::overlap_warnings(decided), c.notes);
   }
   const double seconds = static_cast<double>(first.run.replicates) *
-                         static_cast<double>(points.size()) * (first.run.time + first.run.settle);
+                         static_cast<double>(points.size()) * cases::simulated_time(decided);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
   c.follows.push_back(
       {"run_time", cost(decided) * seconds / cores, "s",

@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
@@ -25,11 +26,6 @@ namespace {
 using results::Json;
 
 constexpr std::string_view case_name = "case.toml";
-
-cases::Case with_engine(cases::Case mill_case, cases::EngineName engine) {
-  mill_case.run.engine = engine;
-  return mill_case;
-}
 
 /// The engine of a case. The choice of the last case is kept: pilot runs of "auto" take as long as
 /// a short replicate, and a worker computes several replicates of one case.
@@ -129,7 +125,7 @@ Json description(const cases::Case& mill_case) {
   made["balls"] = cases::balls_count(mill_case.balls);
   made["replicates"] = mill_case.run.replicates;
   made["time"] = mill_case.run.time;
-  made["settle"] = mill_case.run.settle;
+  made["settle"] = cases::least_settling(mill_case);
   made["origins"] = origins_json(mill_case.origins);
   Notices notices = cases::jar_warnings(mill_case);
   append(notices, cases::unusual_values(mill_case));
@@ -141,7 +137,7 @@ Json description(const cases::Case& mill_case) {
 Session::Session(cases::Case mill_case, int replicate)
     : mill_case_(std::move(mill_case)),
       choice_(engine_of(mill_case_)),
-      decided_(with_engine(mill_case_, choice_.engine)),
+      decided_(campaign::decided_case(mill_case_, choice_)),
       replica_(decided_, replicate) {}
 
 Json Session::advance(double milliseconds) {
@@ -160,7 +156,8 @@ Json Session::advance(double milliseconds) {
   const scene::EnergyBalance& now = replica_.energy_balance();
   return Json::object({{"done", replica_.done()},
                        {"simulated", now.time},
-                       {"total", mill_case_.run.settle + mill_case_.run.time},
+                       {"total", replica_.counting_begins().value_or(cases::least_settling(decided_)) +
+                                     decided_.run.time},
                        {"collisions", now.collisions},
                        {"residual", now.worst_collision},
                        {"stop_reason", replica_.stop_reason()}});
@@ -168,8 +165,8 @@ Json Session::advance(double milliseconds) {
 
 const results::Outcome& Session::outcome_so_far() {
   if (so_far_) return *so_far_;
-  so_far_.emplace(results::Outcome{.mill_case = mill_case_, .replicates = {replica_.result()}});
-  so_far_->engine = choice_.engine;
+  so_far_.emplace(campaign::begun_outcome(mill_case_, choice_));
+  so_far_->replicates = {replica_.result()};
   so_far_->interrupted = !replica_.done();
   so_far_->summary = results::summarise(*so_far_);
   return *so_far_;
@@ -194,12 +191,13 @@ std::string Session::state() {
 results::Outcome merged_outcome(const cases::Case& mill_case,
                                 const std::vector<std::string_view>& states) {
   const campaign::EngineChoice choice = engine_of(mill_case);
-  const cases::Case decided = with_engine(mill_case, choice.engine);
-  results::Outcome outcome{.mill_case = mill_case, .replicates = {}};
-  outcome.engine = choice.engine;
+  const cases::Case decided = campaign::decided_case(mill_case, choice);
+  results::Outcome outcome = campaign::begun_outcome(mill_case, choice);
+  const results::Replicate empty = outcome.replicates.front();
+  outcome.replicates.clear();
   for (std::size_t r = 0; r < static_cast<std::size_t>(mill_case.run.replicates); ++r) {
     if (r >= states.size() || states[r].empty()) {
-      outcome.replicates.push_back(results::empty_replicate(mill_case));
+      outcome.replicates.push_back(empty);
       outcome.replicates.back().complete = false;
       outcome.interrupted = true;
       continue;

@@ -218,7 +218,8 @@ struct Run {
   EngineName engine = EngineName::event;
   double time = 0;                                    ///< [s] counted; with `until`: at most
   std::optional<StopCriterion> until = std::nullopt;  ///< ends each replicate sooner
-  double settle = 0;                                  ///< [s] settling time before, not counted
+  /// [s] settling time before, not counted; none: "auto", until the mill has settled
+  std::optional<double> settle = 0.0;
   std::int64_t replicates = 1;
   double start_speed = 0;  ///< [m/s] initial speeds are uniform between 0 and this
   double start_spin = 0;   ///< [rad/s] initial spins are uniform between 0 and this

@@ -20,6 +20,7 @@ class ImpactRecord : public scene::Observer {
       : axis_(axis), begin_(begin), step_(step), impulses_(count) {}
 
   void collisions(std::span<const scene::Collision> finished) override;
+  void begin(double time) { begin_ = time; }  ///< [s] where the record begins
   double step() const { return step_; }    ///< [s]
   double begin() const { return begin_; }  ///< [s]
   const Vec3& axis() const { return axis_; }

@@ -216,14 +216,15 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
                                  engine_words(outcome));
   text += say.mill() + say.charge() + say.contact(outcome.engine) + say.liquid() + say.powder() +
           say.kinetics();
-  double time = 0;
-  for (const results::Replicate* r : chosen) time += r->time() / static_cast<double>(chosen.size());
+  const auto mean = [&](const auto& of) { return results::mean_over(chosen, of); };
+  const double time = mean([](const results::Replicate& r) { return r.time(); }),
+               settling = mean([](const results::Replicate& r) { return r.at_settled.time; });
   text += fmt::format(
       "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
       "confidence, by Student's t over replicates{}.",
       chosen.size() == 1 ? "One replicate" : fmt::format("{} replicates", chosen.size()), time,
       chosen.size() == 1 ? "was" : "were",
-      c.run.settle > 0 ? fmt::format(" after {:.4g} s of settling", c.run.settle) : "", c.seed,
+      settling > 0 ? fmt::format(" after {:.4g} s of settling", settling) : "", c.seed,
       chosen.size() == 1 ? " or, of one alone, by batch means over time" : "");
   if (text.find('*') != std::string::npos)
     text += " * Assumed, not measured: a default of the program.";

@@ -98,6 +98,7 @@ struct Replicate {
   std::vector<Window> windows;
   scene::EnergyBalance energy_balance;     ///< at the end
   scene::EnergyBalance at_settled;         ///< when counting began
+  bool settled = true;                     ///< false if run.settle = "auto" found a trend
   bool complete = true;                    ///< false if stopped early
   bool precision_reached = true;           ///< false if [run] until was not reached
   std::string stop_reason;                 ///< reason if physics stopped the run, else empty

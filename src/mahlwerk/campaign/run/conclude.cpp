@@ -6,9 +6,22 @@
 
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/results/replicate_setup.hpp"
 #include "mahlwerk/results/summarise.hpp"
 
 namespace mahlwerk::campaign {
+
+results::Outcome begun_outcome(const cases::Case& mill_case, const EngineChoice& choice) {
+  const cases::Case decided = decided_case(mill_case, choice);
+  results::Outcome outcome{
+      .mill_case = decided,
+      .replicates = {static_cast<std::size_t>(mill_case.run.replicates),
+                     results::empty_replicate(decided)}};
+  outcome.mill_case.run.engine = mill_case.run.engine;
+  outcome.mill_case.run.settle = mill_case.run.settle;
+  outcome.engine = choice.engine;
+  return outcome;
+}
 
 void conclude(results::Outcome& outcome, const EngineChoice& choice,
               const std::atomic<bool>* stop) {

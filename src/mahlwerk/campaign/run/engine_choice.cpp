@@ -9,15 +9,25 @@
 #include <optional>
 #include <string_view>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/notices.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
+
+/// [1] Overlap over the radius of balls that collide at the highest expected speed, up to which
+/// "auto" softens contacts, the least softening, and the change of power, rate of hits and their
+/// energy up to there (docs/theory/engine-choice.md).
+constexpr double softened_overlap = 0.05, least_softening = 1e-4, softening_error = 0.05;
 
 std::int64_t balls(const cases::Case& mill_case) {
   std::int64_t count = 0;
@@ -76,82 +86,210 @@ std::optional<std::string_view> sticking(const cases::Case& mill_case) {
   return contact::name_of(law);
 }
 
-/// Why "auto" does not choose the soft engine, as the end of a sentence; empty if it may.
-std::string against_soft(const cases::Case& mill_case) {
+/// Balls times steps of the soft engine, of all replicates.
+double work_of(const cases::Case& mill_case) {
+  return soft_work(mill_case) * static_cast<double>(mill_case.run.replicates);
+}
+
+/// "20 seconds", "40 minutes" or "15 hours" of one core, for so many balls times steps.
+std::string core_time(double work) {
+  const double seconds = work * ball_step_cost;
+  if (seconds < 100) return fmt::format("{} seconds", two_digits(seconds));
+  if (seconds < 6000) return fmt::format("{} minutes", two_digits(seconds / 60));
+  return fmt::format("{} hours", two_digits(seconds / 3600));
+}
+
+cases::Case with_softening(cases::Case mill_case, double softening) {
+  mill_case.contact.softening = softening;
+  return mill_case;
+}
+
+/// Whether "auto" may soften contacts: the case gives no softening and no time step, and its law
+/// has nothing but stiffness that a softer contact would change.
+bool may_soften(const cases::Case& soft) {
+  const auto given = std::ranges::find(soft.origins, "contact.softening", &cases::Origin::key);
+  const bool own = given != soft.origins.end() && !given->assumed;
+  return !own && !soft.run.time_step && contact::adhesion(*soft.contact.model.law).empty() &&
+         contact::name_of(*soft.contact.model.law) != "thornton-ning" && !soft.liquid;
+}
+
+/// The largest softening with which the case takes no more than comfortable_work, or the least
+/// that keeps the overlap of balls at the highest expected speed below softened_overlap. None if
+/// the case as it is satisfies this, or if softening changes nothing.
+std::optional<double> softening_of(const cases::Case& soft) {
+  const double work = work_of(soft);
+  if (work <= comfortable_work || !may_soften(soft)) return std::nullopt;
+  // The step grows with the inverse root of the stiffness, the overlap with its power -2/5.
+  const double overlap = soft_settings(soft).steps.overlap;
+  double softening = math::pow(comfortable_work / work, 2);
+  softening = std::max(softening, math::pow(overlap / softened_overlap, 2.5));
+  softening = std::max(least_softening, softening);
+  const double digit = math::pow(10, std::floor(math::log10(softening)) - 1);
+  softening = std::ceil(softening / digit) * digit;
+  if (!(softening < 1) || work_of(with_softening(soft, softening)) > 0.9 * work)
+    return std::nullopt;
+  return softening;
+}
+
+std::string softening_in_words(const cases::Case& soft, double softening) {
+  const cases::Case softer = with_softening(soft, softening);
+  return fmt::format(
+      "Contacts are softened (contact.softening = {:.2g}), because stiff ones would take about {} "
+      "of one core instead of {}: balls that collide at {} overlap by {} % of their radius. Power, "
+      "hits and their energies change by less than {:.0f} % (docs/theory/engine-choice.md); "
+      "contact.softening = 1 computes stiff contacts.",
+      softening, core_time(work_of(soft)), core_time(work_of(softer)),
+      show_rounded(soft_settings(softer).speed, "m/s", 2),
+      two_digits(100 * soft_settings(softer).steps.overlap), 100 * softening_error);
+}
+
+/// States of the balls once the mill has settled, by the soft engine with contacts as soft as may
+/// be; empty if that takes too long, or is stopped.
+std::vector<cases::BallState> settled_balls(const cases::Case& soft, const std::atomic<bool>* stop) {
+  constexpr double most_work = 1e9;  // about half a minute
+  cases::Case softer = with_softening(soft, least_softening);
+  softer.run.settle.reset();
+  softer.run.replicates = 1;
+  if (work_of(softer) > most_work || !run_faults(softer).empty()) return {};
+  ReplicateRun trial(softer, 0, nullptr, nullptr, 1, stop);
+  while (!trial.counting_begins() && !trial.done() && (stop == nullptr || !*stop))
+    trial.run_slice();
+  if (!trial.counting_begins()) return {};
+  std::vector<cases::BallState> states;
+  const Vec3 centre = kinematics::frame_motion(*soft.mill.motion, 0).velocity;
+  for (const scene::Ball& b :
+       seen_from_carrier(softer, trial.balls(), trial.energy_balance().time))
+    states.push_back({b.radius, b.kind, b.position, b.velocity - centre, b.spin});
+  return states;
+}
+
+/// Why a pilot run of the settled mill says that the event engine is not valid, in words; empty if
+/// it is.
+std::string against_event(const cases::Case& soft, const std::atomic<bool>* stop) {
+  cases::Case event = soft;
+  event.run.engine = cases::EngineName::event;
+  if (!run_faults(event).empty()) return run_faults(event).front().what;
+  std::vector<cases::BallState> states = settled_balls(soft, stop);
+  if (states.empty()) return "The mill takes too long to settle for a pilot run.";
+  event.run.start_from.states =
+      std::make_shared<const std::vector<std::vector<cases::BallState>>>(1, std::move(states));
+  event.run.settle = 0;
+  const Pilot p = pilot(event, stop);
+  if (p.stopped) return "A pilot run with the event engine stopped early: balls are wedged.";
+  if (p.contact_share > contact_share_limit)
+    return fmt::format(
+        "In a settled pilot run of {:.3g} s with the event engine, balls were in contact {} of the "
+        "time, more than {}.",
+        p.time, percent(p.contact_share), percent(contact_share_limit));
+  if (p.clustered_share > clustered_share_limit)
+    return fmt::format(
+        "In a settled pilot run of {:.3g} s with the event engine, {} of the hits followed another "
+        "within contact.contact_time, more than {}.",
+        p.time, percent(p.clustered_share), percent(clustered_share_limit));
+  const ContactTimeEffect effect = contact_time_effect(event, stop);
+  return effect.matters() || !effect.known() ? in_words(effect, event) : "";
+}
+
+/// The only engine that can run the case; none if both can.
+std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
+  const auto choose = [](cases::EngineName engine, std::string why) {
+    return EngineChoice{engine, {std::move(why)}};
+  };
+  if (!geometry::exact_touches(*mill_case.jar.shape))
+    return choose(cases::EngineName::soft,
+                  fmt::format("Engine: soft, chosen by auto. The event engine does not support a "
+                              "jar of kind \"{}\".",
+                              geometry::name_of(*mill_case.jar.shape)));
+  if (cases::fits_exactly(mill_case))
+    return choose(cases::EngineName::soft,
+                  "Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
+                  "spheres have no room to bounce.");
+  if (cases::liquid_needs_soft(mill_case))
+    return choose(cases::EngineName::soft,
+                  "Engine: soft, chosen by auto. The event engine has no liquid around the balls.");
   cases::Case soft = mill_case;
   soft.run.engine = cases::EngineName::soft;
   const std::vector<Fault> wrong = run_faults(soft);
-  if (!wrong.empty()) return wrong.front().what;
-  const double time =
-      (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates);
-  const double work =
-      static_cast<double>(balls(mill_case)) * time / soft_settings(soft).rules.time_step;
-  if (work <= max_soft_work) return "";
-  return fmt::format(
-      "it would take about {:.0f} hours of one core; engine = \"soft\" selects it nevertheless, "
-      "and contact.softening shortens it",
-      std::max(2.0, work / max_soft_work));
+  if (!wrong.empty())
+    return choose(
+        cases::EngineName::event,
+        fmt::format("Engine: event, chosen by auto. The soft engine cannot run the case: {}.",
+                    wrong.front().what));
+  if (const auto law = sticking(mill_case))
+    return choose(cases::EngineName::soft,
+                  fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the "
+                              "event engine does not model adhesion.",
+                              *law));
+  if (balls(mill_case) == 1)
+    return choose(
+        cases::EngineName::event,
+        "Engine: event, chosen by auto. The motion of a single ball is computed exactly.");
+  return std::nullopt;
 }
 
-std::string pilot_in_words(const Pilot& p) {
-  return fmt::format(
-      "In a pilot run of {:.3g} s with the event engine, balls were in contact {} of the time.",
-      p.time, percent(p.contact_share));
+/// Adds softening to a choice of the soft engine, if the run would take long.
+EngineChoice softened(EngineChoice choice, const cases::Case& soft) {
+  choice.softening = softening_of(soft);
+  if (choice.softening) choice.reason.push_back(softening_in_words(soft, *choice.softening));
+  return choice;
 }
 
-/// Why the event engine is not recommended after a pilot run; empty if it is.
-std::string against_event(const Pilot& p) {
-  if (p.stopped) return "The pilot run stopped early: balls are wedged.";
-  if (p.contact_share > contact_share_limit)
-    return fmt::format("Above {}, the soft engine is recommended, which resolves contacts in time.",
-                       percent(contact_share_limit));
-  return "";
+void set_origin(cases::Case& mill_case, std::string_view key, std::string value,
+                std::string source) {
+  const auto origin = std::ranges::find(mill_case.origins, key, &cases::Origin::key);
+  if (origin == mill_case.origins.end()) return;
+  origin->value = std::move(value);
+  origin->source = std::move(source);
 }
 
 }  // namespace
 
 EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop) {
-  if (mill_case.run.engine != cases::EngineName::automatic) return {mill_case.run.engine, {}};
-  if (!geometry::exact_touches(*mill_case.jar.shape))
-    return {cases::EngineName::soft,
-            {fmt::format("Engine: soft, chosen by auto. The event engine does not support a jar of "
-                         "kind \"{}\".",
-                         geometry::name_of(*mill_case.jar.shape))}};
-  if (cases::fits_exactly(mill_case))
-    return {cases::EngineName::soft,
-            {"Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "
-             "spheres have no room to bounce."}};
-  if (cases::liquid_needs_soft(mill_case))
-    return {cases::EngineName::soft,
-            {"Engine: soft, chosen by auto. The event engine has no liquid around the balls."}};
-  if (const auto law = sticking(mill_case); law && against_soft(mill_case).empty())
-    return {cases::EngineName::soft,
-            {fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the event "
-                         "engine does not model adhesion.",
-                         *law)}};
-  if (balls(mill_case) == 1)
-    return {cases::EngineName::event,
-            {"Engine: event, chosen by auto. The motion of a single ball is computed exactly."}};
-  cases::Case event = mill_case;
-  event.run.engine = cases::EngineName::event;
-  const Pilot p = pilot(event, stop);
-  const std::string seen = pilot_in_words(p);
-  std::string against = against_event(p);
-  if (against.empty() && p.withheld_share > withheld_share_limit)
-    if (const ContactTimeEffect effect = contact_time_effect(event, stop); effect.matters())
-      against = in_words(effect, event);
+  using cases::EngineName;
+  if (mill_case.run.engine != EngineName::automatic) return {mill_case.run.engine};
+  cases::Case soft = mill_case;
+  soft.run.engine = EngineName::soft;
+  soft.run.time = cases::counted_time(mill_case);
+  if (const auto only = only_engine(mill_case))
+    return only->engine == EngineName::soft ? softened(*only, soft) : *only;
+  EngineChoice choice = softened(
+      {EngineName::soft, {"Engine: soft, chosen by auto. It resolves contacts in time."}}, soft);
+  const double work = work_of(with_softening(soft, choice.softening.value_or(1)));
+  if (work <= max_soft_work) return choice;
+  const std::string against = against_event(soft, stop);
   if (against.empty())
-    return {cases::EngineName::event,
-            {fmt::format("Engine: event, chosen by auto. {} Up to {} this engine is recommended.",
-                         seen, percent(contact_share_limit))}};
-  if (const std::string why = against_soft(mill_case); !why.empty())
-    return {
-        cases::EngineName::event,
-        {fmt::format(
-            "Engine: event, chosen by auto. {} {} The soft engine would be recommended, but {}.",
-            seen, against, why)}};
-  return {cases::EngineName::soft,
-          {fmt::format("Engine: soft, chosen by auto. {} {}", seen, against)}};
+    return {EngineName::event,
+            {fmt::format("Engine: event, chosen by auto. The soft engine would take about {} of one "
+                         "core, and a settled pilot run shows that the event engine is valid.",
+                         core_time(work))}};
+  choice.reason.push_back(fmt::format(
+      "The run takes about {} of one core: less time, fewer replicates or a smaller "
+      "contact.softening shorten it. The event engine is not valid here. {}",
+      core_time(work), against));
+  return choice;
+}
+
+cases::Case decided_case(const cases::Case& mill_case, const EngineChoice& choice) {
+  cases::Case decided = mill_case;
+  decided.run.engine = choice.engine;
+  if (choice.softening) {
+    decided.contact.softening = *choice.softening;
+    set_origin(decided, "contact.softening", fmt::format("{}", *choice.softening),
+               "chosen by engine = \"auto\", for a shorter run");
+  }
+  const double counted = cases::counted_time(mill_case);
+  cases::Case longer = decided;
+  longer.run.time = counted;
+  const bool too_long = counted > 2 * mill_case.run.time && cases::in_time_steps(choice.engine) &&
+                        run_faults(decided).empty() && work_of(longer) > max_soft_work;
+  if (counted != mill_case.run.time && !too_long) {
+    decided.run.time = counted;
+    set_origin(decided, "run.time", fmt::format("\"{}\"", show(counted, "s")),
+               fmt::format("whole periods of the mill for {}", show(mill_case.run.time, "s")));
+  }
+  if (choice.engine == cases::EngineName::lammps && !decided.run.settle)
+    decided.run.settle = cases::least_settling(mill_case);
+  return decided;
 }
 
 namespace {

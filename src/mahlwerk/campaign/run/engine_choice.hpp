@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,23 +17,40 @@ constexpr double contact_share_limit = 0.25;
 /// Above this share of power withheld by the TC rule, two pilot runs measure the effect of the
 /// contact time (man.8).
 constexpr double withheld_share_limit = 0.02;
-/// Balls times steps that the soft engine computes in about an hour on one core: the most for which
-/// "auto" chooses it.
-constexpr double max_soft_work = 6e10;
 
-/// The same for the check of an optimum, about ten minutes on one core.
+/// Above this share of hits within t_c of another hit, hits of the event engine are not those of the
+/// soft one (docs/theory/engine-choice.md).
+constexpr double clustered_share_limit = 0.15;
+
+/// [s] CPU time of a ball and step of the soft engine (docs/performance.md).
+constexpr double ball_step_cost = 33e-9;
+/// Balls times steps of all replicates up to which "auto" takes the soft engine with contacts as
+/// stiff as the case gives them: about six minutes on one core. It softens contacts of longer runs.
+constexpr double comfortable_work = 1e10;
+/// The most for which "auto" takes the soft engine without looking whether the event engine is
+/// valid: about half an hour on one core.
+constexpr double max_soft_work = 6e10;
+/// The same for the check of an optimum, about five minutes on one core.
 constexpr double max_check_work = 1e10;
 
-/// The engine that runs a case, and why.
+/// The engine that runs a case, how, and why.
 struct EngineChoice {
-  cases::EngineName engine;         ///< event or soft
-  std::vector<std::string> reason;  ///< empty if the case names the engine
+  cases::EngineName engine;              ///< never auto
+  std::vector<std::string> reason = {};  ///< empty if the case names the engine
+  /// Factor on the stiffness of contacts if "auto" shortens a long run; none: as in the case.
+  std::optional<double> softening = std::nullopt;
 };
 
-/// The engine that the case names. For "auto", chosen from the case and, if necessary, a short
-/// pilot run of the event engine, which is the same on any machine. Setting `stop` ends the pilot
-/// run.
+/// The engine that the case names. For "auto": the event engine for one ball; for several the soft
+/// engine, with softened contacts where the run would take long, and the event engine only if the
+/// soft engine cannot run the case, or if it would take too long and a pilot run of the settled mill
+/// shows that the event engine is valid (docs/theory/engine-choice.md). The same on any machine.
+/// Setting `stop` ends a pilot run.
 EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop = nullptr);
+
+/// The case as it is run: with the chosen engine and softening, and with the counted time that
+/// follows from run.settle = "auto" (cases::counted_time()). The origins of the values say so.
+cases::Case decided_case(const cases::Case& mill_case, const EngineChoice& choice);
 
 /// Notices on the engine that ran and on the validity of its results. Where sustained contacts may
 /// matter, two pilot runs measure their effect; setting `stop` ends them.

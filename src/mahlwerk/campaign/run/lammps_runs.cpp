@@ -17,7 +17,7 @@ namespace mahlwerk::campaign {
 lammps::Steps lammps_steps(const cases::Case& mill_case) {
   const SoftSettings s = soft_settings(mill_case);
   const cases::Run& run = mill_case.run;
-  return lammps::steps_of(mill_case, run.settle + run.time, run.time, s.rules.time_step,
+  return lammps::steps_of(mill_case, run.settle.value_or(0) + run.time, run.time, s.rules.time_step,
                           s.steps.contact);
 }
 

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
 namespace mahlwerk::campaign {
@@ -57,7 +58,7 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
 Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::int64_t most,
             double time) try {
   constexpr int parts = 400;
-  const double whole = std::min(time, mill_case.run.settle + mill_case.run.time);
+  const double whole = std::min(time, cases::simulated_time(mill_case));
   const auto trial = engine(mill_case, 0, 1, stop);
   HitCounter counter(mill_case.observe.threshold, most, stop);
   trial->stop_on(&counter.enough);
@@ -80,6 +81,10 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
   seen.time = end.time;
   if (of_balls > 0) seen.contact_share = (end.contact_time - middle.contact_time) / of_balls;
   if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
+  const auto collisions = end.collisions - middle.collisions;
+  if (collisions > 0)
+    seen.clustered_share = static_cast<double>(end.hits_within - middle.hits_within) /
+                           static_cast<double>(collisions);
   seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
   return seen;

@@ -50,17 +50,14 @@ bool is_point_failure(const std::exception& why) {
 
 /// An active point: its case, engine and replicates.
 struct ActivePoint {
-  ActivePoint(std::size_t point, cases::Case made, const std::atomic<bool>* stop)
-      : index(point), choice(choose_engine(made, stop)), decided(made) {
-    decided.run.engine = choice.engine;
-    const auto count = static_cast<std::size_t>(made.run.replicates);
-    outcome.replicates = {count, results::empty_replicate(made)};
-    outcome.mill_case = std::move(made);
-    outcome.engine = choice.engine;
-    left = count;
+  ActivePoint(std::size_t point, const cases::Case& made, const std::atomic<bool>* stop)
+      : index(point), choice(choose_engine(made, stop)), decided(decided_case(made, choice)),
+        outcome(begun_outcome(made, choice)), left(outcome.replicates.size()) {
+    const std::size_t count = left;
     if (decided.uncertainty)
       for (std::size_t draw = 0; draw < std::min(count, decided.uncertainty->count()); ++draw)
         drawn.push_back(cases::case_of_replicate(decided, draw));
+    for (cases::Case& one : drawn) one.contact.softening = decided.contact.softening;
   }
 
   const cases::Case& case_of(std::size_t replicate) const {
@@ -70,8 +67,8 @@ struct ActivePoint {
   std::size_t index;
   EngineChoice choice;
   cases::Case decided;             // the case with the chosen engine
-  std::vector<cases::Case> drawn;  // its replicates, with [uncertainty]
   results::Outcome outcome;
+  std::vector<cases::Case> drawn;  // its replicates, with [uncertainty]
   std::size_t next = 0;               // next replicate to begin
   std::size_t left = 0;               // replicates that have not ended
   std::exception_ptr failure;         // of the first failed replicate: no further one is begun
@@ -187,7 +184,7 @@ class CampaignRunner {
     std::vector<Fault> wrong = run_faults(mill_case);
     if (wrong.empty()) wrong = memory_faults({mill_case}, threads(), options_.memory);
     if (!wrong.empty()) throw InputError(std::move(wrong));
-    return std::make_shared<ActivePoint>(index, std::move(mill_case), options_.stop);
+    return std::make_shared<ActivePoint>(index, mill_case, options_.stop);
   } catch (...) {
     failed(index, std::current_exception());
     return nullptr;

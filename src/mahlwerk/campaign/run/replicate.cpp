@@ -65,7 +65,7 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
  public:
   explicit RecordingObserver(ReplicateRun& replica) : replica_(replica) {}
   void collisions(std::span<const scene::Collision> finished) override {
-    if (replica_.window_ == 0) return;
+    if (replica_.window_ == 0) return count_hits(finished);
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
     r.sensors.collisions(finished);
@@ -75,6 +75,12 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
   }
 
  private:
+  void count_hits(std::span<const scene::Collision> finished) {
+    replica_.settling_hits_ += std::ranges::count_if(finished, [&](const scene::Collision& c) {
+      return c.approach >= replica_.mill_case_->observe.threshold;
+    });
+  }
+
   ReplicateRun& replica_;
 };
 
@@ -153,39 +159,60 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
       frames_(std::move(frames)),
       frame_times_(mill_case),
       result_(results::empty_replicate(mill_case)),
+      blocks_(cases::settles(mill_case) ? cases::settling_blocks(mill_case)
+                                        : cases::SettlingBlocks{}),
       window_length_(first_window_length(mill_case)),
       streams_(mill_case.grinding &&
                mill_case.grinding->method != cases::Grinding::Method::balance),
       engine_(engine(mill_case, index, threads, stop, launch)),
-      window_(mill_case.run.settle > 0 ? 0 : 1) {
+      window_(cases::least_settling(mill_case) > 0 ? 0 : 1) {
   for (const cases::BallSet& set : mill_case.balls) balls_ += set.count;
   const scene::Chamber mill = cases::chamber(mill_case);
   result_.charge = observe::Charge(mill, result_.tally.wall_map.grid().radius);
-  if (index == 0) record_replay();
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
+  settling_.add(last_, 0);
+  if (index == 0) record_replay();
+  if (window_ == 1) begin_counting(0);
   // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
   if (mill_case.run.engine == cases::EngineName::soft)
     slice_ = std::min(slice_, 1e3 * soft_settings(mill_case).rules.time_step);
 }
 
 void ReplicateRun::record_replay() {
+  records_replay_ = true;
+  if (window_ > 0) begin_counting(begin_);
+}
+
+std::optional<double> ReplicateRun::counting_begins() const {
+  return window_ > 0 ? std::optional(begin_) : std::nullopt;
+}
+
+/// Sets the time at which all that is recorded begins.
+void ReplicateRun::begin_counting(double time) {
+  begin_ = time;
+  frame_times_.begin(time);
+  if (result_.sensors.accelerometer) result_.sensors.accelerometer->begin(time);
+  if (!records_replay_) return;
   const double shortest = mill_case_->run.engine == cases::EngineName::lammps
                               ? lammps_steps(*mill_case_).frame_time()
                               : 0;
   result_.replay = observe::Replay(cases::chamber(*mill_case_), static_cast<std::size_t>(balls_),
-                                   mill_case_->run.settle, mill_case_->run.time, shortest);
+                                   time, mill_case_->run.time, shortest);
 }
 
+/// [s] While the mill settles, the end of the present block or of the given time.
 double ReplicateRun::window_end(int window) const {
+  if (window_ == 0)
+    return blocks_.length > 0 ? blocks_.length * (settling_.blocks() + 1) : *mill_case_->run.settle;
   const bool last = !mill_case_->run.until && window == max_windows;
-  return mill_case_->run.settle + (last ? mill_case_->run.time : window_length_ * window);
+  return begin_ + (last ? mill_case_->run.time : window_length_ * window);
 }
 
 /// All windows are done, the requested precision is reached, or the time for it is over.
 bool ReplicateRun::finished() const {
   if (!mill_case_->run.until) return window_ > max_windows;
-  return converged_ ||
-         window_end(window_) > (mill_case_->run.settle + mill_case_->run.time) * (1 + 1e-12);
+  if (window_ == 0) return false;
+  return converged_ || window_end(window_) > (begin_ + mill_case_->run.time) * (1 + 1e-12);
 }
 
 bool ReplicateRun::done() const {
@@ -224,7 +251,7 @@ double ReplicateRun::next_power_reading() const {
   const double interval = mill_case_->sensors.power_meter->interval,
                at = interval * static_cast<double>(power_readings_ + 1);
   const bool last = std::abs(at - mill_case_->run.time) < rounding * interval;
-  return mill_case_->run.settle + (last ? mill_case_->run.time : at);
+  return begin_ + (last ? mill_case_->run.time : at);
 }
 
 void ReplicateRun::read_power_meter() {
@@ -299,17 +326,31 @@ void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
   read_power_meter();
   take_samples();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
-  slice_ = std::min(std::max(slice_, 1e-15), mill_case_->run.settle + mill_case_->run.time);
+  slice_ = std::min(std::max(slice_, 1e-15), cases::least_settling(*mill_case_) + mill_case_->run.time);
   if (result_.energy_balance.time >= end || !result_.stop_reason.empty()) end_window();
 }
 
+/// Ends a block of settling, or settling that a run error ended. Counting begins once there is no
+/// trend, or after the most blocks.
+void ReplicateRun::end_block() {
+  const double end = window_end(0);
+  settling_.add(result_.energy_balance, settling_hits_);
+  result_.settled = settling_.settled();
+  if (!result_.settled && settling_.blocks() < blocks_.most && result_.stop_reason.empty()) return;
+  result_.at_settled = last_ = result_.energy_balance;
+  window_ = 1;
+  begin_counting(end);
+}
+
 void ReplicateRun::end_window() {
-  if (window_ == 0)
+  if (window_ == 0 && blocks_.length > 0) return end_block();
+  if (window_ == 0) {
     result_.at_settled = result_.energy_balance;
-  else
-    result_.windows.push_back(window_between(result_.energy_balance.time - mill_case_->run.settle,
-                                             last_, result_.energy_balance, all_, above_,
-                                             result_.tally));
+    begin_counting(window_end(0));
+  } else {
+    result_.windows.push_back(window_between(result_.energy_balance.time - begin_, last_,
+                                             result_.energy_balance, all_, above_, result_.tally));
+  }
   plan_charge_samples(last_, result_.energy_balance);
   last_ = result_.energy_balance;
   all_ = result_.tally.all;
@@ -345,20 +386,22 @@ void ReplicateRun::add_partial_window(results::Replicate& given) const {
   if (window_ == 0)
     given.at_settled = given.energy_balance;
   else if (given.energy_balance.time > last_.time)
-    given.windows.push_back(window_between(given.energy_balance.time - mill_case_->run.settle,
-                                           last_, given.energy_balance, all_, above_, given.tally));
+    given.windows.push_back(window_between(given.energy_balance.time - begin_, last_,
+                                           given.energy_balance, all_, above_, given.tally));
 }
 
 void ReplicateRun::serialize(Archive& archive) {
   results::Replicate& r = result_;
+  archive(window_)(begin_)(settling_hits_)(r.settled);
+  settling_.serialize(archive);
+  if (archive.reading() && window_ > 0) begin_counting(begin_);
   r.tally.serialize(archive);
   r.charge.serialize(archive);
   r.replay.serialize(archive);
   r.stream.serialize(archive);
   r.sensors.serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
-  archive(window_)(last_)(
-      all_)(above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
+  archive(last_)(all_)(above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
   engine_->serialize(archive);
 }
 

@@ -7,7 +7,9 @@
 #include <memory>
 #include <span>
 
+#include "mahlwerk/campaign/run/settling_test.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/files/frames.hpp"
 #include "mahlwerk/results/outcome.hpp"
@@ -15,7 +17,8 @@
 
 namespace mahlwerk::campaign {
 
-/// One replicate of a case: settles, then counts collisions window by window.
+/// One replicate of a case: settles, then counts collisions window by window. With run.settle =
+/// "auto" it settles block by block, until there is no trend.
 class ReplicateRun {
  public:
   /// `recorder` receives every counted record, `frames` the frames that the case requests. Once
@@ -29,6 +32,9 @@ class ReplicateRun {
   /// Keeps frames for pictures, as the first replicate always does. Call it before the first slice
   /// and before a state is read. It changes no number.
   void record_replay();
+  std::vector<scene::Ball> balls() const { return engine_->balls(); }
+  /// [s] When counting begins, since the start of the run; no value while the mill settles.
+  std::optional<double> counting_begins() const;
   /// Once `*stop` is set, run_slice() returns early.
   void stop_on(const std::atomic<bool>* stop) { engine_->stop_on(stop); }
   bool done() const;
@@ -59,6 +65,8 @@ class ReplicateRun {
   void add_partial_window(results::Replicate& given) const;
   double slice_end() const;  // [s]
   void end_slice(const std::exception_ptr& failure, double worked);
+  void end_block();
+  void begin_counting(double time);
   void take_samples();
   void end_window();
   void plan_charge_samples(const scene::EnergyBalance& before, const scene::EnergyBalance& now);
@@ -72,6 +80,11 @@ class ReplicateRun {
   std::unique_ptr<results::FrameFiles> frames_;
   results::FrameTimes frame_times_;
   results::Replicate result_;
+  cases::SettlingBlocks blocks_;  // of settling; of no length where its time is given
+  SettlingTest settling_;
+  std::int64_t settling_hits_ = 0;  // above the threshold
+  double begin_ = 0;                // [s] of counting, once it has begun
+  bool records_replay_ = false;
   double window_length_;          // [s]
   bool streams_;                  // collision energies are kept for the powder sample
   bool converged_ = false;        // the requested precision is reached

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::campaign {
@@ -69,7 +70,7 @@ std::vector<results::Outcome> ResumableRuns::compute(const std::vector<cases::Ca
     files_.push_back(folder_ / (hash_text(fingerprint(what)) + ".checkpoint"));
     states.push_back(checkpoint_of(point, what, files_.back(), settings));
     begun += states.back() != nullptr && states.back()->loaded() ? 1 : 0;
-    queue.total += (point.run.time + point.run.settle) * static_cast<double>(point.run.replicates);
+    queue.total += cases::simulated_time(point) * static_cast<double>(point.run.replicates);
     jobs += static_cast<std::size_t>(point.run.replicates);
   }
   const bool alone = points.size() == 1;

@@ -64,7 +64,7 @@ Rates recorded_rates(const results::Replicate& r, double time) {
 
 /// Rates of the first replicate with the TC rule, over 1 s or 20 000 collisions. The same on any
 /// machine.
-Rates tc_rates(cases::Case mill_case) {
+Rates tc_rates(cases::Case mill_case, double settle) {
   constexpr double long_enough = 1;  // [s]
   constexpr std::int64_t enough = 20'000;
   constexpr int parts = 50;
@@ -74,12 +74,12 @@ Rates tc_rates(cases::Case mill_case) {
   ThresholdCounter ignored(mill_case.observe.threshold), hits(mill_case.observe.threshold);
   Rates found;
   try {
-    trial->advance(mill_case.run.settle, ignored);
+    trial->advance(settle, ignored);
     const scene::EnergyBalance before = trial->energy_balance();
     const double whole = std::min(mill_case.run.time, long_enough);
     for (int i = 1; i <= parts && trial->energy_balance().collisions - before.collisions < enough;
          ++i) {
-      trial->advance(mill_case.run.settle + whole * i / parts, hits);
+      trial->advance(settle + whole * i / parts, hits);
       found.time = trial->energy_balance().time - before.time;
       found.power = (trial->energy_balance().lost() - before.lost()) / found.time;
       found.hits = hits.above / found.time;
@@ -102,7 +102,8 @@ Notices rolling_notices(const results::Outcome& outcome) {
   const auto chosen = results::averaged_replicates(outcome);
   const double rolled = contact_share(chosen);
   if (!(rolled > most_of_the_time)) return {};
-  const Rates tc = tc_rates(mill_case), roll = recorded_rates(outcome.replicates.front(), tc.time);
+  const Rates tc = tc_rates(mill_case, outcome.replicates.front().at_settled.time),
+              roll = recorded_rates(outcome.replicates.front(), tc.time);
   const std::string other =
       tc.time > 0 && roll.time > 0
           ? fmt::format(

@@ -11,6 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
 #include "mahlwerk/results/summarise.hpp"
@@ -33,7 +34,7 @@ Load load_of(const std::vector<cases::Case>& points) {
     load.first_job.push_back(load.jobs);
     load.jobs += static_cast<std::size_t>(mill_case.run.replicates);
     load.total +=
-        (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates);
+        cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates);
   }
   return load;
 }

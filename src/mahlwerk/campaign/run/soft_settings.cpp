@@ -13,6 +13,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/step_error.hpp"
@@ -116,7 +117,7 @@ double soft_work(const cases::Case& mill_case) {
   std::int64_t balls = 0;
   for (const cases::BallSet& set : mill_case.balls) balls += set.count;
   return static_cast<double>(balls) *
-         (mill_case.run.settle_at_rest + mill_case.run.settle + mill_case.run.time) /
+         (mill_case.run.settle_at_rest + cases::simulated_time(mill_case)) /
          soft_settings(mill_case).rules.time_step;
 }
 
@@ -169,7 +170,7 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
                      "give a larger softening, modulus or stiffness, or a smaller cohesion",
                      "contacts-too-soft"});
   constexpr double max_steps = 1e13;  // a month or more; near the resolution of the simulated time
-  const double time = mill_case.run.settle_at_rest + mill_case.run.settle + mill_case.run.time;
+  const double time = mill_case.run.settle_at_rest + cases::simulated_time(mill_case);
   if (time > max_steps * s.rules.time_step)
     found.push_back(
         {cases::location_of(mill_case, mill_case.run.time_step ? "run.time_step" : "run.time"),

@@ -15,6 +15,7 @@
 #include "mahlwerk/campaign/run/parallel.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/sweep/work.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"
 #include "mahlwerk/results/files/ownership.hpp"
@@ -136,7 +137,7 @@ CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
   const cases::Case mill_case = file_.read(settings_.catalogue, settings(point));
   return {
       run_hash(mill_case, settings_.version), work_estimate(mill_case),
-      (mill_case.run.time + mill_case.run.settle) * static_cast<double>(mill_case.run.replicates)};
+      cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates)};
 }
 
 void CampaignFolder::plan(Plan plan) {

@@ -6,6 +6,7 @@
 
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/settling.hpp"
 
 namespace mahlwerk::campaign {
 
@@ -20,7 +21,7 @@ double work_estimate(const cases::Case& mill_case) {
     const double dt = soft_settings(mill_case).rules.time_step;
     each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
   }
-  return each * (mill_case.run.time + mill_case.run.settle) *
+  return each * cases::simulated_time(mill_case) *
          static_cast<double>(mill_case.run.replicates);
 }
 

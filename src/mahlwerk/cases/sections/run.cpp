@@ -62,6 +62,28 @@ void describe_random_motion(KeyVisitor& v, Run& run) {
            run.start_spin);
 }
 
+/// settle = "auto" or a time.
+void describe_settle(KeyVisitor& v, Run& run) {
+  constexpr std::string_view key = "settle", word = "\"auto\"";
+  constexpr std::string_view about =
+      "time before that, left out of the statistics; or \"auto\": until the mill has settled";
+  SectionReader* in = v.reader();
+  const Node* at = in ? in->find(key) : nullptr;
+  const bool automatic = at == nullptr || (at->kind == Node::Kind::text && at->text == "auto");
+  if (in != nullptr && automatic) {
+    run.settle.reset();
+    if (at != nullptr) return in->record_origin(key, std::string(word), at);
+    return in->record_default(key, std::string(word),
+                              "counting begins once power and hits have no trend");
+  }
+  if (in == nullptr && !run.settle && !v.visits_all())
+    return v.custom({key, about, true, "text"}, [&] { return std::string(word); });
+  v.optional_number(
+      NumberSpec(key, "s", settle_times, about)
+          .with_default_text("\"auto\": counting begins once power and hits have no trend"),
+      run.settle);
+}
+
 /// time = "60 s" or "until 2 %", the settling time, and the initial speeds and spins.
 void describe_times(KeyVisitor& v, Run& run) {
   SectionReader* in = v.reader();
@@ -72,9 +94,7 @@ void describe_times(KeyVisitor& v, Run& run) {
              run.time);
   else if (in == nullptr)
     describe_until(v, run);  // a reader reads it after the other keys
-  v.number({"settle", "s", settle_times, "time before that, left out of the statistics", 0.0,
-            "statistics from the start"},
-           run.settle);
+  describe_settle(v, run);
   if (run.start_from.file.empty() || v.visits_all()) describe_random_motion(v, run);
   if (run.until && in != nullptr) describe_until(v, run);
 }

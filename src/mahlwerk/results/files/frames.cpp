@@ -43,15 +43,15 @@ std::string frames_name(int replicate) {
 }
 
 FrameTimes::FrameTimes(const cases::Case& mill_case)
-    : settle_(mill_case.run.settle),
-      end_(mill_case.run.settle + mill_case.run.time),
+    : begin_(std::numeric_limits<double>::infinity()),
+      length_(mill_case.run.time),
       every_(mill_case.observe.frames.value_or(0)) {
   if (every_ > 0) count_ = 1 + static_cast<std::int64_t>(mill_case.run.time / every_ * (1 + 1e-12));
 }
 
 double FrameTimes::next() const {
   if (done_ == count_) return std::numeric_limits<double>::infinity();
-  return std::min(end_, settle_ + every_ * static_cast<double>(done_));
+  return begin_ + std::min(length_, every_ * static_cast<double>(done_));
 }
 
 }  // namespace mahlwerk::results

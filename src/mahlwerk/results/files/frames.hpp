@@ -41,11 +41,12 @@ std::string frames_name(int replicate);
 class FrameTimes {
  public:
   explicit FrameTimes(const cases::Case& mill_case);
-  double next() const;  ///< [s] of the next frame; infinite after the last
+  void begin(double time) { begin_ = time; }  ///< [s] of the first frame, where counting begins
+  double next() const;  ///< [s] of the next frame; infinite after the last and before begin()
   void advance() { ++done_; }
 
  private:
-  double settle_, end_, every_;
+  double begin_, length_, every_;
   std::int64_t count_ = 0, done_ = 0;
 };
 
