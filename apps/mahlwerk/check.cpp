@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
@@ -18,6 +21,7 @@
 #include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/campaign/run/settled_state.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
@@ -31,18 +35,44 @@
 namespace mahlwerk::app {
 namespace {
 
-/// CPU seconds per simulated second, from a short pilot run.
-double cost(const cases::Case& mill_case) {
+/// [s] Time of computing one replicate of a run.
+struct RunTime {
+  double each = 0;       ///< [s] of a thread, where replicates run beside each other
+  std::int64_t share = 1;  ///< replicates of the thread that has most
+};
+
+/// Estimates the time from a short pilot run, of a settled mill where the soft engine settles it
+/// quickly: a bed takes more time than balls that fall.
+RunTime run_time(const cases::Case& decided) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds patience{500};
-  cases::Case pilot = mill_case;
-  pilot.run.time = 1;
+  constexpr std::chrono::milliseconds patience{700};
+  constexpr double most_work = 3e7;  // about a second
+  const std::int64_t cores = std::max(1U, std::thread::hardware_concurrency()),
+                     replicates = decided.run.replicates, share = (replicates + cores - 1) / cores;
+  const auto settled = campaign::settled_state(decided, most_work);
+  cases::Case pilot = settled ? settled->mill_case : decided;
   pilot.run.settle = 0;
-  campaign::ReplicateRun replica(pilot, 0);
+  pilot.run.time = 1e3;  // never reached
+  pilot.run.until.reset();
+  const auto most = static_cast<std::int64_t>(campaign::replicates_together(decided));
+  const std::int64_t batches = (share + most - 1) / most, together = (share + batches - 1) / batches;
+  const int threads = static_cast<int>(std::max<std::int64_t>(1, cores / replicates));
+  std::vector<std::unique_ptr<campaign::ReplicateRun>> runs;
+  std::vector<campaign::ReplicateRun*> all;
+  for (int r = 0; r < together; ++r) {
+    runs.push_back(std::make_unique<campaign::ReplicateRun>(pilot, r, nullptr, nullptr, threads));
+    all.push_back(runs.back().get());
+  }
   const Clock::time_point began = Clock::now();
-  while (!replica.done() && Clock::now() - began < patience) replica.run_slice();
+  while (!all.front()->done() && Clock::now() - began < patience)
+    campaign::ReplicateRun::run_slice_together(all);
   const double spent = std::chrono::duration<double>(Clock::now() - began).count();
-  return replica.energy_balance().time > 0 ? spent / replica.energy_balance().time : 0;
+  double simulated = 0;
+  for (const auto* run : all) simulated += run->energy_balance().time;
+  if (!(simulated > 0)) return {};
+  const double settling = settled && cases::settles(decided) ? settled->settling
+                                                             : cases::least_settling(decided);
+  return {spent / simulated * (settling + decided.run.time), share};
 }
 
 struct CheckResult {
@@ -100,13 +130,17 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
     if (choice.engine == cases::EngineName::lammps) add(lammps::model_notices(decided), c.notes);
     add(campaign::overlap_warnings(decided), c.notes);
   }
-  const double seconds = static_cast<double>(first.run.replicates) *
-                         static_cast<double>(points.size()) * cases::simulated_time(decided);
-  const double cores = std::max(1U, std::thread::hardware_concurrency());
+  const RunTime time = run_time(decided);
+  const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
+  const double seconds =
+      sweeps ? time.each * static_cast<double>(first.run.replicates) *
+                   static_cast<double>(points.size()) / threads
+             : time.each * static_cast<double>(time.share);
   c.follows.push_back(
-      {"run_time", cost(decided) * seconds / cores, "s",
+      {"run_time", seconds, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"
-              : "estimate on this machine, all cores, from a pilot run of at most a second"});
+       : first.run.until ? "estimate on this machine, all cores, if run.longest is reached"
+                         : "estimate on this machine, all cores, from a pilot run"});
   return c;
 }
 

@@ -26,6 +26,13 @@ int affordable(const cases::Case& one, int wanted) {
   return static_cast<int>(std::min<double>(wanted, campaign::max_check_work / each));
 }
 
+/// Whether the event engine ran the setting: the soft engine replaces runs that are invalid.
+bool ran_by_events(const campaign::TrialRuns& runs, const campaign::Trial& best) {
+  const cases::Case one = runs.at(best.point, 0, 1);
+  const auto engine = campaign::choose_engine(one).engine;
+  return engine == cases::EngineName::event;
+}
+
 /// The reason why the setting cannot be checked; empty: run `check.replicates` replicates.
 std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best,
                     report::OptimumCheck& check) {
@@ -61,8 +68,9 @@ std::optional<report::OptimumCheck> check_best(const Request& request,
                                                const campaign::SearchJob& job,
                                                const campaign::Optimum& found,
                                                const ResumableSearch& kept) {
-  if (!found.best || !found.trials[*found.best].invalid()) return std::nullopt;
+  if (!found.best) return std::nullopt;
   const campaign::Trial& best = found.trials[*found.best];
+  if (!ran_by_events(*job.runs, best)) return std::nullopt;
   report::OptimumCheck made{.engine = cases::EngineName::soft};
   const campaign::TrialRuns runs = job.runs->with_engine(made.engine);
   made.failure = refusal(runs, best, made);

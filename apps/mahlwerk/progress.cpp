@@ -12,6 +12,7 @@
 
 #include "listener.hpp"
 #include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/base/printable.hpp"
 #include "messages.hpp"
 #include "terminal.hpp"
@@ -68,11 +69,35 @@ void ProgressLine::show(const campaign::Progress& p) {
   using Seconds = std::chrono::duration<double>;
   const double gone = Seconds(std::chrono::steady_clock::now() - started_).count();
   const double share = p.total > 0 ? p.simulated / p.total : 0;
-  const double left = share > 0 ? gone * (1 - share) / share : 0;
+  const double left = share > 0 ? std::max(0.0, gone * (1 - share) / share) : 0;
+  warn_if_endless(p);
   show(fmt::format(
       "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
       "residual {:.0e}",
       100 * share, p.simulated, p.total, left, p.collisions / gone, p.residual));
+}
+
+/// Warns once if the run, at the rate of the last seconds, takes hours.
+void ProgressLine::warn_if_endless(const campaign::Progress& p) {
+  constexpr std::chrono::seconds recent{3};
+  constexpr double hour = 3600, most = 2 * hour;
+  const Clock::time_point now = Clock::now();
+  if (warned_ || now - rated_ < recent) return;
+  const double took = std::chrono::duration<double>(now - rated_).count();
+  const double rate = (p.simulated - simulated_) / took;
+  const double left = std::max(0.0, p.total - p.simulated) / rate;  // infinite at a standstill
+  rated_ = now;
+  simulated_ = p.simulated;
+  if (!(left > most)) return;
+  warned_ = true;
+  if (shown_) to_stderr("\r\033[K");
+  print_warning({"run.time",
+                 fmt::format("at its present rate the run takes {} more",
+                             left < 1000 * hour ? fmt::format("{} hours", two_digits(left / hour))
+                                                : "months"),
+                 "Ctrl-C keeps what is computed; engine = \"auto\", a smaller contact.softening, "
+                 "fewer run.replicates or a shorter run.time shorten it",
+                 "long-run"});
 }
 
 void ProgressLine::show(std::string line) {

@@ -29,11 +29,16 @@ class ProgressLine {
   void show(std::string line);
 
  private:
+  void warn_if_endless(const campaign::Progress& progress);
+
   using Clock = std::chrono::steady_clock;
   Listener* listener_;
   bool on_, terminal_, shown_ = false;
   std::chrono::duration<double> every_{0};  // between two lines without a terminal
   Clock::time_point started_ = Clock::now(), last_ = started_;
+  Clock::time_point rated_ = started_;  // when the rate of the run was last looked at
+  double simulated_ = 0;                // [s] then
+  bool warned_ = false;
 };
 
 }  // namespace mahlwerk::app

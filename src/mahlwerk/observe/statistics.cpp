@@ -103,6 +103,25 @@ Estimate time_series_estimate(const std::vector<double>& values) {
   return {mean_of(values), wider * estimate(batches).ci95};
 }
 
+Trend trend(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double mean = 0, slope = 0, spread = 0, rest = 0;
+  for (const double v : values) mean += v / n;
+  const auto at = [&](std::size_t i) { return static_cast<double>(i) - 0.5 * (n - 1); };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    slope += at(i) * (values[i] - mean);
+    spread += at(i) * at(i);
+  }
+  slope /= spread;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double off = values[i] - mean - slope * at(i);
+    rest += off * off;
+  }
+  const double scatter = std::sqrt(rest / (n - 2));
+  return {mean, slope * (n - 1),
+          student95(static_cast<int>(n) - 2) * scatter / std::sqrt(spread) * (n - 1), scatter};
+}
+
 std::size_t transient_length(const std::vector<double>& values) {
   constexpr std::size_t five = 5;
   const std::vector<double> batches = batch_means(values, five);

@@ -26,6 +26,16 @@ Estimate time_series_estimate(const std::vector<double>& values);
 /// means that the series has not settled.
 std::size_t transient_length(const std::vector<double>& values);
 
+/// The line through equidistant values, by least squares.
+struct Trend {
+  double mean = 0;
+  double change = 0;   ///< along the line, from the first to the last value
+  double ci95 = 0;     ///< half-width of the 95 % confidence interval of the change
+  double scatter = 0;  ///< standard deviation of the values from the line
+};
+/// Of three values or more, which scatter independently about the line (sta.9).
+Trend trend(const std::vector<double>& values);
+
 /// Two-sided 95 % quantile of Student's t for `freedom` >= 1 degrees of freedom (sta.2).
 double student95(int freedom);
 

@@ -76,12 +76,14 @@ std::string chance_sentence(const OptimumReport& found) {
 }
 
 std::vector<std::string> validity_sentences(const OptimumReport& found) {
-  if (!found.best || !found.settings[*found.best].invalid) return {};
+  if (!found.best) return {};
   const OptimumSetting& best = found.settings[*found.best];
-  std::vector<std::string> all{
-      fmt::format("The optimum is not certain: the runs of the best setting lie outside the "
-                  "validity of their engine ({})",
-                  best.warnings)};
+  std::vector<std::string> all;
+  if (best.invalid)
+    all.push_back(
+        fmt::format("The optimum is not certain: the runs of the best setting lie outside the "
+                    "validity of their engine ({})",
+                    best.warnings));
   if (!found.check) return all;
   const OptimumCheck& check = *found.check;
   if (!check.failure.empty()) {

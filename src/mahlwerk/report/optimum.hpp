@@ -77,7 +77,7 @@ struct OptimumReport {
   int failed = 0;
   std::string stop_reason = {};                      ///< sentence: why the search ended
   results::NoticeCounts notices = {};                ///< of the settings
-  std::optional<OptimumCheck> check = std::nullopt;  ///< only if the best is invalid
+  std::optional<OptimumCheck> check = std::nullopt;  ///< if the event engine ran the best
 
   int runs() const;  ///< total number of replicates
   /// Whether the best setting tried is distinguished from all others, by valid runs.

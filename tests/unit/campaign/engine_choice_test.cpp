@@ -36,6 +36,38 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
   EXPECT_EQ(joined(choose_engine(with_engine("auto", dry)).reason).find("jkr"), std::string::npos);
 }
 
+/// The planetary sample with so many balls.
+cases::Case with_balls(int count, const std::string& time = "1 s") {
+  return read_sample(planetary, {{"run.engine", "auto"},
+                                 {"run.time", time},
+                                 {"balls.count", std::to_string(count)}});
+}
+
+TEST(EngineChoice, takes_the_event_engine_for_one_ball_and_the_soft_one_for_two) {
+  EXPECT_EQ(choose_engine(with_balls(1)).engine, cases::EngineName::event);
+  EXPECT_EQ(choose_engine(with_balls(2)).engine, cases::EngineName::soft);
+}
+
+TEST(EngineChoice, softens_contacts_of_a_long_run_until_it_is_short_and_says_so) {
+  const EngineChoice brief = choose_engine(with_balls(5, "1 s")),
+                     lengthy = choose_engine(with_balls(5, "2000 s"));
+  EXPECT_FALSE(brief.softening);
+  ASSERT_TRUE(lengthy.softening);
+  EXPECT_LT(*lengthy.softening, 1);
+  EXPECT_NE(joined(lengthy.reason).find("softened"), std::string::npos);
+  const cases::Case decided = decided_case(with_balls(5, "2000 s"), lengthy);
+  EXPECT_EQ(decided.contact.softening, *lengthy.softening);
+  EXPECT_EQ(decided.run.engine, cases::EngineName::soft);
+}
+
+TEST(EngineChoice, keeps_a_softening_that_the_case_gives) {
+  cases::Case given = read_sample(planetary, {{"run.engine", "auto"},
+                                              {"run.time", "2000 s"},
+                                              {"balls.count", "5"},
+                                              {"contact.softening", "1"}});
+  EXPECT_FALSE(choose_engine(given).softening);
+}
+
 TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
   const auto notes = [](const cases::Case& mill_case) {
     results::Outcome outcome{.mill_case = mill_case, .replicates = {}};

@@ -69,7 +69,7 @@ bool same(const std::vector<scene::Ball>& a, const std::vector<scene::Ball>& b) 
 }
 
 double later(const cases::Case& mill_case) {
-  return 1.5 * (mill_case.run.settle + mill_case.run.time);
+  return 1.5 * (*mill_case.run.settle + mill_case.run.time);
 }
 
 TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bit) {
@@ -77,9 +77,9 @@ TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bi
     Recorder silent, kept;
     Archive bare, seen;
     const auto alone = engine(what, 0);
-    alone->advance(what.run.settle, silent);
+    alone->advance(*what.run.settle, silent);
     silent.all.clear();
-    alone->advance(what.run.settle + what.run.time, silent);
+    alone->advance(*what.run.settle + what.run.time, silent);
     alone->serialize(bare);
     ReplicateRun replica(what, 0, std::make_unique<Passed>(kept));
     to_the_end(replica).serialize(seen);

@@ -32,19 +32,22 @@ scene::Ball ball(double x) {
 
 TEST(FrameTimes, begin_when_counting_does_and_end_with_it) {
   cases::Case mill_case;
-  mill_case.run.settle = 0.5;
+  constexpr double settling = 0.5;
   mill_case.run.time = 0.3;
   EXPECT_EQ(FrameTimes(mill_case).next(), INFINITY);
   mill_case.observe.frames = 0.1;
   FrameTimes times(mill_case);
+  EXPECT_EQ(times.next(), INFINITY);
+  times.begin(settling);
   for (const double expected : {0.5, 0.6, 0.7, 0.8}) {
     EXPECT_NEAR(times.next(), expected, 1e-15);
-    EXPECT_LE(times.next(), mill_case.run.settle + mill_case.run.time);
+    EXPECT_LE(times.next(), settling + mill_case.run.time);
     times.advance();
   }
   EXPECT_EQ(times.next(), INFINITY);
   mill_case.observe.frames = 1;  // longer than the run
   FrameTimes one(mill_case);
+  one.begin(settling);
   one.advance();
   EXPECT_EQ(one.next(), INFINITY);
 }

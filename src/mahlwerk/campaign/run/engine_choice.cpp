@@ -13,9 +13,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
-#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/settled_state.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -25,9 +24,14 @@ namespace mahlwerk::campaign {
 namespace {
 
 /// [1] Overlap over the radius of balls that collide at the highest expected speed, up to which
-/// "auto" softens contacts, the least softening, and the change of power, rate of hits and their
-/// energy up to there (docs/theory/engine-choice.md).
-constexpr double softened_overlap = 0.05, least_softening = 1e-4, softening_error = 0.05;
+/// "auto" softens contacts (docs/theory/engine-choice.md).
+constexpr double softened_overlap = 0.1;
+
+/// [1] Share of the hits above the threshold that several balls keep at a softening, at least: softer
+/// contacts last longer, so that more hits join into one (eng.1).
+double hits_kept(double softening) {
+  return 1 / (1 + 0.07 * (math::pow(softening, -0.4) - 1));
+}
 
 std::int64_t balls(const cases::Case& mill_case) {
   std::int64_t count = 0;
@@ -135,32 +139,11 @@ std::string softening_in_words(const cases::Case& soft, double softening) {
   const cases::Case softer = with_softening(soft, softening);
   return fmt::format(
       "Contacts are softened (contact.softening = {:.2g}), because stiff ones would take about {} "
-      "of one core instead of {}: balls that collide at {} overlap by {} % of their radius. Power, "
-      "hits and their energies change by less than {:.0f} % (docs/theory/engine-choice.md); "
+      "of one core instead of {}: balls that collide at {} overlap by {} % of their radius. "
       "contact.softening = 1 computes stiff contacts.",
       softening, core_time(work_of(soft)), core_time(work_of(softer)),
       show_rounded(soft_settings(softer).speed, "m/s", 2),
-      two_digits(100 * soft_settings(softer).steps.overlap), 100 * softening_error);
-}
-
-/// States of the balls once the mill has settled, by the soft engine with contacts as soft as may
-/// be; empty if that takes too long, or is stopped.
-std::vector<cases::BallState> settled_balls(const cases::Case& soft, const std::atomic<bool>* stop) {
-  constexpr double most_work = 1e9;  // about half a minute
-  cases::Case softer = with_softening(soft, least_softening);
-  softer.run.settle.reset();
-  softer.run.replicates = 1;
-  if (work_of(softer) > most_work || !run_faults(softer).empty()) return {};
-  ReplicateRun trial(softer, 0, nullptr, nullptr, 1, stop);
-  while (!trial.counting_begins() && !trial.done() && (stop == nullptr || !*stop))
-    trial.run_slice();
-  if (!trial.counting_begins()) return {};
-  std::vector<cases::BallState> states;
-  const Vec3 centre = kinematics::frame_motion(*soft.mill.motion, 0).velocity;
-  for (const scene::Ball& b :
-       seen_from_carrier(softer, trial.balls(), trial.energy_balance().time))
-    states.push_back({b.radius, b.kind, b.position, b.velocity - centre, b.spin});
-  return states;
+      two_digits(100 * soft_settings(softer).steps.overlap));
 }
 
 /// Why a pilot run of the settled mill says that the event engine is not valid, in words; empty if
@@ -169,11 +152,10 @@ std::string against_event(const cases::Case& soft, const std::atomic<bool>* stop
   cases::Case event = soft;
   event.run.engine = cases::EngineName::event;
   if (!run_faults(event).empty()) return run_faults(event).front().what;
-  std::vector<cases::BallState> states = settled_balls(soft, stop);
-  if (states.empty()) return "The mill takes too long to settle for a pilot run.";
-  event.run.start_from.states =
-      std::make_shared<const std::vector<std::vector<cases::BallState>>>(1, std::move(states));
-  event.run.settle = 0;
+  constexpr double most_work = 1e9;  // about half a minute
+  const auto settled = settled_state(event, most_work, stop);
+  if (!settled) return "The mill takes too long to settle for a pilot run.";
+  event = settled->mill_case;
   const Pilot p = pilot(event, stop);
   if (p.stopped) return "A pilot run with the event engine stopped early: balls are wedged.";
   if (p.contact_share > contact_share_limit)
@@ -333,6 +315,21 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
   return notes;
 }
 
+/// Says how many hits softened contacts join.
+Notices softening_notices(const cases::Case& mill_case) {
+  constexpr double few = 0.1;
+  const double joined = 1 - hits_kept(std::min(1.0, mill_case.contact.softening));
+  if (balls(mill_case) == 1 || !(joined > few)) return {};
+  return {warning(
+      "softened-hits",
+      fmt::format("Contacts are softened (contact.softening = {:.2g}) and last longer, so that hits "
+                  "of several balls join: the rate of hits is up to {} % too low and their mean "
+                  "energy up to {} % too high. Power and the sum of the energies change by some "
+                  "per cent at most.",
+                  mill_case.contact.softening, two_digits(100 * joined),
+                  two_digits(100 * joined / (1 - joined))))};
+}
+
 }  // namespace
 
 Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choice,
@@ -344,6 +341,7 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
+    append(notes, softening_notices(outcome.mill_case));
     return notes;
   }
   if (const auto law = sticking(outcome.mill_case))

@@ -25,8 +25,8 @@ constexpr double clustered_share_limit = 0.15;
 /// [s] CPU time of a ball and step of the soft engine (docs/performance.md).
 constexpr double ball_step_cost = 33e-9;
 /// Balls times steps of all replicates up to which "auto" takes the soft engine with contacts as
-/// stiff as the case gives them: about six minutes on one core. It softens contacts of longer runs.
-constexpr double comfortable_work = 1e10;
+/// stiff as the case gives them: about two minutes on one core. It softens contacts of longer runs.
+constexpr double comfortable_work = 3e9;
 /// The most for which "auto" takes the soft engine without looking whether the event engine is
 /// valid: about half an hour on one core.
 constexpr double max_soft_work = 6e10;

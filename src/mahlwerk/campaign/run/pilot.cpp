@@ -81,10 +81,10 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
   seen.time = end.time;
   if (of_balls > 0) seen.contact_share = (end.contact_time - middle.contact_time) / of_balls;
   if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
-  const auto collisions = end.collisions - middle.collisions;
-  if (collisions > 0)
-    seen.clustered_share = static_cast<double>(end.hits_within - middle.hits_within) /
-                           static_cast<double>(collisions);
+  const std::int64_t hits = samples.back().hits - samples.front().hits;
+  if (hits > 0)
+    seen.clustered_share =
+        static_cast<double>(end.hits_within - middle.hits_within) / static_cast<double>(hits);
   seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
   return seen;

@@ -19,29 +19,11 @@ bool looks_at(int blocks) {
 }
 
 /// Whether a change is certain and larger than `most`.
-bool certain(const Trend& t, double most) {
+bool certain(const observe::Trend& t, double most) {
   return std::abs(t.change) > most && std::abs(t.change) > t.ci95;
 }
 
 }  // namespace
-
-Trend trend(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  double mean = 0, slope = 0, spread = 0, rest = 0;
-  for (const double v : values) mean += v / n;
-  const auto at = [&](std::size_t i) { return static_cast<double>(i) - 0.5 * (n - 1); };
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    slope += at(i) * (values[i] - mean);
-    spread += at(i) * at(i);
-  }
-  slope /= spread;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double off = values[i] - mean - slope * at(i);
-    rest += off * off;
-  }
-  const double error = std::sqrt(rest / (n - 2) / spread);
-  return {mean, slope * (n - 1), observe::student95(static_cast<int>(n) - 2) * error * (n - 1)};
-}
 
 void SettlingTest::add(const scene::EnergyBalance& now, std::int64_t hits) {
   ends_.push_back({now.time, now.lost(), now.wall_work, static_cast<double>(hits)});
@@ -59,13 +41,14 @@ bool SettlingTest::settled() const {
     hits.push_back(b.hits - a.hits);
     stored.push_back(b.wall_work - b.lost);
   }
-  const Trend of_lost = trend(lost), of_drawn = trend(drawn), of_hits = trend(hits);
+  const observe::Trend of_lost = observe::trend(lost), of_drawn = observe::trend(drawn),
+                       of_hits = observe::trend(hits);
   const double turned_over = static_cast<double>(half) *
                              std::max(std::abs(of_lost.mean), std::abs(of_drawn.mean));
   return !certain(of_lost, most * std::abs(of_lost.mean)) &&
          !certain(of_drawn, most * std::abs(of_drawn.mean)) &&
          !certain(of_hits, most * of_hits.mean) &&
-         !certain(trend(stored), 0.5 * most * turned_over);
+         !certain(observe::trend(stored), 0.5 * most * turned_over);
 }
 
 }  // namespace mahlwerk::campaign

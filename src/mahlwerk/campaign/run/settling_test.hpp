@@ -35,13 +35,4 @@ class SettlingTest {
   std::vector<End> ends_;
 };
 
-/// The line through equidistant values, by least squares.
-struct Trend {
-  double mean = 0;
-  double change = 0;  ///< along the line, from the first to the last value
-  double ci95 = 0;    ///< half-width of the 95 % confidence interval of the change
-};
-/// Of three values or more (sta.9).
-Trend trend(const std::vector<double>& values);
-
 }  // namespace mahlwerk::campaign

@@ -13,8 +13,11 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -54,6 +57,50 @@ TrialResult trial_result(const results::Outcome& outcome, const TrialRuns::Measu
     result.replicates.push_back(measure(outcome, r));
   }
   return result;
+}
+
+/// A trial that is not in the store.
+struct PendingRun {
+  TrialResult* result;
+  cases::Case mill_case;
+  RunHash hash;
+
+  /// The case by the soft engine, if that is to replace a result: one of several balls by the event
+  /// engine that is invalid. No value where this takes too long. So the best setting of a search is
+  /// the best by an engine that is valid there.
+  std::optional<cases::Case> by_soft_engine() const {
+    const bool invalid =
+        std::ranges::find(result->notices, Severity::invalid, &Notice::severity) !=
+        result->notices.end();
+    if (mill_case.run.engine != cases::EngineName::event || !invalid ||
+        cases::balls_count(mill_case.balls) == 1)
+      return std::nullopt;
+    cases::Case soft = mill_case;
+    soft.run.engine = cases::EngineName::soft;
+    const bool runs = run_faults(soft).empty() &&
+                      soft_work(soft) * static_cast<double>(soft.run.replicates) <= max_check_work;
+    return runs ? std::optional(std::move(soft)) : std::nullopt;
+  }
+};
+
+/// Runs the trials, and puts their results in place and into the store.
+void run_pending(const std::vector<PendingRun>& pending, const TrialRuns::Measure& measure,
+                 const RunOptions& options, TrialStore& store) {
+  RunQueue queue;
+  queue.size = pending.size();
+  queue.open = [&](std::size_t i) { return pending[i].mill_case; };
+  queue.done = [&](std::size_t i, results::Outcome&& outcome) {
+    if (outcome.interrupted) return;
+    *pending[i].result = trial_result(outcome, measure);
+    if (!pending[i].by_soft_engine()) store.keep(pending[i].hash, *pending[i].result);
+  };
+  queue.failed = [&](std::size_t i, const std::exception& why) {
+    pending[i].result->failure = short_reason(why);
+  };
+  RunOptions with = options;
+  with.threads = thread_count(options.threads);
+  run_queue(queue, with);
+  if (options.stop != nullptr && *options.stop) throw Interrupted();
 }
 
 }  // namespace
@@ -184,11 +231,6 @@ std::vector<std::vector<TrialResult>> TrialRuns::run_each(const std::vector<Tria
                                                           const RunOptions& options,
                                                           TrialStore& store,
                                                           std::string_view version) {
-  struct PendingRun {
-    TrialResult* result;
-    cases::Case mill_case;
-    RunHash hash;
-  };
   std::vector<std::vector<TrialResult>> all(cases.size(),
                                             std::vector<TrialResult>(requests.size()));
   std::vector<PendingRun> pending;  // not in the store
@@ -204,21 +246,11 @@ std::vector<std::vector<TrialResult>> TrialRuns::run_each(const std::vector<Tria
       } catch (const InputError& why) {
         all[k][i].failure = short_reason(why);
       }
-  RunQueue queue;
-  queue.size = pending.size();
-  queue.open = [&](std::size_t i) { return pending[i].mill_case; };
-  queue.done = [&](std::size_t i, results::Outcome&& outcome) {
-    if (outcome.interrupted) return;
-    *pending[i].result = trial_result(outcome, measure);
-    store.keep(pending[i].hash, *pending[i].result);
-  };
-  queue.failed = [&](std::size_t i, const std::exception& why) {
-    pending[i].result->failure = short_reason(why);
-  };
-  RunOptions with = options;
-  with.threads = thread_count(options.threads);
-  run_queue(queue, with);
-  if (options.stop != nullptr && *options.stop) throw Interrupted();
+  run_pending(pending, measure, options, store);
+  std::vector<PendingRun> again;
+  for (const PendingRun& one : pending)
+    if (auto soft = one.by_soft_engine()) again.push_back({one.result, std::move(*soft), one.hash});
+  run_pending(again, measure, options, store);
   return all;
 }
 

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
@@ -77,6 +78,74 @@ void not_steady(const Outcome& outcome, Notices& list) {
                           "dissipated. A longer run.settle helps.",
                           show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
                           two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
+}
+
+/// Mean, least and greatest of a time over the replicates, in words: "0.4 s", "0.35 s to 0.5 s".
+std::string range_in_words(const std::vector<const Replicate*>& chosen, const auto& of) {
+  const auto [least, most] = std::ranges::minmax(chosen, {}, of);
+  const std::string from = show_rounded(of(least), "s"), to = show_rounded(of(most), "s");
+  return from == to ? from : fmt::format("{} to {}", from, to);
+}
+
+/// Says what run.settle = "auto" did, and warns where it found a trend until the end.
+void automatic_settling(const Outcome& outcome, Notices& list) {
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
+  if (chosen.empty() || !cases::settles(outcome.mill_case)) return;
+  const auto trending = std::ranges::count(chosen, false, &Replicate::settled);
+  const std::string after =
+      range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
+  const double periods =
+      value(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
+  if (trending > 0)
+    list.push_back(warning(
+        "not-settled",
+        fmt::format("The mill had not settled after {}, when counting began: in {} of {} replicates "
+                    "power, hits or stored energy still had a trend. A longer run.time allows a "
+                    "longer settling; run.settle gives its time.",
+                    after, trending, chosen.size())));
+  else
+    list.push_back(note(
+        "settled", fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
+                               "stored energy had no trend. {:.4g} periods of the mill are counted.",
+                               after, periods)));
+}
+
+/// Warns if less than one period of the mill was counted.
+void part_of_a_period(const Outcome& outcome, Notices& list) {
+  const double counted = value(outcome, "simulated_time"),
+               period = cases::mill_period(outcome.mill_case);
+  if (!complete(outcome) || !std::isfinite(period) || !(counted < 0.999 * period)) return;
+  list.push_back(warning(
+      "part-of-a-period",
+      fmt::format("{} were counted, {} of a period of the mill ({}). Means over less than a period "
+                  "depend on its phase; a drum may not yet flow. Write run.time = \"{}\" or more.",
+                  show_rounded(counted, "s"), two_digits(counted / period),
+                  show_rounded(period, "s"), show_rounded(period, "s"))));
+}
+
+/// Warns if drawn and dissipated power differ by more than their scatter and the fluctuation of the
+/// stored energy: then energy is stored, or given back, all the time (sta.11).
+void powers_apart(const Outcome& outcome, Notices& list) {
+  constexpr double much = 0.1, far = 3;
+  constexpr std::size_t fewest = 10;
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
+  const Quantity& imbalance = named(outcome.summary.quantities, "power_imbalance");
+  const double scatter = std::isfinite(imbalance.ci95) ? imbalance.ci95 : 0;
+  const std::vector<double> energy = stored(chosen);
+  if (energy.size() < fewest || !(std::abs(imbalance.value) > std::max(much, scatter))) return;
+  if (std::ranges::any_of(list, [](const Notice& n) { return n.code == "not-settled"; })) return;
+  const observe::Trend trend = observe::trend(energy);
+  if (!(std::abs(trend.change) > far * trend.scatter)) return;
+  list.push_back(warning(
+      "powers-apart",
+      fmt::format("{} % {} power was drawn than dissipated, although in a settled mill both are "
+                  "equal: {} A longer run.settle, or run.settle = \"auto\", and a longer run.time "
+                  "help.",
+                  two_digits(100 * std::abs(imbalance.value)), imbalance.value > 0 ? "more" : "less",
+                  imbalance.value > 0
+                      ? "the charge still gained energy when counting ended, for instance a bed "
+                        "that is lifted and does not yet flow."
+                      : "the charge still lost energy that it had when counting began.")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
@@ -210,7 +279,10 @@ Notices warnings(const Outcome& outcome) {
   overlaps(outcome, list);
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
+  automatic_settling(outcome, list);
   not_steady(outcome, list);
+  powers_apart(outcome, list);
+  part_of_a_period(outcome, list);
   append(list, grinding_warnings(outcome));
   append(list, kinetics_warnings(outcome));
   append(list, sensor_warnings(outcome));

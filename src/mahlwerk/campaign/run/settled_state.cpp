@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/settled_state.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/run/start.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+/// The states of the balls, as those of a file that a run starts from.
+cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun& run) {
+  std::vector<cases::BallState> states;
+  for (const scene::Ball& b : seen_from_carrier(mill_case, run.balls(), run.energy_balance().time))
+    states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
+  return {.file = "", .folder = false, .states = std::make_shared<const std::vector<std::vector<cases::BallState>>>(
+              1, std::move(states))};
+}
+
+}  // namespace
+
+std::optional<SettledState> settled_state(const cases::Case& mill_case, double most_work,
+                                          const std::atomic<bool>* stop) try {
+  cases::Case softer = mill_case;
+  softer.run.engine = cases::EngineName::soft;
+  softer.contact.softening = std::min(softer.contact.softening, least_softening);
+  softer.run.settle.reset();
+  softer.run.replicates = 1;
+  softer.run.until.reset();
+  softer.observe = {.threshold = mill_case.observe.threshold};
+  if (!cases::settles(softer) || !run_faults(softer).empty() || soft_work(softer) > most_work)
+    return std::nullopt;
+  ReplicateRun trial(softer, 0, nullptr, nullptr, 1, stop);
+  while (!trial.counting_begins() && !trial.done()) {
+    if (stop != nullptr && *stop) return std::nullopt;
+    trial.run_slice();
+  }
+  if (!trial.counting_begins()) return std::nullopt;
+  SettledState state{mill_case, *trial.counting_begins()};
+  state.mill_case.run.start_from = start_states(softer, trial);
+  state.mill_case.run.settle = 0;
+  return state;
+} catch (const Interrupted&) {  // while balls were placed
+  return std::nullopt;
+}
+
+}  // namespace mahlwerk::campaign
