@@ -41,7 +41,7 @@ double power_number(const Case& c, const Replicate& r) {
 
 /// Speed and filling of a drum, as comminution states them.
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
-  if (kinematics::as<kinematics::Tumbling>(*mill_case.mill.motion) == nullptr) return;
+  if (cases::drum(mill_case) == nullptr) return;
   list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
                     return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
                   }});
@@ -99,7 +99,9 @@ std::vector<Measure> mill_measures(const Case& mill_case) {
       {"power_imbalance", "1",
        "drawn over dissipated power, minus one: where it is not small, the charge still gains or "
        "loses energy",
-       [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
+       [](const Case&, const Replicate& r) {
+         return drawn(r) == 0 ? undefined : share(drawn(r), dissipated_power(r)) - 1;
+       }},
   };
   if (cases::shaft_speed(mill_case) && stirrer(mill_case) == nullptr)
     list.push_back({"shaft_torque", "N m",

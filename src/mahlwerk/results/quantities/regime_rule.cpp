@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/results/quantities/regime_rule.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+/// The wall carries the charge round: mass on all sides that keeps to the wall.
+bool carried_round(const RegimeSigns& s) {
+  return s.emptiest_sector > 0.1 &&
+         (s.flight_share < 0.02 || (s.jar_lag < 0.2 && s.flight_share < 0.1));
+}
+
+/// The wall passes under the charge.
+bool slips(const RegimeSigns& s) {
+  const bool stays = s.flight_share < 0.02 && s.carrier_motion < 0.1 && s.wall_slip > 0.1;
+  return stays || s.wall_slip > 0.5;
+}
+
+}  // namespace
+
+std::string_view regime_word(const RegimeSigns& s, bool drum) {
+  constexpr double steady = 2;  // below it, the charge moves for more than half of the time
+  const bool stops = s.intermittency > steady;
+  if (carried_round(s)) return drum ? "centrifuging" : "rolling";
+  if (s.jar_lag < 0.2) return "rigid";
+  if (s.airborne_share > 0.1) return "cataracting";
+  if (slips(s)) return stops ? "surging" : "sliding";
+  if (s.wall_share > 0.95) return "rolling on the wall";
+  return stops ? "slumping" : "cascading";
+}
+
+}  // namespace mahlwerk::results
