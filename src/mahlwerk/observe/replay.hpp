@@ -25,8 +25,8 @@ class Replay {
          double shortest = 0);
 
   double next_frame_time() const;  ///< [s] time of the next frame; infinite after the last
-  /// Adds a frame: the balls in the jar frame at `time` [s]. An engine that gives its balls at fewer
-  /// times than there are frames gives the same time again: that frame is left out.
+  /// Adds a frame: the balls in the jar frame at `time` [s]. An engine that gives its balls at
+  /// fewer times than there are frames gives the same time again: that frame is left out.
   void add(double time, const std::vector<scene::Ball>& balls);
   bool empty() const { return times_.empty(); }
 
