@@ -151,7 +151,8 @@ void moves(Outcome& outcome, double from_jar, double from_carrier, double slip) 
 
 /// Signs of a bed that flows on one side of a drum, as in most mills.
 RegimeSigns flowing() {
-  return {.flight_share = 0.2,
+  return {.froude = 0.3,
+          .flight_share = 0.2,
           .airborne_share = 0.01,
           .emptiest_sector = 0,
           .jar_lag = 0.8,
@@ -172,6 +173,8 @@ TEST(Regime, of_balls_that_rattle_in_a_bed_is_cascading_and_of_balls_outside_it_
   EXPECT_EQ(word_with([](RegimeSigns&) {}), "cascading");
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.flight_share = 0.5; }), "cascading") << "in the bed";
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2; }), "cataracting");
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2, s.froude = 0.05; }), "cascading")
+      << "too slow to throw a ball";
 }
 
 TEST(Regime, of_a_bed_that_turns_with_the_drum_is_rigid_and_all_round_centrifuging) {

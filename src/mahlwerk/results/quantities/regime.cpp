@@ -128,17 +128,26 @@ double wall_slip(const Case& c, const Replicate& r) {
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall);
 }
 
-/// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
-/// a drum, the disc's rotation in a planetary mill.
-double pinning(const Case& c, const Replicate& r) {
+bool is_drum(const Case& c) {
+  return cases::drum(c) != nullptr;
+}
+
+/// [m] Distance of the centre of the largest ball on the wall from the jar's axis.
+double arm(const Case& c, const Replicate& r) {
   double largest = 0;
   for (const cases::BallSet& set : c.balls)
     for (const cases::SizeClass& size : set.sizes())
       if (!set.grains) largest = std::max(largest, 0.5 * size.diameter);
-  const double arm = r.tally.wall_map.grid().radius - largest, spin = jar_spin(c);
+  return r.tally.wall_map.grid().radius - largest;
+}
+
+/// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
+/// a drum, the disc's rotation in a planetary mill.
+double pinning(const Case& c, const Replicate& r) {
+  const double spin = jar_spin(c);
   if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
-    return spin * spin * arm / (mill->speed * mill->speed * mill->orbit_radius);
-  return share(spin * spin * arm, c.gravity);
+    return spin * spin * arm(c, r) / (mill->speed * mill->speed * mill->orbit_radius);
+  return share(spin * spin * arm(c, r), c.gravity);
 }
 
 /// [rad/s] Angular velocity of the jar seen from its carrier.
@@ -152,11 +161,19 @@ double wall_speed(const Case& c, const Replicate& r) {
   return std::abs(spin_on_carrier(c)) * r.tally.wall_map.grid().radius;
 }
 
-/// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
-/// at the wall. Undefined without samples of the balls.
+/// Acceleration of the largest ball on the wall seen from the carrier, over the field.
+double froude_on_carrier(const Case& c, const Replicate& r) {
+  if (is_drum(c)) return pinning(c, r);
+  const double ratio = planetary(c).ratio;
+  return ratio * ratio * arm(c, r) / planetary(c).orbit_radius;
+}
+
 double speed_seen_from_jar(const Case&, const Replicate& r) {
   return root_mean_square_speed(r.charge.in_jar);
 }
+
+/// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
+/// at the wall. Undefined without samples of the balls.
 double jar_lag(const Case& c, const Replicate& r) {
   return share(root_mean_square_speed(r.charge.in_jar), wall_speed(c, r));
 }
@@ -177,10 +194,6 @@ double intermittency(const Case&, const Replicate& r) {
   return share(share(r.charge.jar_speed_fourth, r.charge.in_jar.time()), squared * squared);
 }
 
-bool is_drum(const Case& c) {
-  return cases::drum(c) != nullptr;
-}
-
 /// The jar is at rest on its carrier, and the charge in the jar: nothing moves it.
 bool rests(const Case& c, double speed_seen_from_jar) {
   if (spin_on_carrier(c) != 0) return false;
@@ -195,7 +208,8 @@ using Sign = double (*)(const Case&, const Replicate&);
 template <class ValueOf>
 std::string named(const Case& c, const ValueOf& value_of) {
   if (rests(c, value_of(speed_seen_from_jar))) return "resting";
-  return std::string(regime_word({.flight_share = value_of(flight_share),
+  return std::string(regime_word({.froude = value_of(froude_on_carrier),
+                                  .flight_share = value_of(flight_share),
                                   .airborne_share = value_of(airborne_share),
                                   .emptiest_sector = value_of(emptiest_sector),
                                   .jar_lag = value_of(jar_lag),

@@ -24,7 +24,8 @@ std::string_view regime_word(const RegimeSigns& s, bool drum) {
   const bool stops = s.intermittency > steady;
   if (carried_round(s)) return drum ? "centrifuging" : "rolling";
   if (s.jar_lag < 0.2) return "rigid";
-  if (s.airborne_share > 0.1) return "cataracting";
+  constexpr double throws = 0.1;  // Mellmann: below it, balls roll down the bed
+  if (s.froude > throws && s.airborne_share > 0.05) return "cataracting";
   if (slips(s)) return stops ? "surging" : "sliding";
   if (s.wall_share > 0.95) return "rolling on the wall";
   return stops ? "slumping" : "cascading";

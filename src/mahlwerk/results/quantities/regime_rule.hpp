@@ -9,6 +9,9 @@ namespace mahlwerk::results {
 
 /// The measured numbers that name a regime. A comparison with an undefined number is false.
 struct RegimeSigns {
+  /// Acceleration of a ball that goes round with the wall, seen from the carrier, over the field:
+  /// the Froude number of a drum.
+  double froude = 0;
   double flight_share = 0;    ///< share of the balls' time without any contact
   double airborne_share = 0;  ///< share of the mass in flight outside the bed
   double emptiest_sector = 0;
