@@ -175,6 +175,9 @@ TEST(Regime, of_balls_that_rattle_in_a_bed_is_cascading_and_of_balls_outside_it_
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2; }), "cataracting");
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2, s.froude = 0.05; }), "cascading")
       << "too slow to throw a ball";
+  const auto few_fly = [](RegimeSigns& s) { s.airborne_share = 0.11; };
+  EXPECT_EQ(word_with(few_fly), "cataracting") << "in a drum";
+  EXPECT_EQ(word_with(few_fly, false), "cascading") << "in a planetary mill, friction 0.2, k = -3";
 }
 
 TEST(Regime, of_a_bed_that_turns_with_the_drum_is_rigid_and_all_round_centrifuging) {
@@ -191,6 +194,10 @@ TEST(Regime, of_a_bed_that_turns_with_the_drum_is_rigid_and_all_round_centrifugi
 TEST(Regime, of_a_charge_under_which_the_wall_passes_is_sliding_or_surging) {
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.93; }), "sliding");
   EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.93, s.intermittency = 4; }), "surging");
+  const auto bounces = [](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.15; };
+  EXPECT_EQ(word_with(bounces), "sliding") << "the wall does not lift the charge";
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.3; }),
+            "cataracting");
   const auto side_by_side = [](RegimeSigns& s) {  // papers/planetary-mill/friction.toml
     s.flight_share = s.airborne_share = 0, s.carrier_motion = 0.0045, s.wall_slip = 0.4;
     s.wall_share = 1;
