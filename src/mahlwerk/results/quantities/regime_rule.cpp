@@ -29,8 +29,10 @@ bool slips(const RegimeSigns& s) {
 }  // namespace
 
 std::string_view regime_word(const RegimeSigns& s, bool drum) {
-  constexpr double steady = 2;  // below it, the charge moves for more than half of the time
-  const bool stops = s.intermittency > steady;
+  // The charge moves for less than half of the time. A faster drum keeps it moving; a start that is
+  // counted would pass for a stop.
+  constexpr double steady = 2, slow = 0.01;
+  const bool stops = s.intermittency > steady && s.froude < slow;
   if (carried_round(s)) return drum ? "centrifuging" : "rolling";
   if (s.jar_lag < 0.2) return "rigid";
   if (thrown(s, drum)) return "cataracting";
