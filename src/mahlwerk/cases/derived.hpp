@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
 
 // Quantities derived from the jar and the balls of a case.
 namespace mahlwerk::cases {
@@ -35,5 +36,8 @@ double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double 
 /// [rad/s] Speed of the shaft that drives a drum, the disc of a planetary mill or a stirrer; no
 /// value where no shaft turns steadily.
 std::optional<double> shaft_speed(const Case& c);
+/// The motion of a drum: a tumbling jar that turns about its own axis. Null for other mills, and
+/// for a tumbler that turns its jar end over end.
+const kinematics::Tumbling* drum(const Case& c);
 
 }  // namespace mahlwerk::cases

@@ -10,6 +10,9 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
+#include "mahlwerk/observe/bed.hpp"
 
 namespace mahlwerk::observe {
 namespace {
@@ -25,7 +28,8 @@ int angle_slot(double x, double y) {
 
 }  // namespace
 
-Charge::Charge(const scene::Chamber& mill, double radius) : mass_by_angle(angles), mill_(mill) {
+Charge::Charge(const scene::Chamber& mill, double radius)
+    : mass_by_angle(angles), mill_(mill), radius_(radius) {
   const Vec3 normal = kinematics::plane_normal(*mill.motion);
   const bool along =
       norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane is normal to the jar's axis
@@ -49,9 +53,12 @@ void Charge::sample(double time, const std::vector<scene::Ball>& balls, double w
     const Vec3 v = b.velocity - cross(turns, b.position);
     field.add(dot(b.position, e), dot(b.position, f), dot(v, e), dot(v, f), squared(v), b.mass(),
               weight);
+    return b.mass() * squared(v);
   };
+  double mass = 0, seen_from_jar = 0;
   for (const scene::Ball& b : balls) {
-    add(in_jar, b, jar.rotation, jar.spin);
+    mass += b.mass();
+    seen_from_jar += add(in_jar, b, jar.rotation, jar.spin);
     add(in_carrier, b, carrier.rotation, carrier.spin);
     const double x = dot(b.position, carrier.rotation * right_);
     const double y = dot(b.position, carrier.rotation * up_);
@@ -60,6 +67,8 @@ void Charge::sample(double time, const std::vector<scene::Ball>& balls, double w
     spin_squared += weight * b.mass() * squared(b.spin);
     add_wall_contact(b, own, jar.spin, weight);
   }
+  find_bed(balls, own, weight);
+  if (mass > 0) jar_speed_fourth += weight * (seen_from_jar / mass) * (seen_from_jar / mass);
   in_jar.add_time(weight);
   in_carrier.add_time(weight);
 }
@@ -86,6 +95,15 @@ void Charge::add_wall_contact(const scene::Ball& ball, const Rotation& own, cons
       *mill_.shape);
 }
 
+void Charge::find_bed(const std::vector<scene::Ball>& balls, const Rotation& own, double weight) {
+  constexpr std::int64_t each = 4;  // neighbours cost more than the rest of a sample
+  const bool has_bed = kinematics::as<kinematics::Tumbling>(*mill_.motion) != nullptr ||
+                       kinematics::as<kinematics::Planetary>(*mill_.motion) != nullptr;
+  if (samples_++ % each != 0 || !has_bed) return;
+  mass_outside += weight * mass_outside_bed(balls, *mill_.shape, own, radius_);
+  for (const scene::Ball& b : balls) mass_sought += weight * b.mass();
+}
+
 void Charge::merge(const Charge& other) {
   if (mass_by_angle.empty()) {
     *this = other;
@@ -99,12 +117,16 @@ void Charge::merge(const Charge& other) {
   wall_slip += other.wall_slip;
   mass_total += other.mass_total;
   spin_squared += other.spin_squared;
+  jar_speed_fourth += other.jar_speed_fourth;
+  mass_outside += other.mass_outside;
+  mass_sought += other.mass_sought;
 }
 
 void Charge::serialize(Archive& archive) {
   in_jar.serialize(archive);
   in_carrier.serialize(archive);
-  archive(mass_by_angle)(mass_at_wall)(wall_slip)(mass_total)(spin_squared);
+  archive(mass_by_angle)(mass_at_wall)(
+      wall_slip)(mass_total)(spin_squared)(jar_speed_fourth)(mass_outside)(mass_sought)(samples_);
 }
 
 }  // namespace mahlwerk::observe

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mahlwerk/observe/fields.hpp"
@@ -36,6 +37,12 @@ class Charge {
   double wall_slip = 0;     ///< [kg m] mass of balls at the wall times slip speed and time
   double mass_total = 0;    ///< [kg s] of all balls
   double spin_squared = 0;  ///< [kg rad2/s] mass times squared angular velocity and time
+  /// [m4/s3] Square of the charge's mean squared speed seen from the jar, times time: with the mean
+  /// of that squared speed it tells a steady motion from one that stops and starts.
+  double jar_speed_fourth = 0;
+  /// [kg s] Mass outside the bed, and of all balls, in the samples in which it is sought: every
+  /// fourth. Only for drums and planetary mills.
+  double mass_outside = 0, mass_sought = 0;
 
   void merge(const Charge& other);
   void serialize(Archive& archive);
@@ -43,7 +50,10 @@ class Charge {
  private:
   void add_wall_contact(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
                         double weight);
+  void find_bed(const std::vector<scene::Ball>& balls, const Rotation& own, double weight);
   scene::Chamber mill_;
+  double radius_ = 0;
+  std::int64_t samples_ = 0;
   Vec3 right_{1, 0, 0}, up_{0, 1, 0};
 };
 

@@ -40,11 +40,13 @@ Replay::Replay(const scene::Chamber& mill, std::size_t balls, double begin, doub
 }
 
 double Replay::next_frame_time() const {
-  if (times_.size() == frames_) return std::numeric_limits<double>::infinity();
-  return begin_ + frame_interval_ * static_cast<double>(times_.size());
+  if (due_ == frames_) return std::numeric_limits<double>::infinity();
+  return begin_ + frame_interval_ * static_cast<double>(due_);
 }
 
 void Replay::add(double time, const std::vector<scene::Ball>& balls) {
+  ++due_;
+  if (!times_.empty() && !(time > times_.back())) return;
   times_.push_back(time);
   for (std::size_t i = 0; i < balls.size(); i += ball_stride_) {
     const Vec3& p = balls[i].position;
@@ -55,7 +57,7 @@ void Replay::add(double time, const std::vector<scene::Ball>& balls) {
 }
 
 void Replay::serialize(Archive& archive) {
-  archive(times_)(positions_)(speeds_);
+  archive(times_)(positions_)(speeds_)(due_);
 }
 
 }  // namespace mahlwerk::observe

@@ -25,7 +25,8 @@ class Replay {
          double shortest = 0);
 
   double next_frame_time() const;  ///< [s] time of the next frame; infinite after the last
-  /// Adds a frame: the balls in the jar frame at `time` [s].
+  /// Adds a frame: the balls in the jar frame at `time` [s]. An engine that gives its balls at
+  /// fewer times than there are frames gives the same time again: that frame is left out.
   void add(double time, const std::vector<scene::Ball>& balls);
   bool empty() const { return times_.empty(); }
 
@@ -42,6 +43,7 @@ class Replay {
  private:
   double begin_ = 0, frame_interval_ = 0, position_unit_ = 1;
   std::size_t frames_ = 0, shown_balls_ = 0, ball_stride_ = 1;
+  std::size_t due_ = 0;  // frames added or left out
   std::vector<double> times_;
   std::vector<std::array<std::int16_t, 3>> positions_;
   std::vector<float> speeds_;

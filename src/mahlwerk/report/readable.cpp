@@ -148,15 +148,18 @@ Readable readable_within(double value, double ci95, std::string_view unit, resul
   if (!inside || !std::isfinite(low) || (low >= range.least && high <= range.most)) return usual;
   const Multiple m = multiple(size > 0 ? size : std::max(std::abs(value), ci95), unit);
   constexpr double small = 1e-3;
-  if (ci95 / m.factor < small) return usual;  // too many decimal places
-  const int digits = places(value / m.factor, ci95 / m.factor);
+  const bool plain = ci95 / m.factor >= small || high >= range.most;
+  const int exponent = plain ? 0 : decade(ci95 / m.factor);
+  const double scale = m.factor * std::pow(10, exponent);
+  const int digits = std::min(places(value / scale, ci95 / scale), 9);
   const auto shown = [&](double v) {
-    if (v == range.least || v == range.most) return fmt::format("{:.6g}", v / m.factor);
-    return fmt::format("{:.{}f}", v / m.factor, digits);
+    if (v == range.least || v == range.most) return fmt::format("{:.6g}", v / scale);
+    return fmt::format("{:.{}f}", v / scale, digits);
   };
-  return {fmt::format("{} ({} to {})", shown(value), shown(std::max(low, range.least)),
-                      shown(std::min(high, range.most))),
-          usual.unit};
+  const std::string text =
+      fmt::format("{} ({} to {})", shown(value), shown(std::max(low, range.least)),
+                  shown(std::min(high, range.most)));
+  return {plain ? text : fmt::format("[{}] × {}", text, power_of_ten(exponent)), usual.unit};
 }
 
 std::string share_of(double share) {

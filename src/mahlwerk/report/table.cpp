@@ -62,12 +62,17 @@ std::string without_blanks_behind(std::string text) {
 
 std::string Row::all_text() const {
   if (only_above) return "";
-  return readable(all->value, all->half_width(), all->unit, size_of(*this)).text();
+  return readable_within(all->value, all->half_width(), all->unit, results::range_of(all->name),
+                         size_of(*this))
+      .text();
 }
 
 std::string Row::above_text() const {
   const results::Quantity* q = only_above ? all : above;
-  return q == nullptr ? "" : readable(q->value, q->half_width(), q->unit, size_of(*this)).text();
+  if (q == nullptr) return "";
+  return readable_within(q->value, q->half_width(), q->unit, results::range_of(q->name),
+                         size_of(*this))
+      .text();
 }
 
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {

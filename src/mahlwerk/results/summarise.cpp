@@ -52,7 +52,8 @@ Summary summarise(const Outcome& outcome) {
   made.quantities = means(all, made.by_replicate, numbers, interval_of(outcome.mill_case));
   for (std::size_t i = 0; i < all.size(); ++i) {
     Quantity& q = made.quantities[i];
-    if (!outcome.mill_case.uncertainty) q.ci95_time = ci95_over_time(chosen, q.name);
+    if (!outcome.mill_case.uncertainty)
+      q.ci95_time = above_rounding_of(q.value, ci95_over_time(chosen, q.name));
     if (!all[i].worst) continue;
     q.value = worst(made.by_replicate, i);
     q.ci95 = undefined;

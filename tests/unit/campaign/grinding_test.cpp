@@ -133,6 +133,21 @@ TEST_F(GrindingRun, more_power_than_the_mill_dissipates_is_warned_of) {
   EXPECT_FALSE(warned(run(mill_case)));
 }
 
+TEST_F(GrindingRun, in_which_no_hit_is_strong_enough_says_so_with_the_strongest_hit) {
+  const auto told = [](const Outcome& of) {
+    for (const Notice& one : results::grinding_warnings(of))
+      if (one.code == "nothing-breaks") return one.text;
+    return std::string();
+  };
+  EXPECT_EQ(told(outcome()), "") << "the grains break";
+  cases::Case mill_case = grinding_case();
+  mill_case.run.replicates = 2;
+  mill_case.grinding->breakage = powder::VogelPeukert{20, 3e5};
+  const std::string text = told(run(mill_case));
+  // One grain in a thousand: x W = x W_min + 1e-3/f_mat, and x W_min/x = 3e5/0.3e-3 J/kg.
+  EXPECT_NE(text.find("1 GJ/kg"), std::string::npos) << text;
+}
+
 TEST_F(GrindingRun, mass_is_kept_and_sizes_fall_with_time) {
   for (const auto& r : outcome().replicates)
     for (const auto* m : {&*r.grinding->balance, &*r.grinding->sample}) {

@@ -8,11 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
+#include <variant>
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/results/quantities/regime_rule.hpp"
 #include "mahlwerk/results/summary.hpp"
 #include "statement.hpp"
 
@@ -29,6 +33,7 @@ Outcome of(const kinematics::AnyMotion& motion) {
   Outcome outcome;
   cases::Case& c = outcome.mill_case;
   c.mill.motion = motion;
+  c.mill.jar_axis = std::visit([](const auto& m) -> Vec3 { return m.jar_axis; }, motion);
   c.jar.shape = geometry::Cylinder{0.2, 0.1};
   c.balls = {{2, 0.01, 7850, ""}};
   outcome.replicates.emplace_back(0.1, observe::BallKinds{},
@@ -132,26 +137,6 @@ TEST(Regime, pinning_is_the_ratio_of_accelerations) {
          "|1 + k| W R");
 }
 
-TEST(Regime, is_named_by_the_rule) {
-  const auto word = [](Outcome outcome, double contact, int count) {
-    put(outcome, 100, count);
-    touch(outcome, contact);
-    return regime(outcome);
-  };
-  for (const bool flies : {false, true}) {
-    const double contact = flies ? 0.79 : 0.81;
-    EXPECT_EQ(word(drum(3), contact, 40), flies ? "cataracting" : "cascading");
-    EXPECT_EQ(word(planetary(-2), contact, 40), flies ? "cataracting" : "cascading");
-    EXPECT_EQ(word(drum(3), contact, Charge::angles), flies ? "cataracting" : "cascading");
-  }
-  EXPECT_EQ(word(drum(20), 0.99, Charge::angles), "centrifuging");
-  EXPECT_EQ(word(planetary(-3), 0.99, Charge::angles), "rolling");
-  EXPECT_EQ(word(drum(20), 0.97, Charge::angles), "cascading") << "3 % of flight";
-  EXPECT_EQ(word(drum(20), 0.99, Charge::angles - 10), "cascading") << "a gap of 20 degrees";
-  EXPECT_EQ(regime(of(kinematics::Still{})), "");
-  EXPECT_EQ(regime(of(kinematics::Tumbling{0})), "") << "a drum at rest";
-}
-
 /// Both balls at 40 mm from the axis, at these speeds seen from the jar and from the carrier, and
 /// this slip at the wall [m/s].
 void moves(Outcome& outcome, double from_jar, double from_carrier, double slip) {
@@ -164,64 +149,143 @@ void moves(Outcome& outcome, double from_jar, double from_carrier, double slip) 
   charge.wall_slip = slip;
 }
 
-/// Contact shares and speeds of replicates of papers/planetary-mill/regimes.toml and friction.toml,
-/// in the speed of the wall seen from the disc.
-TEST(Regime, a_charge_that_the_wall_carries_round_is_not_cascading_although_some_balls_rattle) {
-  const auto word = [](Outcome outcome, double contact, int count, double from_jar) {
-    const bool turning = kinematics::as<kinematics::Tumbling>(*outcome.mill_case.mill.motion);
-    const double wall = 3 * 0.1 * (turning ? 1 : 40);
-    put(outcome, 0, count);
-    touch(outcome, contact);
-    moves(outcome, from_jar * wall, wall, 0);
-    return regime(outcome);
+/// Signs of a bed that flows on one side of a drum, as in most mills.
+RegimeSigns flowing() {
+  return {.froude = 0.3,
+          .flight_share = 0.2,
+          .airborne_share = 0.01,
+          .emptiest_sector = 0,
+          .jar_lag = 0.8,
+          .carrier_motion = 0.6,
+          .wall_slip = 0.2,
+          .wall_share = 0.3,
+          .intermittency = 1.1};
+}
+
+/// The word for the flowing bed with some of its signs changed.
+std::string word_with(const std::function<void(RegimeSigns&)>& change, bool drum = true) {
+  RegimeSigns signs = flowing();
+  change(signs);
+  return std::string(regime_word(signs, drum));
+}
+
+TEST(Regime, of_balls_that_rattle_in_a_bed_is_cascading_and_of_balls_outside_it_cataracting) {
+  EXPECT_EQ(word_with([](RegimeSigns&) {}), "cascading");
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.flight_share = 0.5; }), "cascading") << "in the bed";
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2; }), "cataracting");
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.airborne_share = 0.2, s.froude = 0.05; }), "cascading")
+      << "too slow to throw a ball";
+  const auto few_fly = [](RegimeSigns& s) { s.airborne_share = 0.11; };
+  EXPECT_EQ(word_with(few_fly), "cataracting") << "in a drum";
+  EXPECT_EQ(word_with(few_fly, false), "cascading") << "in a planetary mill, friction 0.2, k = -3";
+}
+
+TEST(Regime, of_a_bed_that_turns_with_the_drum_is_rigid_and_all_round_centrifuging) {
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.jar_lag = 0.1, s.flight_share = 0; }), "rigid");
+  const auto round = [](RegimeSigns& s) {
+    s.emptiest_sector = 0.9, s.jar_lag = 0.07, s.flight_share = 0.03;
   };
-  const int round = Charge::angles;
-  EXPECT_EQ(word(planetary(-3), 0.973, round, 0.071), "rolling") << "friction 0.5, k = -5";
-  EXPECT_EQ(word(planetary(-3), 0.979, round, 0.106), "rolling") << "friction 0.2, k = -6";
-  EXPECT_EQ(word(drum(3), 0.973, round, 0.071), "centrifuging");
-  EXPECT_EQ(word(planetary(-3), 0.835, round, 0.361), "cascading") << "friction 0.2, k = -5";
-  EXPECT_EQ(word(planetary(-3), 0.973, round / 2, 0.071), "cascading") << "on one side only";
-  EXPECT_EQ(word(planetary(-3), 0.79, round, 0.071), "cataracting") << "21 % of flight";
+  EXPECT_EQ(word_with(round), "centrifuging");
+  EXPECT_EQ(word_with(round, false), "rolling") << "in a planetary mill";
+  const auto falling = [](RegimeSigns& s) { s.emptiest_sector = 0.9, s.airborne_share = 0.3; };
+  EXPECT_EQ(word_with(falling), "cataracting") << "all round, but in flight";
 }
 
-TEST(Regime, a_charge_at_rest_under_which_the_wall_passes_is_sliding) {
-  const auto word = [](double contact, double from_carrier, double slip) {
-    Outcome outcome = planetary(-2);  // the wall passes at 2 * 40/s * 0.1 m
-    put(outcome, 20, 40);
-    touch(outcome, contact);
-    moves(outcome, 8, from_carrier * 8, slip * 8);
-    return regime(outcome);
+TEST(Regime, of_a_charge_under_which_the_wall_passes_is_sliding_or_surging) {
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.93; }), "sliding");
+  EXPECT_EQ(
+      word_with([](RegimeSigns& s) { s.wall_slip = 0.93, s.intermittency = 4, s.froude = 1e-3; }),
+      "surging");
+  const auto bounces = [](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.15; };
+  EXPECT_EQ(word_with(bounces), "sliding") << "the wall does not lift the charge";
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.3; }),
+            "cataracting");
+  const auto side_by_side = [](RegimeSigns& s) {  // papers/planetary-mill/friction.toml
+    s.flight_share = s.airborne_share = 0, s.carrier_motion = 0.0045, s.wall_slip = 0.4;
+    s.wall_share = 1;
   };
-  EXPECT_EQ(word(1, 0.0023, 0.505), "sliding") << "replicate 1 of friction.toml";
-  EXPECT_EQ(word(1, 0.0045, 0.40), "sliding") << "replicate 6";
-  EXPECT_EQ(word(0.918, 0.307, 0.247), "cascading") << "replicate 2";
-  EXPECT_EQ(word(1, 0.0023, 0), "cascading") << "balls that roll on the spot";
-  EXPECT_EQ(word(0.97, 0.0023, 0.5), "cascading") << "3 % of flight";
+  EXPECT_EQ(word_with(side_by_side, false), "sliding");
 }
 
-TEST(Regime, is_named_for_each_replicate) {
-  Outcome outcome = planetary(-2);
-  outcome.replicates.push_back(outcome.replicates[0]);
-  put(outcome, 20, 40);
-  touch(outcome, 1);
-  moves(outcome, 8, 0, 4);
-  Replicate& other = outcome.replicates[1];
-  other.charge.mass_by_angle = outcome.replicates[0].charge.mass_by_angle;
-  other.energy_balance.contact_time = 20 * 0.7;
-  EXPECT_EQ(regime(outcome.mill_case, outcome.replicates[0]), "sliding");
-  EXPECT_EQ(regime(outcome.mill_case, other), "cataracting");
+TEST(Regime, of_balls_that_roll_on_the_wall_says_so) {
+  const auto rolls = [](RegimeSigns& s) {
+    s.flight_share = s.airborne_share = 0, s.wall_slip = 0.01, s.wall_share = 1;
+  };
+  EXPECT_EQ(word_with(rolls, false), "rolling on the wall");
+  EXPECT_EQ(word_with(rolls), "rolling on the wall");
 }
 
-TEST(Regime, is_averaged_over_replicates) {
+TEST(Regime, of_avalanches_between_rests_is_slumping) {
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.intermittency = 3, s.froude = 1e-4; }), "slumping");
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.intermittency = 3, s.froude = 0.05; }), "cascading")
+      << "a drum of this speed keeps the bed moving: the start was counted";
+}
+
+TEST(Regime, of_a_jar_that_does_not_turn_on_its_disc_is_resting_once_the_balls_rest) {
+  Outcome mill = planetary(0);
+  put(mill, 0, 20);
+  moves(mill, 0.001, 0.001, 0);
+  EXPECT_EQ(regime(mill), "resting");
+  Outcome moving = planetary(0);
+  put(moving, 0, 20);
+  moves(moving, 3, 3, 0);
+  EXPECT_NE(regime(moving), "resting");
+}
+
+TEST(Regime, is_that_of_drums_and_planetary_mills_alone) {
+  EXPECT_EQ(regime(of(kinematics::Still{})), "");
+  EXPECT_EQ(regime(of(kinematics::Tumbling{0})), "") << "a drum at rest";
+  Outcome end_over_end = drum(3);
+  end_over_end.mill_case.mill.jar_axis = {0, 0, 1};
+  EXPECT_EQ(regime(end_over_end), "") << "an end-over-end tumbler has no toe and no shoulder";
+  EXPECT_TRUE(regime_measures(end_over_end.mill_case).empty());
+}
+
+/// The share of flight and the mass outside the bed are measured apart: a ball in flight has both.
+TEST(Regime, balls_in_flight_are_outside_the_bed_and_touch_nothing) {
+  Outcome mill = drum(3);
+  Charge& charge = mill.replicates[0].charge;
+  charge.mass_sought = 2, charge.mass_outside = 0.6;
+  touch(mill, 0.6);
+  states("outside the bed", value(mill, "airborne_share"), 0.3, 1e-14, "0.6 of 2 kg s");
+  touch(mill, 0.9);
+  states("few without contact", value(mill, "airborne_share"), 0.1, 1e-14, "1 - 0.9");
+  touch(mill, 1 + 1e-13);
+  EXPECT_EQ(value(mill, "flight_share"), 0) << "rounding of the contact time";
+}
+
+TEST(Regime, intermittency_is_one_for_steady_motion_and_two_for_motion_half_of_the_time) {
+  const auto sampled = [](double first, double second) {
+    Outcome mill = drum(3);
+    Charge& charge = mill.replicates[0].charge;
+    scene::Ball ball = cases::starting_balls(mill.mill_case, 0).front();
+    for (const double v : {first, second}) {
+      ball.velocity = v * charge.up() + cross(Vec3{0, 0, 0}, ball.position);
+      const Vec3 spin = 3 * kinematics::Tumbling::jar_axis;
+      ball.velocity += cross(spin, ball.position);  // seen from the jar: v
+      charge.sample(0, {ball}, 1);
+    }
+    return value(mill, "intermittency");
+  };
+  states("steady", sampled(0.3, 0.3), 1, 1e-12, "<v^4>/<v^2>^2");
+  states("half of the time", sampled(0.3, 0), 2, 1e-12, "(1/2)/(1/2)^2");
+}
+
+TEST(Regime, is_named_for_each_replicate_and_for_their_mean) {
   Outcome outcome = drum(3);
+  put(outcome, 120, 40);
+  moves(outcome, 0.24, 0.2, 0.05);
+  outcome.replicates[0].charge.mass_sought = 1;
   outcome.replicates.push_back(outcome.replicates[0]);
-  for (Replicate& r : outcome.replicates) std::ranges::fill(r.charge.mass_by_angle, 1.0);
-  outcome.replicates[0].energy_balance.contact_time = 20 * 0.9;
-  outcome.replicates[1].energy_balance.contact_time = 20 * 0.6;
-  EXPECT_EQ(regime(outcome), "cataracting") << "25 % of flight";
-  outcome.replicates[1].energy_balance.contact_time = 20 * 0.8;
-  EXPECT_EQ(regime(outcome), "cascading") << "15 % of flight";
-  EXPECT_NE(regime_reason(outcome).find("fly 15 %"), std::string::npos) << regime_reason(outcome);
+  outcome.replicates[1].charge.mass_outside = 0.5;
+  touch(outcome, 0.4);
+  outcome.replicates[1].energy_balance.contact_time =
+      outcome.replicates[0].energy_balance.contact_time;
+  EXPECT_EQ(regime(outcome.mill_case, outcome.replicates[0]), "cascading");
+  EXPECT_EQ(regime(outcome.mill_case, outcome.replicates[1]), "cataracting");
+  EXPECT_EQ(regime(outcome), "cataracting") << "a quarter of the mass outside the bed";
+  EXPECT_NE(regime_reason(outcome).find("25 % of the mass"), std::string::npos)
+      << regime_reason(outcome);
 }
 
 }  // namespace

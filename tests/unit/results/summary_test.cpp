@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 #include "mahlwerk/results/summarise.hpp"
 #include "unit/results/fake.hpp"
 
@@ -56,6 +57,8 @@ TEST(Summary, a_drum_states_its_speed_and_the_bulk_fillings_of_balls_and_powder)
   Outcome o = fake_outcome();
   EXPECT_THROW(value(o, "bulk_filling"), std::exception) << "no drum";
   o.mill_case.mill.motion = kinematics::Tumbling{-std::numbers::pi};
+  EXPECT_THROW(value(o, "bulk_filling"), std::exception) << "upright: tumbles end over end";
+  o.mill_case.mill.jar_axis = kinematics::Tumbling::jar_axis;
   geometry::Cylinder jar;
   jar.diameter = 0.2;
   jar.height = 0.1;
@@ -105,6 +108,30 @@ TEST(Summary, residuals_are_those_of_the_worst_replicate) {
   const scene::EnergyBalance& a = o.replicates[1].energy_balance;
   EXPECT_NEAR(value(o, "energy_balance"), 0.1 / (a.wall_work + a.lost()), 1e-12);
   EXPECT_TRUE(std::isnan(named(summarise(o).quantities, "energy_balance").ci95));
+}
+
+TEST(Summary, without_power_there_is_no_imbalance_and_rounding_is_no_power) {
+  Outcome o = fake_outcome({100, 100});
+  for (Replicate& r : o.replicates) {
+    r.energy_balance = r.at_settled;
+    r.energy_balance.time = 11;
+    r.energy_balance.kinetic = 1;
+    r.energy_balance.lost_normal -= 1e-15;  // sums of elastic collisions
+  }
+  EXPECT_EQ(value(o, "dissipated_power"), 0);
+  EXPECT_EQ(value(o, "drawn_power"), 0);
+  EXPECT_TRUE(std::isnan(value(o, "power_imbalance"))) << "0/0";
+  for (Replicate& r : o.replicates) r.energy_balance.lost_normal += 1e-9;
+  EXPECT_NEAR(value(o, "dissipated_power"), 1e-10, 1e-15) << "above rounding";
+  EXPECT_EQ(value(o, "power_imbalance"), -1) << "a charge that slows down";
+}
+
+TEST(Summary, an_interval_below_rounding_is_zero) {
+  Quantity q{"contact_time_share", 0, 0, "1", ""};
+  combine(q, {1 - 1e-15, 1 + 1e-15}, Interval::of_mean);
+  EXPECT_EQ(q.ci95, 0);
+  combine(q, {1 - 1e-9, 1 + 1e-9}, Interval::of_mean);
+  EXPECT_NEAR(q.ci95, 12.7062 * 1e-9, 1e-13) << "Student's t for one degree of freedom";
 }
 
 TEST(Summary, one_replicate_has_no_interval) {

@@ -72,6 +72,12 @@ double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c)
   const Node* at = in.find(spec.key);
   if (at == nullptr || at->kind != Node::Kind::text || at->text.find('%') == std::string::npos)
     return in.value(spec);
+  if (const Node* axis = in.find("jar_axis"); axis != nullptr && axis->text == "vertical") {
+    in.fault(*at, "a jar that tumbles end over end has no critical speed",
+             "write the speed in rpm, or remove jar_axis = \"vertical\" for a drum",
+             "bad-quantity");
+    return invalid_value;
+  }
   const double share = in.quantity(*at, {spec.key, "", any_number, spec.about});
   const double critical = critical_speed(c.jar, c.balls, c.gravity);
   const double speed = share * critical;

@@ -103,13 +103,18 @@ class Derivation {
           "kinetic energy of the largest ball at the peak wall speed (kin.15)");
   }
 
-  void special(const Tumbling& drum) {
+  void special(const Tumbling& tumbler) {
+    if (drum(c_) == nullptr) {
+      add("tumbling_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm",
+          "turns of the jar end over end");
+      return;
+    }
     const double critical = critical_speed(c_.jar, c_.balls, c_.gravity);
-    add("drum_speed", std::abs(drum.speed) * 30 / std::numbers::pi, "rpm", "speed of the drum");
+    add("drum_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm", "speed of the drum");
     add("critical_speed", critical, "rad/s",
         "speed that pins the largest ball to the wall of the drum (kin.11)");
     if (critical > 0)
-      add("percent_of_critical", 100 * std::abs(drum.speed) / critical, "%",
+      add("percent_of_critical", 100 * std::abs(tumbler.speed) / critical, "%",
           "speed of the drum over the critical speed (kin.11)");
     add("expected_impact_energy", largest_.mass() * c_.gravity * 2 * arm_, "J",
         "energy of the largest ball falling through the drum's diameter less its own (kin.17)");

@@ -82,9 +82,10 @@ void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, con
   cell.colour = viridis(share);
   cell.ink = ink_on_viridis(share);
   cell.text = brief(v / m.factor);
-  cell.title +=
-      label(what.name) + " " +
-      readable(v, half_width_at(p, column), what.unit, m.unit == "1" ? 0 : m.factor).text();
+  cell.title += label(what.name) + " " +
+                readable_within(v, half_width_at(p, column), what.unit,
+                                results::range_of(what.name), m.unit == "1" ? 0 : m.factor)
+                    .text();
 }
 
 }  // namespace

@@ -84,9 +84,11 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnin
   for (const std::size_t i : sheet.shown) {
     const double v = value_at(p, i);
     const Multiple& m = sheet.multiples[i];
-    text += fmt::format(
-        "<td class=\"n\" data-v=\"{}\">{}</td>", std::isfinite(v) ? fmt::format("{}", v) : "",
-        escaped(readable(v, half_width_at(p, i), c.columns[i].unit, m.factor).number));
+    text += fmt::format("<td class=\"n\" data-v=\"{}\">{}</td>",
+                        std::isfinite(v) ? fmt::format("{}", v) : "",
+                        escaped(readable_within(v, half_width_at(p, i), c.columns[i].unit,
+                                                results::range_of(c.columns[i].name), m.factor)
+                                    .number));
   }
   if (warnings) text += fmt::format("<td>{}</td>", escaped(spaced(p.warnings)));
   return text + "</tr>\n";
@@ -135,7 +137,9 @@ std::string highlights(const Sheet& sheet) {
   const Column& c = sheet.campaign.columns[what];
   const auto told = [&, points = sheet.campaign.points.data()](const Point& p) {
     return fmt::format("{} ({})",
-                       readable(value_at(p, what), half_width_at(p, what), c.unit).text(),
+                       readable_within(value_at(p, what), half_width_at(p, what), c.unit,
+                                       results::range_of(c.name))
+                           .text(),
                        sheet.others(static_cast<std::size_t>(&p - points), {}));
   };
   return fmt::format(" The largest change is that of {}: from {} to {}, {:.3g} times as much.",

@@ -54,7 +54,10 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p,
   for (const ListedResult& one : shown) {
     const bool has = one.column < p.value.size();
     const double value = value_at(p, one.column), ci95 = half_width_at(p, one.column);
-    line.push_back(has ? readable(value, ci95, c.columns[one.column].unit).text() : "");
+    line.push_back(has ? readable_within(value, ci95, c.columns[one.column].unit,
+                                         results::range_of(one.quantity))
+                             .text()
+                       : "");
   }
   if (regimes) line.push_back(p.regime);
   if (warnings) line.push_back(p.warnings);

@@ -181,8 +181,10 @@ void read_test(SectionReader& in, Claim& claim) {
   }
   if (claim.kind == Kind::measured) read_measured_claim(in, claim);
   if (claim.kind == Kind::regime)
-    claim.is =
-        in.choice({"is", {"cascading", "cataracting", "centrifuging", "rolling", "sliding"}, ""});
+    claim.is = in.choice({"is",
+                          {"cascading", "cataracting", "centrifuging", "rigid", "resting",
+                           "rolling", "rolling on the wall", "sliding", "slumping", "surging"},
+                          ""});
   if (claim.kind == Kind::bound) read_bound(in, claim);
 }
 

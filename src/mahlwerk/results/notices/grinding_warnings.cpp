@@ -101,6 +101,62 @@ void wide_classes(const cases::Grinding& grinding, const Chosen& chosen, Notices
                     grinding.classes_per_octave, grinding.classes_per_octave < 6 ? 13 : 3)));
 }
 
+/// [J/kg] Largest specific energy that a hit gives to grains of this size.
+double strongest_hit(const powder::Process& process, const powder::StressSpectrum& hits,
+                     const powder::Grain& grain) {
+  double most = 0;
+  for (const powder::Stress& s : hits.stresses) {
+    if (!(s.rate > 0) || !(s.energy > 0)) continue;
+    const powder::Capture c =
+        process.capture_per_hit(hits.nips[static_cast<std::size_t>(s.nip)], s.energy, grain.size);
+    const double mass = c.grains * grain.mass();
+    if (c.probability > 0 && mass > 0)
+      most = std::max(most, process.energy_share * s.energy / mass);
+  }
+  return most;
+}
+
+/// [J/kg] Specific energy that breaks one grain of this size in a thousand; infinite if none does.
+double least_breaking(const powder::AnyBreakage& breakage, double size) {
+  constexpr double rarely = 1e-3, highest = 1e15;
+  const auto breaks = [&](double energy) {
+    return std::visit([&](const auto& m) { return m.breakage_probability(size, energy); },
+                      breakage) >= rarely;
+  };
+  if (!breaks(highest)) return INFINITY;
+  double low = 0, high = highest;
+  for (int i = 0; i < 200 && high - low > 1e-6 * high; ++i) {
+    const double middle = low > 0 ? std::sqrt(low * high) : high * 1e-3;
+    (breaks(middle) ? high : low) = middle;
+    if (high < 1e-15) break;
+  }
+  return high;
+}
+
+/// Warns if the sizes at the end are those of the feed.
+void nothing_breaks(const cases::Case& mill_case, const Chosen& chosen,
+                    const powder::StressSpectrum& hits, Notices& list) {
+  constexpr double none = 1e-6;  // of the mass, in another class than at the start
+  for (const Replicate* r : chosen) {
+    const powder::SizeEvolution& milling = r->grinding->milling();
+    const std::vector<double>&first = milling.shares.front(), &last = milling.shares.back();
+    for (std::size_t i = 0; i < first.size(); ++i)
+      if (std::abs(last[i] - first[i]) > none) return;
+  }
+  const powder::Process process = cases::process(mill_case);
+  const double size = *mill_case.powder->size,
+               strongest = strongest_hit(process, hits, process.grain(size));
+  list.push_back(warning(
+      "nothing-breaks",
+      fmt::format(
+          "Nothing breaks: no hit exceeds what a grain bears. The strongest hit gives {} to "
+          "grains of {}; {} break one of them in a thousand. Heavier balls, a faster mill "
+          "or weaker grains change that; the grinding energy is lost as "
+          "heat.",
+          show_rounded(strongest, "J/kg"), show_rounded(size, "m"),
+          show_rounded(least_breaking(*process.breakage, size), "J/kg"))));
+}
+
 }  // namespace
 
 Notices grinding_warnings(const Outcome& outcome) {
@@ -115,6 +171,7 @@ Notices grinding_warnings(const Outcome& outcome) {
   if (!mill_case.grinding) return list;
   ends_of_the_classes(*mill_case.grinding, chosen, list);
   wide_classes(*mill_case.grinding, chosen, list);
+  nothing_breaks(mill_case, chosen, hits, list);
   return list;
 }
 

@@ -21,13 +21,14 @@ using observe::PlaneField;
 
 constexpr double degrees_of_bed = 180 / std::numbers::pi;
 
-const kinematics::Tumbling* drum(const Case& c) {
-  const auto* motion = kinematics::as<kinematics::Tumbling>(*c.mill.motion);
+/// The motion of a drum that turns; else null.
+const kinematics::Tumbling* turning_drum(const Case& c) {
+  const kinematics::Tumbling* motion = cases::drum(c);
   return motion != nullptr && motion->speed != 0 ? motion : nullptr;
 }
 
 double sense(const Case& c) {
-  return drum(c)->speed < 0 ? -1 : 1;
+  return cases::drum(c)->speed < 0 ? -1 : 1;
 }
 
 double width(const PlaneField& field) {
@@ -151,7 +152,7 @@ SurfaceLayer layer_of(const Case& c, const Replicate& r) {
 std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
   const PlaneField& field = r.charge.in_carrier;
   const Centre at = centre(field);
-  if (drum(mill_case) == nullptr || !(at.distance() > 0)) return {};
+  if (turning_drum(mill_case) == nullptr || !(at.distance() > 0)) return {};
   const double ex = at.x / at.distance(), ey = at.y / at.distance();
   const double tx = -sense(mill_case) * ey, ty = sense(mill_case) * ex;
   std::vector<BedPoint> line;
@@ -166,7 +167,7 @@ std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
 std::vector<Measure> bed_measures(const Case& mill_case) {
   const Vec3 normal = kinematics::plane_normal(*mill_case.mill.motion);
   const bool upright = std::abs(normal.z) < 1e-9;
-  if (drum(mill_case) == nullptr) {
+  if (turning_drum(mill_case) == nullptr) {
     if (!upright) return {};
     std::vector<Measure> list{{"charge_height", "m",
                                "mean height of the balls' centre of mass above the jar's centre",

@@ -12,6 +12,11 @@ Interval interval_of(const cases::Case& mill_case) {
   return mill_case.uncertainty ? Interval::of_draw : Interval::of_mean;
 }
 
+double above_rounding_of(double value, double half_width) {
+  constexpr double rounding = 1e-13;  // of sums of many numbers
+  return half_width <= rounding * std::abs(value) ? 0 : half_width;
+}
+
 void combine(Quantity& q, const std::vector<double>& values, Interval interval) {
   std::vector<double> there;
   for (const double v : values) {
@@ -24,6 +29,7 @@ void combine(Quantity& q, const std::vector<double>& values, Interval interval) 
   q.ci95 = e.ci95;
   if (interval == Interval::of_draw)
     q.ci95 *= std::sqrt(static_cast<double>(there.size()) + 1);  // (cal.9)
+  q.ci95 = above_rounding_of(q.value, q.ci95);
 }
 
 std::vector<Quantity> means(const std::vector<Measure>& measures,

@@ -17,6 +17,9 @@ enum class Interval {
 /// of_draw for a case with [uncertainty].
 Interval interval_of(const cases::Case& mill_case);
 
+/// The half-width of an interval, or 0 where it is no more than the rounding of the value.
+double above_rounding_of(double value, double half_width);
+
 /// Sets a quantity's mean and its half-width. Values that are not finite, as of a replicate without
 /// collisions, are left out.
 void combine(Quantity& q, const std::vector<double>& values, Interval interval);

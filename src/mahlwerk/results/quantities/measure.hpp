@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -31,8 +32,17 @@ inline double per_time(const Replicate& r, double scene::EnergyBalance::*what) {
   return share(r.energy_balance.*what - r.at_settled.*what, r.time());
 }
 
+/// An energy [J] of the balance; 0 where it is no more than the rounding of the sums: collisions
+/// without dissipation lose 1e-16 of their energy or gain it.
+inline double above_rounding(const Replicate& r, double energy) {
+  constexpr double rounding = 1e-12;
+  const scene::EnergyBalance& now = r.energy_balance;
+  const double turned_over = now.kinetic + std::abs(now.initial_energy) + std::abs(now.wall_work);
+  return std::abs(energy) < rounding * turned_over ? 0 : energy;
+}
+
 inline double dissipated_power(const Replicate& r) {
-  return share(r.energy_balance.lost() - r.at_settled.lost(), r.time());
+  return share(above_rounding(r, r.energy_balance.lost() - r.at_settled.lost()), r.time());
 }
 
 inline double count_of_balls(const cases::Case& c) {

@@ -41,7 +41,7 @@ double power_number(const Case& c, const Replicate& r) {
 
 /// Speed and filling of a drum, as comminution states them.
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
-  if (kinematics::as<kinematics::Tumbling>(*mill_case.mill.motion) == nullptr) return;
+  if (cases::drum(mill_case) == nullptr) return;
   list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
                     return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
                   }});
@@ -99,7 +99,7 @@ std::vector<Measure> mill_measures(const Case& mill_case) {
       {"power_imbalance", "1",
        "drawn over dissipated power, minus one: where it is not small, the charge still gains or "
        "loses energy",
-       [](const Case&, const Replicate& r) { return drawn(r) / dissipated_power(r) - 1; }},
+       [](const Case&, const Replicate& r) { return share(drawn(r), dissipated_power(r)) - 1; }},
   };
   if (cases::shaft_speed(mill_case) && stirrer(mill_case) == nullptr)
     list.push_back({"shaft_torque", "N m",
@@ -158,7 +158,9 @@ std::vector<Measure> energy_balance_measures() {  // (obs.3)
   return {
       {"dissipated_power_of_collisions", "W",
        "power dissipated in finished collisions: the sum of the spectrum",
-       [](const Case&, const Replicate& r) { return share(r.tally.all.lost, r.time()); }},
+       [](const Case&, const Replicate& r) {
+         return share(above_rounding(r, r.tally.all.lost), r.time());
+       }},
       {"dissipated_power_of_lasting_contacts", "W",
        "power dissipated in sustained contacts, for which there are no collision records, and in "
        "contacts that had not ended",

@@ -8,12 +8,13 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr std::array<std::string_view, 13> shares{
+constexpr std::array<std::string_view, 14> shares{
     "contact_time_share",
     "tc_collision_share",
     "power_share_within_contact_time",
     "hit_share_within_contact_time",
     "flight_share",
+    "airborne_share",
     "emptiest_sector",  // at most the mean mass of all sectors
     "occupied_share",
     "grazing_share",
@@ -23,7 +24,7 @@ constexpr std::array<std::string_view, 13> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 83> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -35,6 +36,14 @@ constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
                                                         "impact_speed_normal_mean",
                                                         "impact_speed_tangential_mean",
                                                         "dissipated_power",
+                                                        "drawn_power",
+                                                        "drawn_power_of_mill",
+                                                        "shaft_torque",
+                                                        "rotor_torque",
+                                                        "power_number",
+                                                        "motor_power",
+                                                        "jar_lag",
+                                                        "intermittency",
                                                         "dissipated_power_normal",
                                                         "dissipated_power_tangential",
                                                         "dissipated_power_sliding",

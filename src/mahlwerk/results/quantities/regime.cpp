@@ -11,8 +11,10 @@
 #include <stdexcept>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
+#include "mahlwerk/results/quantities/regime_rule.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -32,7 +34,7 @@ const Planetary& planetary(const Case& c) {
 }
 
 bool has_regime(const Case& c) {
-  const auto* drum = kinematics::as<Tumbling>(*c.mill.motion);
+  const Tumbling* drum = cases::drum(c);
   return (drum != nullptr && drum->speed != 0) ||
          kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
@@ -45,7 +47,7 @@ struct Reference {
   double sense = 1;
 };
 Reference reference(const Case& c) {
-  if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion))
+  if (const Tumbling* drum = cases::drum(c))
     return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
   return {0, planetary(c).ratio < 0 ? -1.0 : 1.0};
 }
@@ -83,8 +85,17 @@ Ends ends(const Charge& charge, const Reference& from) {
   return {degrees * wrapped, degrees * (wrapped + angle_of(0.95) - toe)};
 }
 
+/// Rounding of the contact time may exceed the time by its last digits.
 double flight_share(const Case& c, const Replicate& r) {
-  return 1 - per_time(r, &scene::EnergyBalance::contact_time) / count_of_balls(c);
+  const double flying = 1 - per_time(r, &scene::EnergyBalance::contact_time) / count_of_balls(c);
+  return flying < 0 ? 0 : flying;
+}
+
+/// A ball in flight touches nothing and is outside the bed, so the share is at most either.
+double airborne_share(const Case& c, const Replicate& r) {
+  const double outside = share(r.charge.mass_outside, r.charge.mass_sought),
+               flying = flight_share(c, r);
+  return std::isnan(outside) || std::isnan(flying) ? undefined : std::min(outside, flying);
 }
 
 /// Mass in the emptiest of 36 sectors over that of a uniformly spread charge.
@@ -108,7 +119,7 @@ double shoulder(const Case& c, const Replicate& r) {
 }
 
 double jar_spin(const Case& c) {
-  if (const auto* drum = kinematics::as<Tumbling>(*c.mill.motion)) return drum->speed;
+  if (const Tumbling* drum = cases::drum(c)) return drum->speed;
   return planetary(c).jar_spin();
 }
 
@@ -117,25 +128,48 @@ double wall_slip(const Case& c, const Replicate& r) {
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall);
 }
 
-/// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
-/// a drum, the disc's rotation in a planetary mill.
-double pinning(const Case& c, const Replicate& r) {
+bool is_drum(const Case& c) {
+  return cases::drum(c) != nullptr;
+}
+
+/// [m] Distance of the centre of the largest ball on the wall from the jar's axis.
+double arm(const Case& c, const Replicate& r) {
   double largest = 0;
   for (const cases::BallSet& set : c.balls)
     for (const cases::SizeClass& size : set.sizes())
       if (!set.grains) largest = std::max(largest, 0.5 * size.diameter);
-  const double arm = r.tally.wall_map.grid().radius - largest, spin = jar_spin(c);
+  return r.tally.wall_map.grid().radius - largest;
+}
+
+/// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
+/// a drum, the disc's rotation in a planetary mill.
+double pinning(const Case& c, const Replicate& r) {
+  const double spin = jar_spin(c);
   if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
-    return spin * spin * arm / (mill->speed * mill->speed * mill->orbit_radius);
-  return share(spin * spin * arm, c.gravity);
+    return spin * spin * arm(c, r) / (mill->speed * mill->speed * mill->orbit_radius);
+  return share(spin * spin * arm(c, r), c.gravity);
+}
+
+/// [rad/s] Angular velocity of the jar seen from its carrier.
+double spin_on_carrier(const Case& c) {
+  const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
+  return mill != nullptr ? mill->ratio * mill->speed : jar_spin(c);
 }
 
 /// [m/s] Speed of the wall's surface seen from the carrier, which holds the jar's centre.
 double wall_speed(const Case& c, const Replicate& r) {
-  double spin = jar_spin(c);
-  if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
-    spin = mill->ratio * mill->speed;
-  return std::abs(spin) * r.tally.wall_map.grid().radius;
+  return std::abs(spin_on_carrier(c)) * r.tally.wall_map.grid().radius;
+}
+
+/// Acceleration of the largest ball on the wall seen from the carrier, over the field.
+double froude_on_carrier(const Case& c, const Replicate& r) {
+  if (is_drum(c)) return pinning(c, r);
+  const double ratio = planetary(c).ratio;
+  return ratio * ratio * arm(c, r) / planetary(c).orbit_radius;
+}
+
+double speed_seen_from_jar(const Case&, const Replicate& r) {
+  return root_mean_square_speed(r.charge.in_jar);
 }
 
 /// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
@@ -150,27 +184,44 @@ double slip_at_wall(const Case& c, const Replicate& r) {
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall_speed(c, r));
 }
 
-/// The measured numbers that name a regime.
-struct Signs {
-  double flight_share = 0, emptiest_sector = 0, jar_lag = 0, carrier_motion = 0, slip_at_wall = 0;
-};
-
-/// The rule of docs/theory/observe.md, "Regimes"; a comparison with an undefined number is false.
-std::string regime_by(const Signs& s, bool drum) {
-  const bool all_round = s.emptiest_sector > 0.1;
-  const bool carried_round = all_round && s.flight_share < 0.1 && s.jar_lag < 0.2;
-  if ((all_round && s.flight_share < 0.02) || carried_round)
-    return drum ? "centrifuging" : "rolling";
-  if (s.flight_share < 0.02 && s.carrier_motion < 0.1 && s.slip_at_wall > 0.1) return "sliding";
-  return s.flight_share > 0.2 ? "cataracting" : "cascading";
+double wall_share(const Case&, const Replicate& r) {
+  return share(r.charge.mass_at_wall, r.charge.mass_total);
 }
 
-bool is_drum(const Case& c) {
-  return kinematics::as<Tumbling>(*c.mill.motion) != nullptr;
+/// Mean square over squared mean of the charge's squared speed seen from the jar (obs.19).
+double intermittency(const Case&, const Replicate& r) {
+  const double speed = root_mean_square_speed(r.charge.in_jar), squared = speed * speed;
+  return share(share(r.charge.jar_speed_fourth, r.charge.in_jar.time()), squared * squared);
+}
+
+/// The jar is at rest on its carrier, and the charge in the jar: nothing moves it.
+bool rests(const Case& c, double speed_seen_from_jar) {
+  if (spin_on_carrier(c) != 0) return false;
+  constexpr double little = 0.01;  // of the disc's speed at the jar
+  const Planetary& mill = planetary(c);
+  return speed_seen_from_jar < little * mill.speed * mill.orbit_radius;
+}
+
+using Sign = double (*)(const Case&, const Replicate&);
+
+/// The word by the numbers that `value_of` gives.
+template <class ValueOf>
+std::string named(const Case& c, const ValueOf& value_of) {
+  if (rests(c, value_of(speed_seen_from_jar))) return "resting";
+  return std::string(regime_word({.froude = value_of(froude_on_carrier),
+                                  .flight_share = value_of(flight_share),
+                                  .airborne_share = value_of(airborne_share),
+                                  .emptiest_sector = value_of(emptiest_sector),
+                                  .jar_lag = value_of(jar_lag),
+                                  .carrier_motion = value_of(carrier_motion),
+                                  .wall_slip = value_of(slip_at_wall),
+                                  .wall_share = value_of(wall_share),
+                                  .intermittency = value_of(intermittency)},
+                                 is_drum(c)));
 }
 
 /// Mean over the averaged replicates.
-double mean_of(const Outcome& outcome, double (*of)(const Case&, const Replicate&)) {
+double mean_of(const Outcome& outcome, Sign of) {
   double sum = 0;
   const auto chosen = averaged_replicates(outcome);
   for (const Replicate* r : chosen) sum += of(outcome.mill_case, *r);
@@ -183,7 +234,11 @@ std::vector<Measure> regime_measures(const Case& mill_case) {
   if (!has_regime(mill_case)) return {};
   const bool drum = is_drum(mill_case);
   return {
-      {"flight_share", "1", "share of the balls' time without any contact", flight_share},
+      {"flight_share", "1",
+       "share of the balls' time without any contact, between the bounces in a bed too",
+       flight_share},
+      {"airborne_share", "1", "share of the charge's mass in flight outside the bed",
+       airborne_share},
       {"toe_angle", "deg",
        drum ? "angle below which 5 % of the charge lies, from the lowest point in the sense of "
               "rotation"
@@ -197,6 +252,14 @@ std::vector<Measure> regime_measures(const Case& mill_case) {
        emptiest_sector},
       {"wall_slip_ratio", "1",
        "mean slip speed of balls at the wall over the wall's speed of rotation", wall_slip},
+      {"jar_lag", "1",
+       "root mean square speed of the charge seen from the jar over the wall's speed seen from the "
+       "carrier: 0 if the charge turns with the jar",
+       jar_lag},
+      {"intermittency", "1",
+       "mean square over squared mean of the charge's squared speed seen from the jar: 1 if it "
+       "moves steadily, 2 if it moves half of the time",
+       intermittency},
       {drum ? "froude_number" : "pinning_ratio", "1",
        drum ? "centripetal acceleration of the largest ball at the wall over gravity: 1 pins it"
             : "centripetal acceleration of the largest ball at the wall by the jar's rotation over "
@@ -208,29 +271,25 @@ std::vector<Measure> regime_measures(const Case& mill_case) {
 std::string regime(const Outcome& outcome) {
   const Case& c = outcome.mill_case;
   if (!has_regime(c) || averaged_replicates(outcome).empty()) return "";
-  return regime_by(
-      {mean_of(outcome, flight_share), mean_of(outcome, emptiest_sector), mean_of(outcome, jar_lag),
-       mean_of(outcome, carrier_motion), mean_of(outcome, slip_at_wall)},
-      is_drum(c));
+  return named(c, [&](Sign of) { return mean_of(outcome, of); });
 }
 
 std::string regime(const Case& mill_case, const Replicate& r) {
   if (!has_regime(mill_case) || !(r.time() > 0)) return "";
-  return regime_by(
-      {flight_share(mill_case, r), emptiest_sector(mill_case, r), jar_lag(mill_case, r),
-       carrier_motion(mill_case, r), slip_at_wall(mill_case, r)},
-      is_drum(mill_case));
+  return named(mill_case, [&](Sign of) { return of(mill_case, r); });
 }
 
 std::string regime_reason(const Outcome& outcome) {
+  const auto mean = [&](Sign of) { return mean_of(outcome, of); };
   return fmt::format(
-      "balls fly {:.0f} % of their time, the emptiest 10° about the axis hold {:.0f} % of a "
-      "uniform charge's share, the charge lies from {:.0f}° to {:.0f}° and moves at {:.2g} of the "
-      "wall's speed seen from the jar, {:.2g} seen from its carrier, {} {:.2g}",
-      100 * mean_of(outcome, flight_share), 100 * mean_of(outcome, emptiest_sector),
-      mean_of(outcome, toe), mean_of(outcome, shoulder), mean_of(outcome, jar_lag),
-      mean_of(outcome, carrier_motion),
-      is_drum(outcome.mill_case) ? "Froude number" : "pinning ratio", mean_of(outcome, pinning));
+      "{:.0f} % of the mass fly outside the bed (balls touch nothing for {:.0f} % of their time), "
+      "the emptiest 10° about the axis hold {:.0f} % of a uniform charge's share, the charge lies "
+      "from {:.0f}° to {:.0f}° and moves at {:.2g} of the wall's speed seen from the jar, {:.2g} "
+      "seen from its carrier, balls slip at {:.2g} of it on the wall, intermittency {:.2g}, {} "
+      "{:.2g}",
+      100 * mean(airborne_share), 100 * mean(flight_share), 100 * mean(emptiest_sector), mean(toe),
+      mean(shoulder), mean(jar_lag), mean(carrier_motion), mean(slip_at_wall), mean(intermittency),
+      is_drum(outcome.mill_case) ? "Froude number" : "pinning ratio", mean(pinning));
 }
 
 }  // namespace mahlwerk::results

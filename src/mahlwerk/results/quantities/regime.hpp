@@ -10,13 +10,13 @@
 // Regime of motion of the charge of a tumbling or planetary mill, by measured quantities (obs.8).
 namespace mahlwerk::results {
 
-/// Flight share, toe and shoulder angles, emptiest sector, wall slip, pinning; empty for other
-/// mills.
+/// Flight share, airborne share, toe and shoulder angles, emptiest sector, slip, lag,
+/// intermittency, pinning; empty for other mills.
 std::vector<Measure> regime_measures(const cases::Case& mill_case);
 
-/// "cascading", "cataracting", "sliding", "centrifuging" (of a drum), "rolling" (of a planetary
-/// mill), by the means over the averaged replicates; empty for other mills or without a counted
-/// time.
+/// "cascading", "cataracting", "slumping", "sliding", "surging", "rigid", "resting", "rolling on
+/// the wall", "centrifuging" (of a drum), "rolling" (of a planetary mill), by the means over the
+/// averaged replicates (regime_rule.hpp); empty for other mills or without a counted time.
 std::string regime(const Outcome& outcome);
 /// The same for one replicate: modes of motion differ between replicates.
 std::string regime(const cases::Case& mill_case, const Replicate& replicate);
