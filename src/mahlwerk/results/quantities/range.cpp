@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 13> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 77> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -48,6 +48,8 @@ constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
                                                         "impacts_per_ball",
                                                         "specific_energy_dose_rate",
                                                         "specific_energy_dose",
+                                                        "specific_energy_dose_per_hour",
+                                                        "time_to_dose",
                                                         "milling_time",
                                                         "specific_impact_power",
                                                         "stress_energy",
