@@ -208,6 +208,7 @@ Notices warnings(const Outcome& outcome) {
   energy_gained(outcome, list);
   energy_balances(outcome, list);
   overlaps(outcome, list);
+  append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
   not_steady(outcome, list);
