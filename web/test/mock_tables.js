@@ -25,7 +25,7 @@ export function summaryOf(settings, simulated, replicate, notices) {
   const quantity = (value, unit, about) => ({ value: value * (1 + 0.3 * scatter * normal(draw)),
     ci95: value * scatter, ci95_time: value * scatter, unit, about });
   return {
-    _about: { mahlwerk: "0.1.0", schema: 1, title: settings.title, engine: settings.engine, notices,
+    _about: { mahlwerk: "0.1.0", schema: 2, title: settings.title, engine: settings.engine, notices,
       complete: true },
     _key_quantities: ["dissipated_power", "collision_rate_above_threshold",
       "energy_normal_mean_above_threshold"],

@@ -142,7 +142,13 @@ TEST(Summary, doses_need_powder) {
   EXPECT_THROW(value(o, "specific_energy_dose"), std::out_of_range);
   o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
   EXPECT_NEAR(value(o, "specific_energy_dose_rate"), 0.012 / 2, 1e-12);  // W/g
-  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.06, 1e-12);            // J/g in 10 s
+  EXPECT_TRUE(std::isnan(value(o, "specific_energy_dose"))) << "10 s are no milling time";
+  EXPECT_NEAR(value(o, "specific_energy_dose_per_hour"), 0.006 * 3600, 1e-9);
+  EXPECT_NEAR(value(o, "time_to_dose"), 1000 / 0.006, 1e-6);  // 1 kJ/g
+  o.mill_case.milling = cases::Milling{.time = 1800, .dose = 2e6};
+  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 1800, 1e-9);
+  EXPECT_NEAR(value(o, "time_to_dose"), 2000 / 0.006, 1e-6);
+  o.mill_case.milling.reset();
   EXPECT_THROW(value(o, "milling_time"), std::out_of_range);
 }
 

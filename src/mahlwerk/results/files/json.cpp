@@ -7,7 +7,7 @@
 namespace mahlwerk::results {
 namespace {
 
-constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
+constexpr int schema = 2;  // of summary.json; grows only when a name or a meaning changes
 
 Json origins(const cases::Case& mill_case, bool cases::Origin::*chosen) {
   Json list = Json::array();
