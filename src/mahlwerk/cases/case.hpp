@@ -250,11 +250,11 @@ struct Observe {
   bool operator==(const Observe&) const = default;
 };
 
-/// Operation of the mill beyond the simulated time; absent from a case without [milling].
-struct Milling {
+/// Milling time, beyond the simulated time; absent from a case without [milling].
+struct MillingTime {
   std::optional<double> time = std::nullopt;  ///< [s] without pauses; none: see milling_time()
   double dose = 1e6;                          ///< [J/kg] of powder, whose milling time is computed
-  bool operator==(const Milling&) const = default;
+  bool operator==(const MillingTime&) const = default;
 };
 
 /// Wear model; absent from a case without [wear].
@@ -341,9 +341,8 @@ struct Origin {
   std::string source;    ///< "case.toml:9", "--set run.time", "catalogue ...: ...", "default: ..."
   bool assumed = false;  ///< a default that the user did not choose
   bool unverified = false;  ///< the source in the catalogue is weak
-  /// Ends of the range in which an assumed value may lie, as written in a case file; empty: none is
-  /// known.
-  std::array<std::string, 2> plausible = {};
+  /// Plausible range of an assumed value, as written in a case; empty: not known.
+  std::array<std::string, 2> range = {};
 };
 
 /// A resolved case. The copy operations are defined in case.cpp to save compile time.
@@ -365,7 +364,7 @@ struct Case {
   std::optional<Liquid> liquid;
   Run run;
   Observe observe;
-  std::optional<Milling> milling;
+  std::optional<MillingTime> milling;
   std::optional<Wear> wear;
   std::optional<Heat> heat;
   std::optional<Capture> capture;

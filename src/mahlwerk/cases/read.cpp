@@ -278,7 +278,7 @@ class CaseReader {
     c_.liquid = described<Liquid>("liquid", false);
     c_.run = described<Run>("run", true).value_or(Run());
     c_.observe = read_table<Observe>(section("observe", false), "observe");
-    c_.milling = described<Milling>("milling", false);
+    c_.milling = described<MillingTime>("milling", false);
     c_.wear = described<Wear>("wear", false);
     find_milling_time(root_, findings_);
     c_.heat = described<Heat>("heat", false);

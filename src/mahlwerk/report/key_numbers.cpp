@@ -37,7 +37,8 @@ std::string title(const Quantity& q, const cases::Case& c) {
     return "hits of at least " + threshold_text(c.observe.threshold);
   if (q.name == "energy_normal_mean_above_threshold") return "mean normal energy of these hits";
   if (q.name == "time_to_dose")
-    return "time to a dose of " + show_rounded(c.milling.value_or(cases::Milling()).dose, "J/kg");
+    return "time to a dose of " +
+           show_rounded(c.milling.value_or(cases::MillingTime()).dose, "J/kg");
   const auto time = cases::milling_time(c);
   if (time && (q.name == "specific_energy_dose" || q.name == "d50" || q.name == "conversion"))
     return fmt::format("{} after {}", label(q), show_rounded(*time, "s"));

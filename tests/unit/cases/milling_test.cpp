@@ -70,7 +70,7 @@ TEST(MillingTime, survives_writing_and_reading) {
 TEST(PlausibleRange, stands_beside_an_assumed_value_only) {
   const auto ends = [](const Case& c, std::string_view key) {
     const auto at = std::ranges::find(c.origins, key, &Origin::key);
-    return at == c.origins.end() ? std::array<std::string, 2>{"-", "-"} : at->plausible;
+    return at == c.origins.end() ? std::array<std::string, 2>{"-", "-"} : at->range;
   };
   const std::string assumed = with(with(vial, "restitution", ""), "tangential", "");
   EXPECT_EQ(ends(read_sample(assumed), "contact.restitution"),

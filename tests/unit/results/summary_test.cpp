@@ -145,7 +145,7 @@ TEST(Summary, doses_need_powder) {
   EXPECT_TRUE(std::isnan(value(o, "specific_energy_dose"))) << "10 s are no milling time";
   EXPECT_NEAR(value(o, "specific_energy_dose_per_hour"), 0.006 * 3600, 1e-9);
   EXPECT_NEAR(value(o, "time_to_dose"), 1000 / 0.006, 1e-6);  // 1 kJ/g
-  o.mill_case.milling = cases::Milling{.time = 1800, .dose = 2e6};
+  o.mill_case.milling = cases::MillingTime{.time = 1800, .dose = 2e6};
   EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 1800, 1e-9);
   EXPECT_NEAR(value(o, "time_to_dose"), 2000 / 0.006, 1e-6);
   o.mill_case.milling.reset();

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 
@@ -31,7 +32,7 @@ std::size_t affordable(const results::Outcome& outcome) {
 /// The case for one end: one replicate, shorter, without what the key quantities do not need.
 cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   const results::Replicate& whole = outcome.replicates.front();
-  cases::Milling milling = made.milling.value_or(cases::Milling());
+  cases::MillingTime milling = made.milling.value_or(cases::MillingTime());
   milling.time = cases::milling_time(made);
   made.milling = milling;
   made.run.engine = outcome.engine;
@@ -64,8 +65,15 @@ double influence(const results::AssumedInfluence& one) {
   return std::isnan(span) ? 0 : span;
 }
 
-bool has_range(const cases::Origin& origin) {
-  return origin.assumed && !origin.plausible[0].empty();
+/// The assumed values with a known range that the engine of the run reads.
+std::vector<cases::Origin> assumed_with_range(const results::Outcome& outcome) {
+  cases::Case decided = outcome.mill_case;
+  decided.run.engine = outcome.engine;
+  cases::drop_irrelevant_assumptions(decided);
+  std::erase_if(decided.origins, [](const cases::Origin& origin) {
+    return !origin.assumed || origin.range[0].empty();
+  });
+  return decided.origins;
 }
 
 bool wanted(const results::Outcome& outcome) {
@@ -86,18 +94,17 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   results::Sensitivity found{.time = time_share * outcome.replicates.front().time(),
                              .quantities = results::key_quantities(outcome.summary.quantities)};
   std::vector<cases::Case> ends;
-  for (const cases::Origin& origin : outcome.mill_case.origins) {
-    if (!has_range(origin)) continue;
+  for (const cases::Origin& origin : assumed_with_range(outcome)) {
     if (found.keys.size() == most) {
       found.left_out.push_back(origin.key);
       continue;
     }
     try {
-      cases::Case low = at_end(read(origin.key, origin.plausible[0]), outcome);
-      cases::Case high = at_end(read(origin.key, origin.plausible[1]), outcome);
+      cases::Case low = at_end(read(origin.key, origin.range[0]), outcome);
+      cases::Case high = at_end(read(origin.key, origin.range[1]), outcome);
       ends.push_back(std::move(low));
       ends.push_back(std::move(high));
-      found.keys.push_back({origin.key, origin.value, origin.plausible, origin.source, {}});
+      found.keys.push_back({origin.key, origin.value, origin.range, origin.source, {}});
     } catch (const InputError&) {
       found.left_out.push_back(origin.key);  // an end that does not fit the rest of the case
     }

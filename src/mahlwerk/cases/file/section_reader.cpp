@@ -167,8 +167,8 @@ double SectionReader::value(const NumberSpec& spec) {
   if (spec.standard) {
     record_default(spec.key, show(*spec.standard, spec.unit), spec.source);
     if (spec.plausible)
-      findings_.origins.back().plausible = {show(spec.plausible->least, spec.unit),
-                                            show(spec.plausible->most, spec.unit)};
+      findings_.origins.back().range = {show(spec.plausible->least, spec.unit),
+                                        show(spec.plausible->most, spec.unit)};
     return *spec.standard;
   }
   std::string remedy =

@@ -67,14 +67,14 @@ std::optional<double> whole_number(const Node& node) {
   return static_cast<double>(n);
 }
 
-void describe(KeyVisitor& v, Milling& milling) {
+void describe(KeyVisitor& v, MillingTime& milling) {
   v.optional_number(
       NumberSpec("time", "s", milling_times, "operating time of the mill, without pauses")
           .with_default_text("time of [grinding] or [kinetics], or milling x cycles of [heat]; "
                              "otherwise none"),
       milling.time);
   v.number({"dose", "J/kg", positive, "energy per mass of powder, whose milling time is computed",
-            Milling().dose, "1 kJ/g, a round number"},
+            MillingTime().dose, "1 kJ/g, a round number"},
            milling.dose);
 }
 

@@ -40,7 +40,7 @@ void describe(KeyVisitor& v, PairRule& pair, const Contact& all, const ContactMo
 void describe(KeyVisitor& v, Liquid& liquid);
 void describe(KeyVisitor& v, Run& run);
 void describe(KeyVisitor& v, Observe& observe);
-void describe(KeyVisitor& v, Milling& milling);
+void describe(KeyVisitor& v, MillingTime& milling);
 void describe(KeyVisitor& v, Wear& wear);
 void describe(KeyVisitor& v, Heat& heat);
 /// The sections of grinding. Require `c` with powder and heat. `remembering`: the breakage model

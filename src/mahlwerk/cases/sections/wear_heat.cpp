@@ -25,7 +25,8 @@ void describe(KeyVisitor& v, Wear& wear) {
 
 namespace {
 
-/// [s] Milling in one of the cycles that [heat] gives, if another section states the whole time.
+/// [s] Milling in one of the cycles that [heat] gives, if another section states the whole
+/// time.
 std::optional<double> milling_of_a_cycle(SectionReader& in) {
   if (!in.findings().milling_time) return std::nullopt;
   const Node* cycles = in.find("cycles");

@@ -89,7 +89,7 @@ constexpr double hour = 3600;  // [s]
 
 /// [J/kg] The dose whose milling time is computed.
 double dose_asked(const Case& c) {
-  return c.milling.value_or(cases::Milling()).dose;
+  return c.milling.value_or(cases::MillingTime()).dose;
 }
 
 double dose_rate(const Case& c, const Replicate& r) {
