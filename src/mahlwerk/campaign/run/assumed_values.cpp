@@ -91,8 +91,9 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   std::size_t most = affordable(outcome);
   if (outcome.mill_case.run.sensitivity == cases::SensitivityMode::on)
     most = outcome.mill_case.origins.size();
-  results::Sensitivity found{.time = time_share * outcome.replicates.front().time(),
-                             .quantities = results::key_quantities(outcome.summary.quantities)};
+  results::Sensitivity found;
+  found.time = time_share * outcome.replicates.front().time();
+  found.quantities = results::key_quantities(outcome.summary.quantities);
   std::vector<cases::Case> ends;
   for (const cases::Origin& origin : assumed_with_range(outcome)) {
     if (found.keys.size() == most) {

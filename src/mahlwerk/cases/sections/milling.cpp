@@ -74,7 +74,7 @@ void describe(KeyVisitor& v, MillingTime& milling) {
                              "otherwise none"),
       milling.time);
   v.number({"dose", "J/kg", positive, "energy per mass of powder, whose milling time is computed",
-            MillingTime().dose, "1 kJ/g, a round number"},
+            MillingTime().dose, "a round number"},
            milling.dose);
 }
 
