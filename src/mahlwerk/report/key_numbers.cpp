@@ -41,7 +41,8 @@ std::string title(const Quantity& q, const cases::Case& c) {
            show_rounded(c.milling.value_or(cases::MillingTime()).dose, "J/kg");
   const auto time = cases::milling_time(c);
   if (time && (q.name == "specific_energy_dose" || q.name == "d50" || q.name == "conversion"))
-    return fmt::format("{} after {}", label(q), show_rounded(*time, "s"));
+    return fmt::format("{} after {}", label(q),
+                       *time < hour ? show_rounded(*time, "s") : two_digits(*time / hour) + " h");
   return label(q);
 }
 

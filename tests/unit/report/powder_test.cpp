@@ -187,8 +187,9 @@ TEST(PowderReport, methods_name_models_and_numbers) {
 TEST(PowderReport, table_groups_rows_and_calls_them_by_their_names) {
   const auto list = results::summarise(ground_outcome()).quantities;
   const std::string text = table(list, 0.1);
-  for (const char* line : {"\n\nD10 ", "\nD50 ", "\nD90 ", "\n\npowder captured ",
-                           "\namorphous content ", "\n\ndissipated power "})
+  for (const char* line : {"\n\nFineness\n  D10 ", "\n  D50 ", "\n  D90 ",
+                           "\n\nPowder captured by collisions\n  powder captured ",
+                           "\n  amorphous content ", "\n\nPower and contacts\n  dissipated power "})
     EXPECT_TRUE(has(text, line)) << line << "\n" << text;
   EXPECT_EQ(readable(0.00243, NAN, "kg/s").text(), "2.430 g/s");
   EXPECT_EQ(readable(2.5e-10, NAN, "kg/s").text(), "900.0 µg/h");

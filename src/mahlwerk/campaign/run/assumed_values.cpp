@@ -70,8 +70,11 @@ std::vector<cases::Origin> assumed_with_range(const results::Outcome& outcome) {
   cases::Case decided = outcome.mill_case;
   decided.run.engine = outcome.engine;
   cases::drop_irrelevant_assumptions(decided);
-  std::erase_if(decided.origins, [](const cases::Origin& origin) {
-    return !origin.assumed || origin.range[0].empty();
+  const bool rolls = outcome.engine != cases::EngineName::event ||
+                     decided.contact.lasting == cases::SustainedContactModel::roll;
+  std::erase_if(decided.origins, [&](const cases::Origin& origin) {
+    return !origin.assumed || origin.range[0].empty() ||
+           (!rolls && origin.key.ends_with("rolling_friction"));
   });
   return decided.origins;
 }
