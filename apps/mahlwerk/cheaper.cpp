@@ -26,23 +26,22 @@ std::string duration(double seconds) {
 }
 
 /// Lines on a smaller softening, as long as the overlap at the highest expected speed stays small.
-std::string softenings(const cases::Case& mill_case,
-                       const std::function<double(const cases::Case&)>& seconds, double now) {
+/// The cost follows the number of time steps.
+std::string softenings(const cases::Case& mill_case, double now) {
   std::string lines;
   if (!cases::in_time_steps(mill_case.run.engine) || mill_case.run.time_step) return lines;
+  const double step = campaign::soft_settings(mill_case).rules.time_step;
   for (const double factor : {0.1, 0.01, 0.001}) {
     cases::Case softer = mill_case;
     softer.contact.softening = factor;
     if (!(factor < mill_case.contact.softening)) continue;
-    const double overlap = campaign::soft_settings(softer).steps.overlap;
-    if (overlap > results::soft_overlap) break;
-    const double cost = seconds(softer);
-    if (!(cost < now)) continue;
+    const campaign::SoftSettings settings = campaign::soft_settings(softer);
+    if (settings.steps.overlap > results::soft_overlap) break;
     lines += fmt::format(
         "  contact.softening = {:<6} {:<8} impacts last {} times longer, overlaps of {} %\n",
-        two_digits(factor), duration(cost),
+        two_digits(factor), duration(now * step / settings.rules.time_step),
         two_digits(math::pow(mill_case.contact.softening / factor, 0.4)),
-        two_digits(100 * overlap));
+        two_digits(100 * settings.steps.overlap));
   }
   return lines;
 }
@@ -61,13 +60,11 @@ std::string fewer_replicates(const cases::Case& mill_case, double now) {
 
 }  // namespace
 
-std::string cheaper(const cases::Case& mill_case,
-                    const std::function<double(const cases::Case&)>& seconds) {
-  const double now = seconds(mill_case);
-  if (!(now > a_long_run)) return "";
-  const std::string lines = softenings(mill_case, seconds, now) + fewer_replicates(mill_case, now);
+std::string cheaper(const cases::Case& mill_case, double seconds) {
+  if (!(seconds > a_long_run)) return "";
+  const std::string lines = softenings(mill_case, seconds) + fewer_replicates(mill_case, seconds);
   return lines.empty() ? ""
-                       : fmt::format("The run takes about {}. It would take\n{}", duration(now),
+                       : fmt::format("The run takes about {}. It would take\n{}", duration(seconds),
                                      lines.substr(0, lines.size() - 1));
 }
 

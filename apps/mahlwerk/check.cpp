@@ -104,13 +104,11 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   const double seconds = static_cast<double>(first.run.replicates) *
                          static_cast<double>(points.size()) * (first.run.time + first.run.settle);
   const double cores = std::max(1U, std::thread::hardware_concurrency());
-  if (!sweeps && choice.engine != cases::EngineName::lammps)
-    if (std::string lines = cheaper(
-            decided, [&](const cases::Case& other) { return cost(other) * seconds / cores; });
-        !lines.empty())
-      c.notes.push_back(std::move(lines));
+  const double run_time = cost(decided) * seconds / cores;
+  if (std::string lines = sweeps ? "" : cheaper(decided, run_time); !lines.empty())
+    c.notes.push_back(std::move(lines));
   c.follows.push_back(
-      {"run_time", cost(decided) * seconds / cores, "s",
+      {"run_time", run_time, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"
               : "estimate on this machine, all cores, from a pilot run of at most a second"});
   return c;

@@ -250,8 +250,8 @@ TEST(ReadKinetics, laws_doses_and_properties) {
   EXPECT_EQ(read_as(""),
             (Kinetics{powder::DoseKinetics{5e6, 1, 0}, Kinetics::Dose::dissipated, 30, "", 0, 1}));
   EXPECT_EQ(read_as("law = \"avrami\"\nexponent = 2\nonset = \"1 kJ/kg\"\ndose = \"captured\"\n"
-                    "time = \"1 h\"\nproperty = \"amorphous content\"\ninitial = 5\nfinal = 100"),
-            (Kinetics{powder::DoseKinetics{5e6, 2, 1000}, Kinetics::Dose::captured, 3600,
+                    "time = \"30 s\"\nproperty = \"amorphous content\"\ninitial = 5\nfinal = 100"),
+            (Kinetics{powder::DoseKinetics{5e6, 2, 1000}, Kinetics::Dose::captured, 30,
                       "amorphous content", 5, 100}));
   const auto fault = [](const std::string& lines) {
     return one_fault(powdered + "[kinetics]\ntime = \"1 h\"\n" + lines);
