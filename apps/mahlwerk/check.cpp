@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "cheaper.hpp"
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -136,6 +137,8 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
       sweeps ? time.each * static_cast<double>(first.run.replicates) *
                    static_cast<double>(points.size()) / threads
              : time.each * static_cast<double>(time.share);
+  if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
+    c.notes.push_back(std::move(lines));
   c.follows.push_back(
       {"run_time", seconds, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"

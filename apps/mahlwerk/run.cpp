@@ -18,8 +18,10 @@
 #include "lammps.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
@@ -70,10 +72,10 @@ std::string uncalibrated(const cases::Case& mill_case) {
 }
 
 void print_summary(const RunJob& job, const results::Outcome& outcome) {
-  to_stdout(
-      fmt::format("{}\n\n{}\n", job.mill_case.title,
-                  report::table(outcome.summary.quantities, job.mill_case.observe.threshold)));
+  to_stdout(fmt::format("{}\n\n{}\n", job.mill_case.title, report::key_table(outcome)));
   to_stdout(report::states_table(outcome));
+  to_stdout(fmt::format(
+      "{}\n", report::table(outcome.summary.quantities, job.mill_case.observe.threshold)));
   const std::string pairs =
       report::pair_table(outcome.summary.pairs, job.mill_case.observe.threshold);
   if (!pairs.empty()) to_stdout(fmt::format("{}\n", pairs));
@@ -156,6 +158,19 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const Request& request,
   return made;
 }
 
+/// What the assumed values of a single run decide.
+void add_sensitivity(const Request& request, const RunJob& job, results::Outcome& outcome) {
+  const cases::Catalogue known = catalogue();
+  const auto read = [&](const std::string& key, const std::string& text) {
+    std::vector<cases::Override> set = overrides(request);
+    set.push_back({key, text});
+    return cases::read(job.file, known, set);
+  };
+  ProgressLine line(request.quiet);
+  outcome.summary.sensitivity =
+      campaign::sensitivity_to_assumed(outcome, read, options_of(request, line));
+}
+
 /// Runs all cases without [sweep] together.
 int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
   const auto kept = checkpoint(request, jobs);
@@ -166,9 +181,10 @@ int run_cases(const Request& request, const std::vector<RunJob>& jobs) {
     streams.add(job.mill_case, *job.folder, "");
   }
   catch_ctrl_c();
-  const std::vector<results::Outcome> outcomes =
+  std::vector<results::Outcome> outcomes =
       compute(request, points, streams, kept.get(), lammps_root(jobs));
   streams.close();
+  if (jobs.size() == 1) add_sensitivity(request, jobs.front(), outcomes.front());
   const bool talks = !request.quiet && !request.json;
   for (std::size_t i = 0; i < jobs.size(); ++i) {  // all of them before any output, which may fail
     report::write(*jobs[i].folder, outcomes[i], version());

@@ -14,11 +14,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "commands.hpp"
 #include "job.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/streams.hpp"
 #include "mahlwerk/cases/read.hpp"
@@ -39,7 +43,21 @@ struct RunRequest {
   int threads = 0;
   bool keep_records = false;
   py::list observers;
+  campaign::ReadWithValue read;
 };
+
+/// What a case is read from: its text, the place of its file, and the changes to it.
+using CaseText =
+    std::tuple<std::string, fs::path, std::vector<std::pair<std::string, std::string>>>;
+
+cases::Case read_with_value(const CaseText& source, const std::string& key,
+                            const std::string& value) {
+  const auto& [text, file, changes] = source;
+  std::vector<cases::Override> overrides;
+  for (const auto& [changed, given] : changes) overrides.push_back({changed, given});
+  overrides.push_back({key, value});
+  return cases::read_text(text, file, app::catalogue(), overrides);
+}
 
 /// Faults that make a run impossible, before any is computed.
 void check(const cases::Case& mill_case, const RunRequest& request) {
@@ -85,13 +103,19 @@ results::Outcome compute(const cases::Case& mill_case, const RunRequest& request
       all.add(std::make_unique<PythonObserver>(one, replicate + 1, job));
     return std::move(all).combined();
   };
-  return campaign::run(mill_case, options);
+  results::Outcome outcome = campaign::run(mill_case, options);
+  outcome.summary.sensitivity = campaign::sensitivity_to_assumed(outcome, request.read, options);
+  return outcome;
 }
 
 /// Returns the result and whether Ctrl-C ended the run early.
-py::tuple run(const cases::Case& mill_case, const std::optional<fs::path>& out, bool force,
-              int threads, bool keep_records, const py::list& observers, const py::object& show) {
-  const RunRequest request{out, force, threads, keep_records, observers};
+py::tuple run(const cases::Case& mill_case, const CaseText& source,
+              const std::optional<fs::path>& out, bool force, int threads, bool keep_records,
+              const py::list& observers, const py::object& show) {
+  const auto read = [&](const std::string& key, const std::string& value) {
+    return read_with_value(source, key, value);
+  };
+  const RunRequest request{out, force, threads, keep_records, observers, read};
   check(mill_case, request);
   std::unique_ptr<results::Folder> folder;
   campaign::Streams streams(app::version());
@@ -118,8 +142,8 @@ py::tuple run(const cases::Case& mill_case, const std::optional<fs::path>& out, 
 }  // namespace
 
 void bind_run(py::module_& m) {
-  m.def("run", &run, py::arg("case"), py::arg("out"), py::arg("force"), py::arg("threads"),
-        py::arg("keep_records"), py::arg("observers"), py::arg("show"));
+  m.def("run", &run, py::arg("case"), py::arg("source"), py::arg("out"), py::arg("force"),
+        py::arg("threads"), py::arg("keep_records"), py::arg("observers"), py::arg("show"));
 }
 
 }  // namespace mahlwerk::python

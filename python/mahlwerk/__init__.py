@@ -25,7 +25,7 @@ from .check import Check, Origin
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .records import record_columns
-from .result import Notice, Quantity, Result
+from .result import Influence, Notice, Quantity, Result
 from .searches import Comparison, Fit, Match, Optimum
 from .surrogate import Prediction, Surrogate
 

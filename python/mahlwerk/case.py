@@ -199,7 +199,7 @@ class Case:
         folder = None if out is None else named_folder(out)
         called = [observer(one) for one in observers]
         with shown(progress) as show:
-            ran, interrupted = _core.run(self._resolved, folder, force, checked_threads(threads),
+            ran, interrupted = _core.run(self._resolved, self._source.parts(), folder, force, checked_threads(threads),
                                          bool(collisions), called, show)
         result = Result.of_run(ran, folder, self._source.file.parent)
         if ran.failure:

@@ -51,9 +51,12 @@ class CaseSource:
 
     def resolved(self) -> _core.ResolvedCase:
         """The case with every value. Faults cite the name that was given."""
-        content = self.text.encode("utf-8", "surrogateescape")
-        return cited(self.file, self.shown, lambda: _core.read_case(
-            content, os.fspath(self.file), list(self.changes.items())))
+        return cited(self.file, self.shown, lambda: _core.read_case(*self.parts()))
+
+    def parts(self) -> tuple[bytes, str, list[tuple[str, str]]]:
+        """The text, the file and the changes, from which `_core.run` reads the case with other values."""
+        return (self.text.encode("utf-8", "surrogateescape"), os.fspath(self.file),
+                list(self.changes.items()))
 
     def changed(self, changes: Changes) -> CaseSource:
         return replace(self, changes=merged(self.changes, changes))

@@ -27,13 +27,7 @@ if TYPE_CHECKING:
     from .case import Case
     from .plots import ResultPlots
 
-__all__ = ["Notice", "Quantity", "Result"]
-
-
-#: Quantities that print() shows; all are in `Result.quantities`.
-PRINTED = ("collision_rate", "collision_rate_above_threshold", "energy_normal_mean",
-           "energy_contact_point_mean", "energy_lost_mean", "impact_angle_mean", "drawn_power",
-           "dissipated_power", "specific_energy_dose", "d50", "conversion", "energy_balance")
+__all__ = ["Influence", "Notice", "Quantity", "Result"]
 
 
 class Notice(NamedTuple):
@@ -46,6 +40,16 @@ class Notice(NamedTuple):
     @property
     def warns(self) -> bool:
         return self.severity != "note"
+
+
+class Influence(NamedTuple):
+    """What an assumed value of a case does to the key quantities."""
+
+    key: str  #: "contact.restitution"
+    value: str  #: that was assumed
+    range: tuple[str, str]  #: ends of the range in which it may lie
+    source: str
+    at_ends: dict[str, tuple[float, float]]  #: values of the key quantities there, in SI units
 
 
 class Quantity:
@@ -138,6 +142,32 @@ class Result:
         return {name: Quantity(name, q["value"], q.get("ci95"), q["unit"], q["about"],
                                q.get("ci95_time"))
                 for name, q in self.summary.items() if not name.startswith("_")}
+
+    @property
+    def key_quantities(self) -> list[str]:
+        """Names of the quantities that are asked for first; print() shows them."""
+        return list(self.summary.get("_key_quantities", []))
+
+    @property
+    def groups(self) -> dict[str, list[str]]:
+        """The names of all quantities under the headings of the report."""
+        return {one["heading"]: one["quantities"] for one in self.summary.get("_groups", [])}
+
+    @property
+    def sensitivity(self) -> list[Influence]:
+        """What each assumed value does, the largest influence on the power first; empty if no run was
+        made for that (docs/theory/statistics.md, "Assumed values")."""
+        return [Influence(one["key"], one["value"], tuple(one["range"]), one["source"],
+                          {name: (nan_if_none(ends[0]), nan_if_none(ends[1]))
+                           for name, ends in one["at_ends"].items()})
+                for one in self.summary.get("_sensitivity", {}).get("keys", [])]
+
+    def assumed_range(self, name: str) -> Optional[tuple[float, float]]:
+        """Least and largest value of a key quantity over the assumed values; None if there is none."""
+        ends = [v for one in self.sensitivity for v in one.at_ends.get(name, ())
+                if math.isfinite(v)]
+        value = self[name].value
+        return (min(*ends, value), max(*ends, value)) if ends and math.isfinite(value) else None
 
     __iter__ = None  # a result is no sequence
 
@@ -269,13 +299,18 @@ class Result:
         self._ran.save(named_folder(folder), force)
         self.folder = Path(folder).absolute()
 
+    def _over_assumed(self, name: str) -> str:
+        ends = self.assumed_range(name)
+        return "" if ends is None else f"  ({ends[0]:.2g} to {ends[1]:.2g} over assumed values)"
+
     def __repr__(self) -> str:
         said = "" if self.complete else ", incomplete"
         return f"<Result {self.title!r}, {self.engine} engine{said}>"
 
     def __str__(self) -> str:
         lines = [repr(self), ""]
-        lines += [f"{name:<34} {self[name].text()}" for name in PRINTED if name in self]
+        lines += [f"{name:<34} {self[name].text()}{self._over_assumed(name)}"
+                  for name in self.key_quantities]
         lines += [f"\n{one.severity}: {one.text}" for one in self.notices]
         return "\n".join(lines)
 

@@ -71,7 +71,7 @@ final = 100
 """
 NUMBERS = """Object.fromEntries([...document.querySelectorAll('[data-quantity]')]
              .map(cell => [cell.dataset.quantity, Number(cell.dataset.value)]))"""
-HEADINGS = {"Replay", "Results", "Collisions by pair", "Impact energies",
+HEADINGS = {"Replay", "Results", "All quantities", "Collisions by pair", "Impact energies",
             "Wall impacts and charge motion",
             "Time series", "Wear", "Temperatures", "Powder captured by collisions", "Fineness", "Dose",
             "Methods paragraph", "Assumptions and sources"}

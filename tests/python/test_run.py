@@ -280,3 +280,21 @@ def test_what_is_wrong_with_arguments_is_said_at_once(ball):
     with pytest.raises(mahlwerk.InputError, match="empty"):
         ball.run("")
     assert not os.path.exists("out")
+
+
+def test_what_assumed_values_decide_is_in_the_result(example):
+    source = mahlwerk.Case(example("03-planetary-mill"), {"run.time": "0.2 s"}).text
+    lines = [line for line in source.splitlines()
+             if not line.startswith(("restitution =", "restitution_law"))]
+    case = mahlwerk.Case.from_text("\n".join(lines)).replace(
+        {"run.time": "0.2 s", "run.settle": "0.1 s", "run.replicates": 5, "run.engine": "event"})
+    result = case.run()
+    first = result.sensitivity[0]
+    assert first.key == "contact.restitution" and first.range == ("0.3", "0.9")
+    low, high = result.assumed_range("dissipated_power")
+    assert low <= min(first.at_ends["dissipated_power"]) < high
+    assert low <= result["dissipated_power"].value <= high
+    assert "over assumed values" in str(result)
+    assert sum(map(len, result.groups.values())) == len(result.quantities)
+    off = case.replace({"run.sensitivity": "off"}).run()
+    assert off.sensitivity == [] and off.quantities == result.quantities

@@ -120,5 +120,33 @@ TEST_F(Edges, an_unknown_command_is_named_and_the_likely_one_too) {
   EXPECT_NE(mahlwerk("optimize case.toml").output.find("mahlwerk optimise"), std::string::npos);
 }
 
+TEST_F(Edges, check_of_a_long_run_names_what_makes_it_cheaper_with_its_time) {
+  const std::string set = "check case.toml --set run.engine=soft --set run.replicates=5 ";
+  const ProgramResult longer = mahlwerk(set + "--set 'run.time=50000 s'");
+  EXPECT_EQ(longer.code, 0) << longer.output;
+  for (const char* part : {"The run takes about", "contact.softening = 0.1",
+                           "impacts last 2.5 times", "run.replicates = 3", "run.replicates = 1"})
+    EXPECT_NE(longer.output.find(part), std::string::npos) << part << "\n" << longer.output;
+  const ProgramResult shorter = mahlwerk(set + "--set 'run.time=0.05 s'");
+  EXPECT_EQ(shorter.output.find("The run takes about"), std::string::npos) << shorter.output;
+}
+
+TEST_F(Edges, table_begins_with_key_numbers_and_says_what_assumed_values_decide) {
+  std::string assumed = vial;
+  assumed.erase(assumed.find("restitution = 0.5\n"), std::string("restitution = 0.5\n").size());
+  std::ofstream(here_ / "case.toml") << assumed << "[powder]\nmass = \"1 g\"\n";
+  const ProgramResult e = with("run.replicates=5");
+  EXPECT_EQ(e.code, 0) << e.output;
+  const std::size_t key = e.output.find("key numbers"), all = e.output.find("all collisions");
+  EXPECT_LT(key, e.output.find("dissipated power"));
+  EXPECT_LT(key, all);
+  for (const char* part : {"specific energy dose per hour", "no milling time given",
+                           "contact.restitution  0.3 to 0.9, assumed 0.8"})
+    EXPECT_LT(e.output.find(part), all) << part << "\n" << e.output;
+  EXPECT_NE(text("out/summary.json").find("_sensitivity"), std::string::npos);
+  with("run.replicates=5;run.sensitivity=off");
+  EXPECT_EQ(text("out/summary.json").find("_sensitivity"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests::edges_test

@@ -25,8 +25,14 @@ export function summaryOf(settings, simulated, replicate, notices) {
   const quantity = (value, unit, about) => ({ value: value * (1 + 0.3 * scatter * normal(draw)),
     ci95: value * scatter, ci95_time: value * scatter, unit, about });
   return {
-    _about: { mahlwerk: "0.1.0", schema: 1, title: settings.title, engine: settings.engine, notices,
+    _about: { mahlwerk: "0.1.0", schema: 2, title: settings.title, engine: settings.engine, notices,
       complete: true },
+    _key_quantities: ["dissipated_power", "collision_rate_above_threshold",
+      "energy_normal_mean_above_threshold"],
+    _groups: [{ heading: "Collisions", quantities: ["collision_rate", "collision_rate_above_threshold",
+      "energy_normal_mean_above_threshold"] },
+    { heading: "Power and contacts", quantities: ["dissipated_power", "drawn_power",
+      "contact_time_share", "deepest_overlap", "simulated_time"] }],
     collision_rate: quantity(151, "1/s", "collisions per second, all of them"),
     collision_rate_above_threshold: quantity(145, "1/s",
       "collisions per second with a normal speed u_n of at least the threshold"),

@@ -214,6 +214,10 @@ constexpr bool in_time_steps(EngineName engine) {
   return engine == EngineName::soft || engine == EngineName::lammps;
 }
 
+/// Whether a single run also computes what its assumed values decide: always, never, or where this
+/// simulates less time than the run itself.
+enum class SensitivityMode { automatic, on, off };
+
 struct Run {
   EngineName engine = EngineName::event;
   double time = 0;                                    ///< [s] counted; with `until`: at most
@@ -230,6 +234,7 @@ struct Run {
   std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
   double time_step_fraction = 0.125;  ///< of the Rayleigh time, for the step the engine chooses
   bool free_flight_skip = true;       ///< whether the soft engine skips steps in free flight
+  SensitivityMode sensitivity = SensitivityMode::automatic;  ///< to assumed values
   bool operator==(const Run&) const = default;
 };
 
@@ -244,6 +249,13 @@ struct Observe {
   std::optional<double> frames = std::nullopt;
   FramesFormat frames_format = FramesFormat::both;
   bool operator==(const Observe&) const = default;
+};
+
+/// Milling time, beyond the simulated time; absent from a case without [milling].
+struct MillingTime {
+  std::optional<double> time = std::nullopt;  ///< [s] without pauses; none: see milling_time()
+  double dose = 1e6;                          ///< [J/kg] of powder, whose milling time is computed
+  bool operator==(const MillingTime&) const = default;
 };
 
 /// Wear model; absent from a case without [wear].
@@ -330,6 +342,8 @@ struct Origin {
   std::string source;    ///< "case.toml:9", "--set run.time", "catalogue ...: ...", "default: ..."
   bool assumed = false;  ///< a default that the user did not choose
   bool unverified = false;  ///< the source in the catalogue is weak
+  /// Plausible range of an assumed value, as written in a case; empty: not known.
+  std::array<std::string, 2> range = {};
 };
 
 /// A resolved case. The copy operations are defined in case.cpp to save compile time.
@@ -351,6 +365,7 @@ struct Case {
   std::optional<Liquid> liquid;
   Run run;
   Observe observe;
+  std::optional<MillingTime> milling;
   std::optional<Wear> wear;
   std::optional<Heat> heat;
   std::optional<Capture> capture;

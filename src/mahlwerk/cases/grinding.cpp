@@ -61,6 +61,7 @@ powder::Process process(const Case& c) {
 std::optional<double> milling_time(const Case& c) {
   if (c.grinding) return c.grinding->time;
   if (c.kinetics) return c.kinetics->time;
+  if (c.milling && c.milling->time) return c.milling->time;
   if (c.heat) return c.heat->milling * static_cast<double>(c.heat->cycles);
   return std::nullopt;
 }

@@ -17,8 +17,8 @@ namespace mahlwerk::cases {
 /// fragments have their default values.
 powder::Process process(const Case& c);
 
-/// [s] Milling time without pauses, from [grinding], else from [kinetics], else from [heat]; no
-/// value without these sections.
+/// [s] Milling time without pauses: of [milling], which [grinding], [kinetics] and [heat]
+/// share, or of one of these; no value if the case states none.
 std::optional<double> milling_time(const Case& c);
 
 /// A number of [capture], [breakage], [fragments], [grinding] or [kinetics] that `mahlwerk fit` may

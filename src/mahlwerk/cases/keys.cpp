@@ -30,6 +30,7 @@ constexpr std::array sections{
     SectionSpec{"liquid", "kind", "liquid in the jar: films on the bodies, or a jar full of it"},
     SectionSpec{"run", "", "engine, times, replicates and the start of a run"},
     SectionSpec{"observe", "", "statistics and records of a run"},
+    SectionSpec{"milling", "", "how long the mill runs, and a dose to reach"},
     SectionSpec{"wear", "model", "wear of balls and jar; may be empty"},
     SectionSpec{"heat", "", "temperatures of balls and jar; may be empty"},
     SectionSpec{"capture", "model", "how much powder a collision captures"},
@@ -57,6 +58,7 @@ Case full_case() {
   c.contact.rule.friction = 0.3;  // so that the default of `bounce` holds
   c.contact.pairs.emplace_back();
   c.liquid.emplace();
+  c.milling.emplace();
   c.wear.emplace();
   c.heat.emplace();
   c.capture.emplace();

@@ -214,10 +214,11 @@ class CaseReader {
   void read_top() {
     SectionReader in(&root_, "", findings_);
     for (const std::string_view name :
-         {"mill",         "jar",      "balls",    "powder",      "contact",    "liquid",
-          "run",          "observe",  "wear",     "heat",        "capture",    "breakage",
-          "fragments",    "grinding", "kinetics", "power_meter", "microphone", "accelerometer",
-          "thermocouple", "sweep",    "optimise", "match",       "fit",        "uncertainty"})
+         {"mill",        "jar",        "balls",         "powder",       "contact",
+          "liquid",      "run",        "observe",       "wear",         "heat",
+          "capture",     "breakage",   "fragments",     "grinding",     "kinetics",
+          "power_meter", "microphone", "accelerometer", "thermocouple", "sweep",
+          "optimise",    "match",      "fit",           "uncertainty",  "milling"})
       in.find(name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
@@ -277,8 +278,14 @@ class CaseReader {
     c_.liquid = described<Liquid>("liquid", false);
     c_.run = described<Run>("run", true).value_or(Run());
     c_.observe = read_table<Observe>(section("observe", false), "observe");
+    c_.milling = described<MillingTime>("milling", false);
     c_.wear = described<Wear>("wear", false);
+    find_milling_time(root_, findings_);
     c_.heat = described<Heat>("heat", false);
+    if (c_.heat && !findings_.milling_time) {
+      findings_.milling_time = c_.heat->milling * static_cast<double>(c_.heat->cycles);
+      findings_.milling_time_of = "heat";
+    }
     read_grinding({.capture = section("capture", false),
                    .breakage = section("breakage", false),
                    .fragments = section("fragments", false),

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "mahlwerk/powder/flash.hpp"
+
 namespace mahlwerk::observe {
 
 PairSums PairStatistics::all() const {
@@ -32,9 +34,11 @@ void PairStatistics::add(const CollisionBatch& c, std::size_t i, bool is_above,
   load_distance += factors.load_distance_per_loss * c.lost_tangential[i];
   erosion += c.erosion[i];
   if (!factors.flash_per_loss.empty()) {
-    // The loss of a contact longer than Hertz's contact time is spread over its duration (hea.7).
+    // The loss of a contact longer than Hertz's contact time is spread over its duration (hea.7),
+    // as it is with the given moduli (hea.11).
     const auto bin = static_cast<std::size_t>(c.bin_normal[i]);
-    const double longer = std::max(1.0, c.duration[i] / factors.hertz_time[bin]);
+    const double longer = powder::unsoftened_duration(c.duration[i] / factors.hertz_time[bin],
+                                                      factors.softened_duration);
     const double rise = factors.flash_per_loss[bin] * c.lost[i] / std::sqrt(longer);
     s.flash.add(rise);
     flash += rise * c.lost[i];

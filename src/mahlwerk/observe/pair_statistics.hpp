@@ -55,6 +55,8 @@ struct PairFactors {
   /// flash temperatures are not computed.
   std::vector<double> flash_per_loss;
   std::vector<double> hertz_time;  ///< [s] Hertz's contact time, by the same bins (hea.9)
+  /// [1] Duration of an impact with the given moduli over that in the run (hea.11)
+  double softened_duration = 1;
 };
 
 /// Collision statistics of one kind of pair.

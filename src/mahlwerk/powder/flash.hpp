@@ -44,4 +44,22 @@ inline double hertz_time(double energy_normal, const FlashPair& p) {
   return factor * depth * std::sqrt(0.5 * p.mass / energy_normal);
 }
 
+/// [1] Duration of an impact, its overlap, and one over its force, with the given moduli over those
+/// with moduli multiplied by `softening` (hea.11).
+inline double softened_duration(double softening) {
+  constexpr double hertz_exponent = 0.4;
+  return math::pow(softening, hertz_exponent);
+}
+
+/// [1] Length of the part of a contact that is an impact, over Hertz's contact time (hea.11).
+constexpr double impact_phase = 2;
+
+/// [1] Duration of a contact over Hertz's contact time, both with the given moduli (hea.11).
+/// `longer` [1] is its duration with softened moduli over Hertz's time with the given ones,
+/// `factor` [1] softened_duration(). Not below 1.
+inline double unsoftened_duration(double longer, double factor) {
+  const double impact = std::fmin(longer, impact_phase / factor);
+  return std::fmax(1, longer - (1 - factor) * impact);
+}
+
 }  // namespace mahlwerk::powder

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/maps.hpp"
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/page.hpp"
@@ -42,55 +43,42 @@ std::string number_cell(const Quantity* q, const std::string& text) {
                      shortest(q->value), escaped(text));
 }
 
-/// The table rows of a group of quantities, with its heading.
+/// A group of quantities, with its heading.
 struct RowGroup {
+  std::string_view heading;
   std::string lines;
-  int rows = 0;
 };
 
 std::vector<RowGroup> row_groups(const std::vector<Quantity>& list) {
   std::vector<RowGroup> all;
   for (const Row& row : rows(list)) {
-    if (!row.group.empty() || all.empty())
-      all.push_back(
-          {fmt::format("<tr><th class=\"group\" colspan=\"3\">{}</th></tr>\n", row.group)});
+    if (!row.group.empty() || all.empty()) all.push_back({row.group, {}});
     const std::string title = label(*row.all);
     all.back().lines +=
         fmt::format("<tr><th scope=\"row\">{}<small>{}</small></th>{}{}</tr>\n", escaped(title),
                     with_symbols(row.all->about),
                     number_cell(row.only_above ? nullptr : row.all, row.all_text()),
                     number_cell(row.only_above ? row.all : row.above, row.above_text()));
-    ++all.back().rows;
   }
   return all;
 }
 
-/// The tables above and below the plots. The first groups, up to 40 rows (two screens), are above.
-struct QuantityTables {
-  std::string above, below;
-};
-
-QuantityTables quantity_tables(const Outcome& outcome) {
-  constexpr int most = 40;
-  const std::string threshold = threshold_text(outcome.mill_case.observe.threshold);
-  const auto table = [&](const std::string& body) {
-    return fmt::format(
-        "<div class=\"wide\"><table class=\"quantities\">\n<thead><tr><th></th><th "
-        "class=\"n\">all collisions</th><th class=\"n\">u<sub>n</sub> ≥ {}</th></tr></thead>\n"
-        "<tbody>\n{}</tbody>\n</table></div>\n",
-        threshold, body);
-  };
-  std::string above, below;
+/// The key numbers, then all quantities in groups that can be folded; the first two are open.
+std::string results_section(const Outcome& outcome) {
+  constexpr int open = 2;
+  std::string groups;
   int count = 0;
-  for (const RowGroup& group : row_groups(outcome.summary.quantities)) {
-    count += group.rows;
-    (count <= most ? above : below) += group.lines;
-  }
-  return {"<h2>Results</h2>\n" + table(above) +
-              "<p><small>± is the 95 % confidence half-width over independent replicates "
-              "(Student's t), or of one alone over time (batch means). u<sub>n</sub> is the normal "
-              "speed at first touch.</small></p>\n",
-          below.empty() ? "" : "<h2>More results</h2>\n" + table(below)};
+  for (const RowGroup& group : row_groups(outcome.summary.quantities))
+    groups += fmt::format(
+        "<details{}><summary>{}</summary>\n<div class=\"wide\"><table class=\"quantities\">\n"
+        "<thead><tr><th></th><th class=\"n\">all collisions</th><th class=\"n\">u<sub>n</sub> ≥ "
+        "{}</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div></details>\n",
+        count++ < open ? " open" : "", group.heading,
+        threshold_text(outcome.mill_case.observe.threshold), group.lines);
+  return "<h2>Results</h2>\n" + key_section(outcome) + "<h2>All quantities</h2>\n" + groups +
+         "<p><small>± is the 95 % confidence half-width over independent replicates "
+         "(Student's t), or of one alone over time (batch means). u<sub>n</sub> is the normal "
+         "speed at first touch.</small></p>\n";
 }
 
 /// Table of collisions by kind of pair; empty if there is one kind.
@@ -263,15 +251,13 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
       body += fmt::format("<section class=\"box\"><p>{}</p></section>\n", escaped(one.text));
   if (const std::string replay = film ? replay_section(outcome) : ""; !replay.empty())
     body += "<h2>Replay</h2>\n" + replay;
-  const QuantityTables tables = quantity_tables(outcome);
-  body += tables.above;
+  body += results_section(outcome);
   body += states_section(outcome);
   body += pairs_table(outcome);
   if (!results::averaged_replicates(outcome).empty())
     body += spectra_section(outcome) + maps_section(outcome) + time_section(outcome) +
             wear_and_heat_section(outcome) + sensors_section(outcome);
   body += powder_sections(outcome);
-  body += tables.below;
   body += methods_box(outcome, version);
   body += "<h2>Assumptions and sources</h2>\n";
   body += origin_box(outcome, &cases::Origin::assumed, "Assumed, not measured",

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -17,31 +18,6 @@ constexpr std::string_view above_threshold = "_above_threshold";
 constexpr std::array<std::string_view, 3> above_alone{"collision_rate_in_flight", "stress_energy",
                                                       "stress_number_rate"};
 using Line = std::array<std::string, 3>;
-
-/// The first quantity of each group of rows, and the group's heading. Every result with the group
-/// has that quantity.
-using Group = std::pair<std::string_view, std::string_view>;
-constexpr std::array groups{
-    Group{"collision_rate", "Collisions"},
-    Group{"dissipated_power", "Power and contacts"},
-    Group{"specific_energy_dose_rate", "Energy per mass of powder"},
-    Group{"flight_share", "Motion of the charge"},
-    Group{"wear_rate_balls", "Wear"},
-    Group{"temperature_balls", "Temperatures"},
-    Group{"captured_mass_rate", "Powder captured by collisions"},
-    Group{"d10", "Fineness"},
-    Group{"milling_dose", "Dose"},
-    Group{"motor_power", "Power meter"},
-    Group{"heard_hit_rate", "Microphone"},
-    Group{"acceleration_rms", "Accelerometer"},
-    Group{"thermocouple_reading", "Thermocouple"},
-    Group{"grain_count", "Powder as grains"},
-    Group{"energy_residual", "Numerical accuracy"},
-};
-std::string_view group_of(std::string_view name) {
-  const auto found = std::ranges::find(groups, name, &Group::first);
-  return found == groups.end() ? std::string_view{} : found->second;
-}
 
 std::string padded(const std::string& text, std::size_t wanted) {
   return text + std::string(wanted - std::min(wanted, width(text)), ' ');
@@ -77,14 +53,18 @@ std::string Row::above_text() const {
 
 std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
   std::vector<Row> list;
-  for (const results::Quantity& q : quantities) {
-    const bool twin = q.name.ends_with(above_threshold) && !list.empty() &&
-                      list.back().all->name + std::string(above_threshold) == q.name;
-    if (twin)
-      list.back().above = &q;
-    else
-      list.push_back({&q, nullptr, group_of(q.name),
-                      std::ranges::find(above_alone, q.name) != above_alone.end()});
+  for (const results::QuantityGroup& group : results::quantity_groups(quantities)) {
+    std::string_view heading = group.heading;
+    for (const std::string& name : group.names) {
+      const results::Quantity& q = results::named(quantities, name);
+      const bool twin = q.name.ends_with(above_threshold) && !list.empty() &&
+                        list.back().all->name + std::string(above_threshold) == q.name;
+      if (twin)
+        list.back().above = &q;
+      else
+        list.push_back({&q, nullptr, std::exchange(heading, {}),
+                        std::ranges::find(above_alone, q.name) != above_alone.end()});
+    }
   }
   return list;
 }
@@ -92,8 +72,11 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
 std::string table(const std::vector<results::Quantity>& quantities, double threshold) {
   std::vector<Line> lines{{"", "all collisions", "u_n >= " + threshold_text(threshold)}};
   for (const Row& row : rows(quantities)) {
-    if (!row.group.empty() && lines.size() > 1) lines.push_back({});
-    lines.push_back({label(*row.all), row.all_text(), row.above_text()});
+    if (!row.group.empty()) {
+      lines.push_back({});
+      lines.push_back({std::string(row.group)});
+    }
+    lines.push_back({"  " + label(*row.all), row.all_text(), row.above_text()});
   }
   std::array<std::size_t, 3> widths{};
   for (const Line& line : lines)

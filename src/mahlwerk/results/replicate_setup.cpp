@@ -45,6 +45,8 @@ observe::PairFactors factors(const cases::Case& mill_case, const contact::Bounce
                              int other) {
   observe::PairFactors made;
   made.load_distance_per_loss = powder::load_distance(1, cases::sliding_friction(mill_case, rule));
+  if (cases::in_time_steps(mill_case.run.engine))
+    made.softened_duration = powder::softened_duration(mill_case.contact.softening);
   if (mill_case.heat)
     set_flash_factors(
         made, other < 0 ? cases::flash_pair_with_jar(mill_case, static_cast<std::size_t>(one))

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/results/sensitivity.hpp"
+
 // The numbers of a result that files, tables and pages show.
 namespace mahlwerk::results {
 
@@ -62,7 +64,8 @@ struct Summary {
   std::vector<std::vector<double>> by_replicate;
   std::vector<PairSummary> pairs;  ///< empty if there is only one kind of pair
   std::optional<TwoStates> two_states;
-  std::string regime, regime_reason;  ///< (results/quantities/regime.hpp)
+  std::optional<Sensitivity> sensitivity;  ///< to assumed values; only of a single run
+  std::string regime, regime_reason;       ///< (results/quantities/regime.hpp)
 };
 
 }  // namespace mahlwerk::results

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/contact/laws.hpp"
@@ -156,6 +157,7 @@ class AnyCase {
           c.capture && flip() ? Kinetics::Dose::captured : Kinetics::Dose::dissipated;
       c.fit["kinetics.onset"] = {"0.5 J/kg", "3 kJ/g"};
     }
+    draw_milling_time(c);
     if (c.contact.rule.restitution.points().empty() && flip())
       c.sweep.keys.push_back({"contact.restitution", {"0.5", "0.9", "1e-3"}});
     if (flip()) c.sweep.keys.push_back({"title", {"12 mm", "a \"b\"", "true"}});
@@ -229,6 +231,15 @@ class AnyCase {
     if (flip()) g.sticking_size = size();
     g.welding = random_.uniform();
     g.welding_energy = size();
+  }
+  /// One time for all sections, as a case has.
+  void draw_milling_time(Case& c) {
+    if (!milling_time(c) && !flip()) return;
+    const double time = milling_time(c).value_or(size());
+    if (flip()) c.milling = MillingTime{.time = time, .dose = size()};
+    if (c.grinding) c.grinding->time = time;
+    if (c.kinetics) c.kinetics->time = time;
+    if (c.heat) c.heat->milling = time / static_cast<double>(c.heat->cycles);
   }
   void draw_kinetics(Kinetics& k) {
     k.model =

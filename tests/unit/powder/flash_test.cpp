@@ -159,5 +159,25 @@ TEST(Flash, follows_the_root_of_time_on_a_half_space) {
   }
 }
 
+TEST(SoftenedDuration, of_an_impact_is_that_with_the_given_moduli) {
+  const FlashPair hard = steel_ball();
+  for (const double softening : {0.5, 0.12, 0.02, 1e-3}) {
+    FlashPair soft = hard;
+    soft.modulus *= softening;
+    const double factor = softened_duration(softening);
+    for (const double lasts : {1.0, 1.3, 1.9}) {  // times Hertz's time: dampers prolong an impact
+      const double run = lasts * hertz_time(energy(hard, 2), soft);
+      states("duration over Hertz's time",
+             unsoftened_duration(run / hertz_time(energy(hard, 2), hard), factor), lasts,
+             1e-12 * lasts, "t ~ E*^(-2/5), hea.11");
+    }
+    const double rest = 1e4;  // a ball that lies still, in Hertz's times
+    states("duration of a long contact", unsoftened_duration(rest, factor), rest,
+           impact_phase / factor, "only its impact is shorter");
+  }
+  for (const double lasts : {0.3, 1.0, 3.7, 1e5})
+    EXPECT_EQ(unsoftened_duration(lasts, 1), std::max(1.0, lasts)) << "same bits unsoftened";
+}
+
 }  // namespace
 }  // namespace mahlwerk::powder::flash_test

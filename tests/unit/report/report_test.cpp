@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
+#include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
@@ -81,6 +82,41 @@ TEST(Table, shows_twins_beside_each_other) {
     if (row.above != nullptr) {
       EXPECT_EQ(row.above->name, row.all->name + "_above_threshold");
     }
+}
+
+TEST(KeyNumbers, come_first_with_the_dose_of_an_hour_and_no_dose_of_the_simulated_time) {
+  auto o = fake_outcome();
+  o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
+  const std::string without = key_table(ended(o));
+  EXPECT_TRUE(has(without, "no milling time given")) << without;
+  EXPECT_TRUE(has(without, "21.6 ± 8.9 J/g")) << without;  // 0.006 W/g x 3600 s
+  EXPECT_TRUE(has(without, "time to a dose of 1 kJ/g")) << without;
+  o.mill_case.milling = cases::MillingTime{.time = 7200};
+  const std::string timed = key_table(ended(o));
+  EXPECT_TRUE(has(timed, "specific energy dose after 2 h")) << timed;
+  EXPECT_TRUE(has(timed, "43 ± 18 J/g")) << timed;
+  const std::string html = report_page(ended(o), "1");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_LT(html.find("43 ± 18 J/g"), html.find("<details"));
+}
+
+TEST(KeyNumbers, show_what_assumed_values_decide) {
+  auto o = ended(fake_outcome());  // 12 mW, 6 hits/s
+  o.summary.sensitivity = results::Sensitivity{
+      .time = 2,
+      .quantities = {"dissipated_power", "collision_rate_above_threshold"},
+      .keys =
+          {{"contact.restitution", "0.8", {"0.3", "0.9"}, "default: x", {{{0.006, 4}, {0.02, 9}}}}},
+      .left_out = {"contact.friction"}};
+  const std::string text = key_table(o);
+  EXPECT_TRUE(has(text, "6 to 20 mW")) << text;
+  EXPECT_TRUE(has(text, "4 to 9 /s")) << text;
+  EXPECT_TRUE(has(text, "contact.restitution  0.3 to 0.9, assumed 0.8")) << text;
+  EXPECT_TRUE(has(text, "was not computed: contact.friction")) << text;
+  const std::string html = report_page(o, "1");
+  EXPECT_TRUE(well_formed(html));
+  EXPECT_TRUE(has(html, "What assumed values decide"));
+  EXPECT_FALSE(has(report_page(ended(fake_outcome()), "1"), "assumed values decide"));
 }
 
 TEST(Table, what_is_counted_above_the_threshold_stands_in_its_column) {

@@ -38,7 +38,7 @@ TEST(SummaryJson, holds_every_quantity_to_the_bit) {
 TEST(SummaryJson, tells_what_made_it) {
   const nlohmann::json about = parsed(fake_outcome()).at("_about");
   EXPECT_EQ(about.at("mahlwerk"), "1.2.3");
-  EXPECT_EQ(about.at("schema"), 1);
+  EXPECT_EQ(about.at("schema"), 2);
   EXPECT_EQ(about.at("title"), "A <fake> case & more");
   EXPECT_EQ(about.at("seed"), 7);
   EXPECT_EQ(about.at("engine"), "event");
@@ -67,6 +67,26 @@ TEST(SummaryJson, names_the_engine_that_ran) {
   o.mill_case.run.engine = cases::EngineName::automatic;
   o.engine = cases::EngineName::soft;
   EXPECT_EQ(parsed(o).at("_about").at("engine"), "soft");
+}
+
+TEST(SummaryJson, holds_key_quantities_groups_and_what_assumed_values_decide) {
+  Outcome o = fake_outcome();
+  nlohmann::json all = parsed(o);
+  EXPECT_EQ(all.at("_key_quantities")[0], "dissipated_power");
+  std::size_t grouped = 0;
+  for (const auto& group : all.at("_groups")) grouped += group.at("quantities").size();
+  EXPECT_EQ(grouped, o.summary.quantities.size()) << "each quantity is in one group";
+  EXPECT_FALSE(all.contains("_sensitivity"));
+  o.summary.sensitivity = Sensitivity{
+      .time = 2,
+      .quantities = {"dissipated_power"},
+      .keys = {{"contact.restitution", "0.8", {"0.3", "0.9"}, "default: x", {{{0.006}, {NAN}}}}},
+      .left_out = {"contact.friction"}};
+  all = parsed(o).at("_sensitivity");
+  EXPECT_EQ(all.at("keys")[0].at("range"), nlohmann::json({"0.3", "0.9"}));
+  EXPECT_EQ(all.at("keys")[0].at("at_ends").at("dissipated_power"),
+            nlohmann::json({0.006, nullptr}));
+  EXPECT_EQ(all.at("left_out")[0], "contact.friction");
 }
 
 TEST(SummaryJson, holds_two_states) {

@@ -169,7 +169,15 @@ TEST(Summary, doses_need_powder) {
   EXPECT_THROW(value(o, "specific_energy_dose"), std::out_of_range);
   o.mill_case.powder = cases::Powder{"tic", 0.002, {}, {}};
   EXPECT_NEAR(value(o, "specific_energy_dose_rate"), 0.012 / 2, 1e-12);  // W/g
-  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.06, 1e-12);            // J/g in 10 s
+  EXPECT_TRUE(std::isnan(value(o, "specific_energy_dose"))) << "10 s are no milling time";
+  EXPECT_NEAR(value(o, "specific_energy_dose_per_hour"), 0.006 * 3600, 1e-9);
+  // Replicates of 10, 12 and 14 mW: the mean of their times.
+  const double inverse = (1 / 0.005 + 1 / 0.006 + 1 / 0.007) / 3;
+  EXPECT_NEAR(value(o, "time_to_dose"), 1000 * inverse, 1e-6);  // 1 kJ/g
+  o.mill_case.milling = cases::MillingTime{.time = 1800, .dose = 2e6};
+  EXPECT_NEAR(value(o, "specific_energy_dose"), 0.006 * 1800, 1e-9);
+  EXPECT_NEAR(value(o, "time_to_dose"), 2000 * inverse, 1e-6);
+  o.mill_case.milling.reset();
   EXPECT_THROW(value(o, "milling_time"), std::out_of_range);
 }
 

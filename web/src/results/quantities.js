@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The table of all quantities of a result, with their intervals.
+// The key numbers of a result, and all its quantities in groups that can be folded.
 
-import { button, element } from "../dom.js";
+import { element } from "../dom.js";
 import { quantityText } from "../format.js";
 import { text } from "../text/en.js";
 
@@ -14,47 +14,53 @@ const first = ["dissipated_power", "drawn_power", "collision_rate_above_threshol
 
 /// Keys of the quantities of a summary; the most asked for first.
 export function keysIn(summary) {
-  const keys = Object.keys(summary).filter((key) => key !== "_about" &&
+  const keys = Object.keys(summary).filter((key) => !key.startsWith("_") &&
     Number.isFinite(summary[key]?.value));
   return [...first.filter((key) => keys.includes(key)), ...keys.filter((key) => !first.includes(key))];
 }
 
 export const shortList = (keys) => keys.filter((key) => first.includes(key));
 
+/// A dose without a milling time is named, not left out.
+const withoutTime = (summary, key) =>
+  key === "specific_energy_dose" && !Number.isFinite(summary[key].value);
+
 export class Quantities {
   constructor(root) {
-    this.body = element("tbody");
-    this.all = false;
-    this.toggle = button(text.allQuantities, () => {
-      this.all = !this.all;
-      this.draw();
-    }, { className: "quiet", "aria-expanded": "false" });
+    this.folded = new Map(); // heading -> whether its group is open
     this.preliminary = element("p", { className: "note", textContent: text.preliminary });
-    root.append(this.preliminary, element("div", { className: "scroll", tabIndex: 0, role: "region",
-      "aria-label": text.quantities }, element("table", { className: "quantities" },
-      element("thead", {}, element("tr", {}, ...text.quantityColumns.map((name) =>
-        element("th", { scope: "col", textContent: name })))), this.body)), this.toggle);
+    this.body = element("div");
+    root.append(this.preliminary, this.body);
     this.show(null, false);
   }
 
   show(summary, preliminary) {
     this.summary = summary;
     this.preliminary.hidden = !preliminary;
-    this.draw();
+    if (!summary)
+      return this.body.replaceChildren(element("p", { className: "empty", textContent: text.noResult }));
+    this.body.replaceChildren(this.table(summary._key_quantities),
+      ...summary._groups.map((group) => this.group(group)));
   }
 
-  draw() {
-    const keys = this.summary ? keysIn(this.summary) : [];
-    const shown = this.all ? keys : shortList(keys);
-    this.toggle.hidden = keys.length === 0;
-    this.toggle.textContent = this.all ? text.fewQuantities : text.allQuantities;
-    this.toggle.setAttribute("aria-expanded", String(this.all));
-    if (keys.length === 0)
-      return this.body.replaceChildren(element("tr", {},
-        element("td", { colSpan: 3, className: "empty", textContent: text.noResult })));
-    this.body.replaceChildren(...shown.map((key) => element("tr", {},
+  /// Hidden if no quantity of the group is finite.
+  group({ heading, quantities }) {
+    const keys = quantities.filter((key) => Number.isFinite(this.summary[key].value));
+    const group = element("details", { open: this.folded.get(heading) ?? false, hidden: keys.length === 0 },
+      element("summary", { textContent: heading }), this.table(keys));
+    group.addEventListener("toggle", () => this.folded.set(heading, group.open));
+    return group;
+  }
+
+  table(keys) {
+    const rows = keys.map((key) => element("tr", {},
       element("th", { scope: "row", textContent: text.quantity(key) }),
-      element("td", { className: "figure", textContent: quantityText(this.summary[key]) }),
-      element("td", { className: "about", textContent: this.summary[key].about }))));
+      element("td", { className: "figure", textContent: withoutTime(this.summary, key)
+        ? text.noMillingTime : quantityText(this.summary[key]) }),
+      element("td", { className: "about", textContent: this.summary[key].about })));
+    return element("div", { className: "scroll", tabIndex: 0, role: "region",
+      "aria-label": text.quantities }, element("table", { className: "quantities" },
+      element("thead", {}, element("tr", {}, ...text.quantityColumns.map((name) =>
+        element("th", { scope: "col", textContent: name })))), element("tbody", {}, ...rows)));
   }
 }

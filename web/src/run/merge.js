@@ -22,7 +22,7 @@ function mergedQuantity(given) {
 export function mergedSummary(summaries) {
   const merged = {};
   for (const key of Object.keys(summaries[0]))
-    merged[key] = key === "_about" ? summaries[0]._about
+    merged[key] = key.startsWith("_") ? summaries[0][key]
       : mergedQuantity(summaries.map((summary) => summary[key]).filter(Boolean));
   return merged;
 }

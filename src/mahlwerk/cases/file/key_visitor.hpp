@@ -27,6 +27,9 @@ struct NumberSpec {
   std::string_view source = "";
   std::string_view instead = "";       ///< the other key of two that exclude each other
   std::string_view default_text = "";  ///< default in words, where it follows from other values
+  /// Range in which the true value may lie if the default is assumed; its source is that of the
+  /// default.
+  std::optional<Range> plausible = std::nullopt;
 
   constexpr NumberSpec(std::string_view k, std::string_view u, Range r, std::string_view a,
                        std::optional<double> s = std::nullopt, std::string_view from = "")
@@ -44,6 +47,12 @@ struct NumberSpec {
     NumberSpec made = *this;
     made.standard = value;
     made.source = from;
+    made.plausible.reset();
+    return made;
+  }
+  constexpr NumberSpec with_plausible(Range ends) const {
+    NumberSpec made = *this;
+    made.plausible = ends;
     return made;
   }
   constexpr NumberSpec with_default_text(std::string_view words) const {

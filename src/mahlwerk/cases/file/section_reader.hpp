@@ -25,6 +25,9 @@ struct Findings {
   std::string folder = {};  ///< folder of the case file; paths of the case are relative to it
   std::vector<Fault> faults = {};
   std::vector<Origin> origins = {};
+  /// [s] The milling time that any section states, and that section: "milling"
+  std::optional<double> milling_time = std::nullopt;
+  std::string_view milling_time_of = {};
   std::set<std::string, std::less<>> fitted_keys = {};  ///< dotted keys that only [fit] gives
 };
 

@@ -20,6 +20,8 @@ using contact::Restitution;
 using RestitutionLaw = Restitution::Law;
 
 constexpr double usual_restitution = 0.8;
+constexpr Range plausible_restitution{.least = 0.3, .most = 0.9};
+constexpr Range plausible_friction{.least = 0.1, .most = 0.6};
 constexpr std::string_view clean_metal =
     "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)";
 
@@ -137,7 +139,9 @@ Restitution read_restitution(SectionReader& in, const Restitution* all) {
       refuse_unused(in, given, "tabulated", "remove it, or restitution_law");
     return read_tabulated(in, all);
   }
-  NumberSpec spec = restitution_value().with_default(usual_restitution, clean_metal);
+  NumberSpec spec = restitution_value()
+                        .with_default(usual_restitution, clean_metal)
+                        .with_plausible(plausible_restitution);
   if (all != nullptr && all->law() != RestitutionLaw::tabulated)
     spec = spec.with_default(all->value(), of_contact);
   const double value = in.value(spec);
@@ -215,7 +219,8 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
   }
   NumberSpec friction =
       NumberSpec("friction", "", not_negative, "Coulomb's friction coefficient mu")
-          .with_default(0.3, "uncalibrated, 0.1-0.6");
+          .with_default(0.3, "uncalibrated, 0.1-0.6")
+          .with_plausible(plausible_friction);
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, of_contact);
   v.number(friction, rule.friction);

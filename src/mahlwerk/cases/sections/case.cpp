@@ -48,6 +48,7 @@ void describe(CaseVisitor& v, Case& c) {
   if (c.liquid) section("liquid", *c.liquid);
   section("run", c.run);
   section("observe", c.observe);
+  if (c.milling) section("milling", *c.milling);
   if (c.wear) section("wear", *c.wear);
   if (c.heat) section("heat", *c.heat);
   if (c.capture) section("capture", *c.capture, c, false);

@@ -43,6 +43,9 @@ constexpr auto touch_fields() {
                    "surface tension of the liquid of capillary bridges; 0: the pair is dry"}};
 }
 
+/// Range of an assumed rolling_friction, with the source of its default.
+constexpr Range plausible_rolling_friction{.least = 0, .most = 0.1};
+
 /// Key of [contact] for rolling models with damping.
 constexpr Field<contact::ContactModel> rolling_damping{"rolling_damping",
                                                        "",

@@ -161,20 +161,6 @@ void unused_sections(const GrindingTables& t, Findings& findings) {
 
 }  // namespace
 
-void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const Case& c,
-                           bool of_grinding) {
-  if (v.tries_all_words())
-    spec = spec.with_default_text(of_grinding ? "milling x cycles of [heat], if given"
-                                              : "time of [grinding], else milling x cycles of "
-                                                "[heat], if given");
-  else if (!of_grinding && c.grinding)
-    spec = spec.with_default(c.grinding->time, "that of [grinding]");
-  else if (c.heat)
-    spec = spec.with_default(c.heat->milling * static_cast<double>(c.heat->cycles),
-                             "total milling time of [heat]");
-  v.number(spec, time);
-}
-
 void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering) {
   const auto energy = [&] {
     v.word({"energy",
@@ -207,7 +193,7 @@ void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c) {
 
 void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   constexpr Range times{.least = 0, .most = 1e8, .without_least = true};  // three years
-  describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time, c, true);
+  describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time);
   describe_method(v, g);
   describe_smallest(v, g, c);
   describe_per_octave(v, g, powder::tracks_strength(*g.breakage));

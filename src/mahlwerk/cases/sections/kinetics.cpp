@@ -199,7 +199,7 @@ void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
           "energy that counts as dose, by mass of powder",
           {"all energy that collisions dissipate", "energy that captured powder receives"}},
          k.dose);
-  describe_milling_time(v, {"time", "s", positive, "milling time"}, k.time, c, false);
+  describe_milling_time(v, {"time", "s", positive, "milling time"}, k.time);
   v.optional_number(NumberSpec("molar_mass", "kg/mol", positive,
                                "molar mass of the powder, for doses by amount of substance")
                         .with_default_text("no such doses"),

@@ -132,6 +132,19 @@ void describe_start(KeyVisitor& v, Run& run) {
            run.start_from.file);
 }
 
+/// Written only where a case gives it, as it changes no result of the run itself.
+void describe_sensitivity(KeyVisitor& v, Run& run) {
+  if (v.reader() == nullptr && !v.visits_all() && run.sensitivity == SensitivityMode::automatic)
+    return;
+  v.word({"sensitivity",
+          {"auto", "on", "off"},
+          "auto",
+          "where it simulates less time than the run",
+          "whether a single run also computes what its assumed values decide",
+          {"where this simulates less time than the run", "always", "never"}},
+         run.sensitivity);
+}
+
 /// The soft engine's step: a time, or a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
   const NumberSpec step = NumberSpec("time_step", "s", positive,
@@ -175,6 +188,7 @@ void describe(KeyVisitor& v, Run& run) {
       {"replicates", 1, max_replicates, "runs that differ only by chance", 5, "as in paper A"},
       run.replicates);
   describe_start(v, run);
+  describe_sensitivity(v, run);
 }
 
 }  // namespace mahlwerk::cases

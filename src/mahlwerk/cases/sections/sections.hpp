@@ -40,6 +40,7 @@ void describe(KeyVisitor& v, PairRule& pair, const Contact& all, const ContactMo
 void describe(KeyVisitor& v, Liquid& liquid);
 void describe(KeyVisitor& v, Run& run);
 void describe(KeyVisitor& v, Observe& observe);
+void describe(KeyVisitor& v, MillingTime& milling);
 void describe(KeyVisitor& v, Wear& wear);
 void describe(KeyVisitor& v, Heat& heat);
 /// The sections of grinding. Require `c` with powder and heat. `remembering`: the breakage model
@@ -77,9 +78,8 @@ using Sieves = std::vector<std::array<double, 2>>;  ///< as Distribution::passin
 /// `passing` or `retained` of a sieve analysis, up to `most` + 1 rows: the last opening passes all
 /// mass. Empty after a fault.
 void describe_sieves(KeyVisitor& v, Sieves& rows, std::int64_t most);
-/// Milling time; by default that of [grinding] or [heat].
-void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time, const Case& c,
-                           bool of_grinding);
+/// Milling time of [grinding] or [kinetics]; by default that of another section.
+void describe_milling_time(KeyVisitor& v, NumberSpec spec, double& time);
 
 /// Given values, else those of the catalogue's material, else those of steel.
 void describe(KeyVisitor& v, contact::ElasticConstants& elastic, const std::string& material);
@@ -139,6 +139,10 @@ Contact read_contact(const Node* table, const Case& c, Findings& findings);
 struct GrindingTables {
   const Node *capture, *breakage, *fragments, *grinding;
 };
+/// A node that is a whole number from 1; no value otherwise.
+std::optional<double> whole_number(const Node& node);
+/// The milling time that the sections of a case state together: a fault if they differ.
+void find_milling_time(const Node& root, Findings& findings);
 void read_grinding(const GrindingTables& tables, Case& c, Findings& findings);
 
 // Sections about many runs.

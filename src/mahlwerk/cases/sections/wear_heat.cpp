@@ -23,8 +23,21 @@ void describe(KeyVisitor& v, Wear& wear) {
            wear.coefficient);
 }
 
-/// With `pause` or `cycles`, `milling` is required, and with `pause` also `cycles`. By default the
-/// mill runs for an hour without a pause.
+namespace {
+
+/// [s] Milling in one of the cycles that [heat] gives, if another section states the whole
+/// time.
+std::optional<double> milling_of_a_cycle(SectionReader& in) {
+  if (!in.findings().milling_time) return std::nullopt;
+  const Node* cycles = in.find("cycles");
+  const double count = cycles == nullptr ? 1 : whole_number(*cycles).value_or(1);
+  return *in.findings().milling_time / count;
+}
+
+}  // namespace
+
+/// With `pause` or `cycles`, the milling time is required, here or in another section, and with
+/// `pause` also `cycles`. By default the mill runs for an hour without a pause.
 void describe(KeyVisitor& v, Heat& heat) {
   NumberSpec milling("milling", "s", positive, "milling time of each cycle", Heat().milling,
                      "an hour without a pause");
@@ -37,6 +50,9 @@ void describe(KeyVisitor& v, Heat& heat) {
   const bool pauses = v.gives("pause");
   if (pauses) cycles.standard.reset();
   if (v.gives("cycles") || pauses) milling.standard.reset();
+  if (SectionReader* in = v.reader())
+    if (const auto time = milling_of_a_cycle(*in))
+      milling = milling.with_default(*time, "milling time of the case over its cycles");
   v.number(milling, heat.milling);
   v.number({"pause", "s", not_negative, "pause after each milling", Heat().pause, "none"},
            heat.pause);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/json.hpp"
 
+#include "mahlwerk/results/quantities/key_quantities.hpp"
+
 namespace mahlwerk::results {
 namespace {
 
-constexpr int schema = 1;  // of summary.json; grows only when a name or a meaning changes
+constexpr int schema = 2;  // of summary.json; grows only when a name or a meaning changes
 
 Json origins(const cases::Case& mill_case, bool cases::Origin::*chosen) {
   Json list = Json::array();
@@ -88,6 +90,29 @@ Json states_of(const TwoStates& found) {
   return Json::object({{"chance", found.p_value}, {"states", std::move(states)}});
 }
 
+Json groups_of(const std::vector<Quantity>& quantities) {
+  Json list = Json::array();
+  for (const QuantityGroup& group : quantity_groups(quantities))
+    list.push_back(Json::object({{"heading", group.heading}, {"quantities", group.names}}));
+  return list;
+}
+
+Json sensitivity_of(const Sensitivity& found) {
+  Json keys = Json::array();
+  for (const AssumedInfluence& one : found.keys) {
+    Json at_ends = Json::object();
+    for (std::size_t i = 0; i < found.quantities.size(); ++i)
+      at_ends[found.quantities[i]] = Json::array({one.at_ends[0][i], one.at_ends[1][i]});
+    keys.push_back(Json::object({{"key", one.key},
+                                 {"value", one.value},
+                                 {"range", Json::array({one.ends[0], one.ends[1]})},
+                                 {"source", one.source},
+                                 {"at_ends", std::move(at_ends)}}));
+  }
+  return Json::object(
+      {{"time", found.time}, {"keys", std::move(keys)}, {"left_out", found.left_out}});
+}
+
 }  // namespace
 
 Json notices_json(const NoticeCounts& counts) {
@@ -105,6 +130,9 @@ std::string summary_json(const Outcome& outcome, std::string_view version) {
   Json all;
   all["_about"] = about(outcome, version);
   for (const Quantity& q : summary.quantities) all[q.name] = object(q);
+  all["_key_quantities"] = key_quantities(summary.quantities);
+  all["_groups"] = groups_of(summary.quantities);
+  if (summary.sensitivity) all["_sensitivity"] = sensitivity_of(*summary.sensitivity);
   if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
   if (summary.two_states) all["_states"] = states_of(*summary.two_states);
   return all.text(2) + '\n';

@@ -277,6 +277,7 @@ Notices warnings(const Outcome& outcome) {
   energy_gained(outcome, list);
   energy_balances(outcome, list);
   overlaps(outcome, list);
+  append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
   automatic_settling(outcome, list);

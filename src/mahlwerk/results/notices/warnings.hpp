@@ -17,4 +17,7 @@ constexpr double soft_overlap = 0.01;
 /// `Outcome::notices`.
 Notices warnings(const Outcome& outcome);
 
+/// Names the quantities that contact.softening changes, with the size of the change.
+Notices softened_quantities(const Outcome& outcome);
+
 }  // namespace mahlwerk::results

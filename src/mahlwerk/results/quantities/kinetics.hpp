@@ -24,8 +24,8 @@ powder::MillingConditions milling_conditions(const cases::Case& mill_case,
 /// Whether [kinetics] needs the stress spectrum.
 bool kinetics_reads_hits(const cases::Case& mill_case);
 
-/// [s] Milling time until ignition of a case with [kinetics] model = "ignition"; infinite if it is
-/// beyond ten times the milling time.
+/// [s] Milling time until ignition of a case with [kinetics] model = "ignition"; infinite if it
+/// is beyond ten times the milling time.
 double ignition_time(const cases::Case& mill_case, const powder::MillingConditions& mill);
 
 std::vector<Measure> kinetics_measures(const cases::Case& mill_case);

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -82,6 +85,13 @@ double stress_energy(const Replicate& r) {
   return share(r.tally.above.energy_contact_point, static_cast<double>(r.tally.above.count));
 }
 
+constexpr double hour = 3600;  // [s]
+
+/// [J/kg] The dose whose milling time is computed.
+double dose_asked(const Case& c) {
+  return c.milling.value_or(cases::MillingTime()).dose;
+}
+
 double dose_rate(const Case& c, const Replicate& r) {
   return dissipated_power(r) / (1000 * c.powder->mass);
 }
@@ -124,11 +134,19 @@ std::vector<Measure> dose_measures(const Case& mill_case) {
       {"specific_energy_dose_rate", "W/g",
        "dissipated power per mass of powder: an upper bound of what the powder gets", dose_rate},
       {"specific_energy_dose", "J/g",
-       cases::milling_time(mill_case) ? "dose rate times the milling time"
-                                      : "dose rate times the counted time, as the case gives no "
-                                        "milling time",
+       cases::milling_time(mill_case)
+           ? "dose rate times the milling time"
+           : "dose rate times the milling time, which the case does not give: [milling] time",
        [](const Case& c, const Replicate& r) {
-         return dose_rate(c, r) * cases::milling_time(c).value_or(r.time());
+         return dose_rate(c, r) * cases::milling_time(c).value_or(undefined);
+       }},
+      {"specific_energy_dose_per_hour", "J/g", "dose of an hour of milling without pauses",
+       [](const Case& c, const Replicate& r) { return hour * dose_rate(c, r); }},
+      {"time_to_dose", "s",
+       fmt::format("milling time, without pauses, to a dose of {} ([milling] dose)",
+                   show_rounded(dose_asked(mill_case), "J/kg")),
+       [](const Case& c, const Replicate& r) {
+         return share(dose_asked(c) / 1000, dose_rate(c, r));
        }},
       {"specific_impact_power", "W/g",
        "impact energy of the contact points of all collisions, per second and mass of powder",
@@ -140,10 +158,10 @@ std::vector<Measure> dose_measures(const Case& mill_case) {
        [](const Case&, const Replicate& r) { return stress_energy(r); }},
   };
   if (cases::milling_time(mill_case))
-    list.insert(list.begin() + 2,
-                {"milling_time", "s",
-                 "operating time of the mill without pauses, from [grinding], [kinetics] or [heat]",
-                 [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
+    list.insert(
+        list.begin() + 2,
+        {"milling_time", "s", "operating time of the mill without pauses, as the case gives it",
+         [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
   if (mill_case.powder->size && mill_case.powder->density)
     list.push_back({"stress_number_rate", "1/s",
                     "stress events per second and particle of the powder, one particle an event",

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 14> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 83> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 85> not_negative{"collision_rate",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
@@ -57,6 +57,8 @@ constexpr std::array<std::string_view, 83> not_negative{"collision_rate",
                                                         "impacts_per_ball",
                                                         "specific_energy_dose_rate",
                                                         "specific_energy_dose",
+                                                        "specific_energy_dose_per_hour",
+                                                        "time_to_dose",
                                                         "milling_time",
                                                         "specific_impact_power",
                                                         "stress_energy",
