@@ -35,6 +35,8 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   parameters.rolling_coefficient = broadcast(arm);
   parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
   parameters.stiffness_correction = broadcast(pair.stiffness_correction(settings.time_step));
+  parameters.half_step_squared_over_mass =
+      broadcast(0.5 * settings.time_step * settings.time_step / pair.effective.mass);
   parameters.slip_factor = broadcast(pair.effective.slip_factor);
   parameters.inertia =
       broadcast(b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
@@ -75,6 +77,18 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
   std::visit([&](const auto& l) { l.begin(coefficients_of(parameters, lane), begun, approach); },
              law);
   for (int i = 0; i < contact::law_history_size; ++i) law_history[i][lane] = begun[i];
+}
+
+double separation_energy(const PairParameters& parameters, std::size_t lane,
+                         const contact::AnyLaw& law) {
+  const double distance = parameters.pull_off_distance[lane];
+  if (!(distance > 0)) return 0;
+  const double none[contact::law_history_size] = {};
+  return std::visit(
+      [&](const auto& l) {
+        return l.elastic_energy(coefficients_of(parameters, lane), none, -distance);
+      },
+      law);
 }
 
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane) {

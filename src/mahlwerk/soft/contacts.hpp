@@ -29,6 +29,10 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
                        const PairParameters& parameters, std::size_t lane, double approach,
                        const contact::AnyLaw& law);
 
+/// Elastic energy [J] that a contact loses as it breaks at its pull-off distance; 0 without adhesion.
+double separation_energy(const PairParameters& parameters, std::size_t lane,
+                         const contact::AnyLaw& law);
+
 /// Adds the work of a lane to the energy balance.
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane);
 

@@ -74,6 +74,7 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
            : nearest(particles_.position(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(separation)) * separation;
   const Vec3 where = jar_->within_period(x) + p.radius_i[lane] * n;
+  p.work.normal[lane] += separation_energy(p, lane, *settings_.model.law);
   const ContactWork& d = p.work;
   const double duration = time_of(particles_.step - onset.step);
   finished_.push_back({.time = time_of(onset.step),

@@ -57,9 +57,8 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / min_radius(p, l));
     }
-  a.lost_normal -= kept.normal;  // stored, not dissipated
-  a.lost_tangential -= kept.tangential;
-  a.lost_open -= a.elastic;
+  a.lost_tangential -= kept.tangential;  // stored, not dissipated
+  a.lost_open -= kept.tangential;
   a.contact_time +=
       static_cast<double>(balls_in_contact_) * time_of(particles_.step - contact_count_step_);
   return a;

@@ -13,7 +13,7 @@ namespace mahlwerk::soft {
 /// Impulse and work of a contact since its onset: sums over steps of force or power times the step.
 struct alignas(64) ContactWork {
   Lanes impulse{};      ///< [N s] normal
-  Lanes normal{};       ///< [J] work done against the normal force
+  Lanes normal{};       ///< [J] dissipated along the normal (dem.39)
   Lanes tangential{};   ///< [J] work done against friction
   Lanes rolling{};      ///< [J] work done against rolling resistance
   Lanes sliding{};      ///< [J] part of `tangential`: sliding at the Coulomb limit
@@ -48,6 +48,7 @@ struct alignas(64) PairParameters {
   Lanes inertia{};               ///< [kg m2] reduced moment of inertia
   Lanes slip_factor{};           ///< [1] of the pair (hol.4)
   Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
+  Lanes half_step_squared_over_mass{};  ///< [s2/kg] dt^2/(2 m*)
 };
 
 /// Radius [m] of the smaller ball; that of the ball at a wall. Overlaps are stated in it.

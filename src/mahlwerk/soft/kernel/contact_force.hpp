@@ -136,7 +136,7 @@ template <class V>
     const V size = sqrt(squared), square = dot(spring, spring);
     const V spring_energy = max(stiffness * square, zero + 1e-150);
     const V limited_energy = limit * sqrt(square) + opposing_damping(),
-            inverse_product = 1.0 / (size * spring_energy);
+            inverse_product = 1.0 / max(size * spring_energy, zero + 1e-300);
     force = select(sliding, limit * (spring_energy * inverse_product), one) * force;
     const Vec<V> limited_spring = select(sliding & less(limited_energy, spring_energy),
                                          limited_energy * (size * inverse_product), one) *
@@ -220,6 +220,17 @@ template <class V>
   out.torque_j = out.torque_j + torque_j;
 }
 
+/// Plastic energy [J] of the contacts of a group, by a law that has one.
+template <class Law, class V>
+[[gnu::always_inline]] inline V plastic_energy(
+    const std::array<V, contact::law_coefficient_count>& coefficients,
+    const GroupHistory<V>& history) {
+  if constexpr (requires { Law::plastic_energy(coefficients.data(), history.law_history); })
+    return Law::plastic_energy(coefficients.data(), history.law_history);
+  else
+    return V{};
+}
+
 /// Forces and torques of a group in a step. Updates its history; `work` is what this step adds.
 /// `transitions` is null if no contact begins or ends; `walls` is true if there may be walls.
 template <class Law, class V>
@@ -232,6 +243,7 @@ template <class Law, class V>
   const V zero{};
   work = WorkOfStep<V>{};
   const auto coefficients = load_coefficients<V>(group, pair);
+  const V plastic_before = plastic_energy<Law>(coefficients, history);
   contact::LawForce<V> law_force = Law::template evaluate<V>(
       coefficients.data(), history.law_history, where<V>(touching, geometry.overlap),
       where<V>(touching, geometry.overlap_rate));
@@ -249,6 +261,7 @@ template <class Law, class V>
         select<V>(transitions->begun, correction.initial_slip_time * geometry.slip, history.spring);
   }
   law_force.force = where<V>(active, law_force.force);
+  const V damper = where<V>(active, law_force.damper);
   law_force.load = abs(law_force.load);
   const Vec<V> friction = tangential_force<V>(group, pair, history, work, constants, geometry,
                                               law_force, active, load_reversed);
@@ -269,17 +282,18 @@ template <class Law, class V>
     out.torque_j = out.torque_j - torque;
     if (walls) wall_power += dot(torque, motion.wj);
   }
-  V rate = geometry.overlap_rate;
   Vec<V> slip = geometry.slip;
-  if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
-    const V factor = group(pair.slip_factor);
-    const V half = (1.5 / factor * constants.inverse_dt) *
-                   group(pair.stiffness_correction);  // half a step over the mass
-    rate -= where<V>(correction.corrected, half * (law_force.force - correction.previous_force));
-    slip = slip + where<V>(correction.corrected & transitions->begun, factor * half) * friction;
-  }
+  if (transitions != nullptr)  // the velocities were predicted from the force of the last step
+    slip = slip + where<V>(correction.corrected & transitions->begun,
+                           group(pair.slip_factor) * constants.inverse_dt *
+                               group(pair.half_step_squared_over_mass)) *
+                      friction;
   work.impulse = constants.dt * law_force.force;
-  work.normal = constants.dt * (law_force.force * rate);
+  // The rate was predicted from the force of the last step, too; the elastic force has grown since.
+  const V rate = (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) *
+                 geometry.overlap_rate;
+  work.normal = constants.dt * (damper * rate) +
+                (plastic_energy<Law>(coefficients, history) - plastic_before);  // (dem.39)
   work.tangential = -(constants.dt * dot(friction, slip));
   if (walls) work.wall = where<V>(group(pair.wall), constants.dt * wall_power);
   work.overlap = where<V>(touching, geometry.overlap);

@@ -138,6 +138,12 @@ void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n, std:
     if ((ended & bit(l)) == 0) continue;
     change_contact_count(chunk, g.i[l], -1);
     if (&list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
+    const PairParameters& parameters =
+        list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
+                                : list.parameters[n];
+    const double separation = separation_energy(parameters, l, *settings_.model.law);
+    g.lost_normal[l] += separation;
+    chunk.sums.work.normal[l] += (&list == &chunk.halo ? 0.5 : 1) * separation;
     if (&list != &chunk.halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
     (wall ? chunk.wall_pairs : chunk.ball_pairs)
         .separated.push_back({g.i[l], wall ? ~g.j[l] : g.j[l]});

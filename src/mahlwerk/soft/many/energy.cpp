@@ -86,10 +86,8 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
     a.kinetic += sum.kinetic;
     a.potential += sum.potential;
     a.elastic += sum.elastic_energy.normal + sum.elastic_energy.tangential;
-    a.lost_open +=
-        sum.elastic_energy.work_done - sum.elastic_energy.normal - sum.elastic_energy.tangential;
-    a.lost_normal -= sum.elastic_energy.normal;  // stored, not dissipated
-    a.lost_tangential -= sum.elastic_energy.tangential;
+    a.lost_open += sum.elastic_energy.work_done - sum.elastic_energy.tangential;
+    a.lost_tangential -= sum.elastic_energy.tangential;  // stored, not dissipated
   }
   return a;
 }
