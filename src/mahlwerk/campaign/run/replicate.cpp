@@ -304,9 +304,10 @@ void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
 }
 
 void ReplicateRun::end_window() {
-  if (window_ == 0)
-    result_.at_settled = result_.energy_balance;
-  else
+  if (window_ == 0) {
+    engine_->begin_counting();
+    result_.at_settled = result_.energy_balance = engine_->energy_balance();
+  } else
     result_.windows.push_back(window_between(result_.energy_balance.time - mill_case_->run.settle,
                                              last_, result_.energy_balance, all_, above_,
                                              result_.tally));

@@ -53,6 +53,7 @@ void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
                          mill_time(particles_.step), pairs_[p.species_pair[lane]], settings_.model);
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
+  clear_friction_history(p, lane);
   p.stiffness[lane] = 0;
   p.tensile[lane] = 0;
   p.touching[lane] = -1;
@@ -108,6 +109,7 @@ void FewBodySolver::flush_work(PairPacket& p, std::size_t lane) {
     (*sum)[lane] = 0;
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
+  clear_friction_history(p, lane);
   p.stiffness[lane] = 0;
 }
 

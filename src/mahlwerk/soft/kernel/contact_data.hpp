@@ -41,6 +41,7 @@ struct alignas(64) PairParameters {
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
   Lanes friction{};             ///< mu
+  Lanes twisting_radius{};      ///< [m] R* (dem.42)
   Lanes rolling_coefficient{};  ///< [m] mu_r R*; [s] for viscous; mu_r for own_spin
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
@@ -77,12 +78,27 @@ struct GroupHistory {
   Vec<V> spring{}, rolling_spring_torque{};
   V stiffness{};
   MaskOf<V> tensile{};
+  Vec<V> turning_force{};  ///< see FrictionHistory
+  V load{}, twist{};
 };
 
+/// History of eight contacts that only partial slip and twisting friction need.
+struct alignas(64) FrictionHistory {
+  Vec<Lanes> turning_force{};  ///< [N] tangential force where its loading last turned round
+  Lanes load{};                ///< [N] at the last step
+  Lanes twist{};               ///< [rad] angle of the twisting spring, half a step ahead
+};
+
+inline void clear_friction_history(FrictionHistory& history, std::size_t lane) {
+  set_lane(history.turning_force, lane, {});
+  history.load[lane] = history.twist[lane] = 0;
+}
+
 /// History of eight contacts.
-struct alignas(64) History {
+struct alignas(64) History : FrictionHistory {
   Lanes law_history[contact::law_history_size]{};
-  Vec<Lanes> spring{};                 ///< [m] tangential spring xi, half a step ahead
+  /// [m] tangential spring xi, half a step ahead; with partial slip its force [N]
+  Vec<Lanes> spring{};
   Vec<Lanes> rolling_spring_torque{};  ///< [N m] epsd: torque of the rolling spring
   Lanes stiffness{};                   ///< [N/m] tangential, at the last step
   LaneMask tensile{};                  ///< lanes with a load < 0 at the last step

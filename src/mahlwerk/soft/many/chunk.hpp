@@ -51,6 +51,7 @@ struct ContactPackets {
   BlockList<std::array<ContactOnset, lanes>> onsets;
   BlockList<OptionalHistory>
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
+  BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
   BlockList<PairParameters> parameters;  ///< of each packet, if curved walls change them
   BlockList<WallNormals> wall_normals;   ///< of each packet, for walls
   std::vector<std::int32_t> free;        ///< lane l of packet g: 8 g + l
@@ -62,6 +63,7 @@ struct ContactPackets {
     packets.free_block(block);
     onsets.free_block(block);
     optional_histories.free_block(block);
+    friction_histories.free_block(block);
     parameters.free_block(block);
     wall_normals.free_block(block);
   }

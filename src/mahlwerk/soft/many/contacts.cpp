@@ -67,6 +67,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     fresh.j.fill(wall ? 0 : ball);
     list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
+    if (has_friction_history_) list.friction_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
     if (settings_.model.curved_walls && wall)
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
@@ -90,6 +91,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     set_lane(m.rolling_spring_torque, l, {});
     m.stiffness[l] = 0;
   }
+  if (has_friction_history_) clear_friction_history(list.friction_histories[n], l);
   return at;
 }
 
