@@ -122,8 +122,9 @@ TEST(PartialSlip, an_oblique_impact_is_that_on_an_elastic_half_space) {
     // Measured errors of the rule; docs/theory/soft.md states them.
     states(fmt::format("slip after over before, psi {}", psi), after(true), wanted,
            psi < 1 ? 0.13 : psi < 2 ? 0.08 : 0.02, "elastic half-space");
-    if (psi < 5)
+    if (psi < 5) {
       EXPECT_GT(std::abs(after(false) - wanted), 3 * std::abs(after(true) - wanted)) << psi;
+    }
   }
 }
 
