@@ -74,11 +74,12 @@ concept DefinesOwnScales = std::same_as<decltype(&L::largest_overlap),
 /// variables of a new contact that closes at `approach` [m/s]. `pull_off_distance` [m] is the gap
 /// at which a contact breaks. Within an overlap of `onset_overlap` [m] a force rises that a single
 /// step may pass over; 0 for most laws. `elastic_energy` [J] is the elastic energy of the normal
-/// deformation; a law whose history records plastic deformation has `plastic_energy` [J], dissipated
-/// since touch. The elastic force grows from touch on with a power of the overlap, `touch_exponent`. `stiffness_ratio(t)` [1] is the normal stiffness, F/overlap of the spring, over the
-/// tangential stiffness. The following are at a speed [m/s]: `largest_overlap` [m], `shortest_time`
-/// [s] (duration of the fastest part of a collision) and `damper_time` [s] (time in which the
-/// damper alone stops the bodies, where that can be shorter still).
+/// deformation; a law whose history records plastic deformation has `plastic_energy` [J],
+/// dissipated since touch. The elastic force grows from touch on with a power of the overlap,
+/// `touch_exponent`. `stiffness_ratio(t)` [1] is the normal stiffness, F/overlap of the spring,
+/// over the tangential stiffness. The following are at a speed [m/s]: `largest_overlap` [m],
+/// `shortest_time` [s] (duration of the fastest part of a collision) and `damper_time` [s] (time in
+/// which the damper alone stops the bodies, where that can be shorter still).
 template <class L>
 concept Law = std::default_initializable<L> && std::equality_comparable<L> && DefinesOwnScales<L> &&
     requires(const L law, const EffectivePair& t, const LawCoefficients& k, double x, double* m,

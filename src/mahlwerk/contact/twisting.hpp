@@ -19,7 +19,8 @@ struct TwistingRule {
 /// Register of the models, in the order of the enum Twisting.
 inline constexpr std::array twisting_rules{
     TwistingRule{"none", "bodies turn freely about the normal"},
-    TwistingRule{"marshall",
-                 "spring, dashpot and slider of the friction over the contact area (Marshall 2009)"}};
+    TwistingRule{
+        "marshall",
+        "spring, dashpot and slider of the friction over the contact area (Marshall 2009)"}};
 
 }  // namespace mahlwerk::contact

@@ -43,7 +43,8 @@ struct StoredEnergy {
 StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
                            const double* law_history, const Vec3& spring, double twist,
                            const contact::ContactModel& model);
-/// Elastic energy [J] that a contact loses as it breaks at its pull-off distance; 0 without adhesion.
+/// Elastic energy [J] that a contact loses as it breaks at its pull-off distance; 0 without
+/// adhesion.
 double separation_energy(const PairParameters& parameters, std::size_t lane,
                          const contact::AnyLaw& law);
 

@@ -28,15 +28,16 @@ template <class Look>
 void each_collision(double e, double share, const Look& look) {
   for (const contact::AnyLaw& law : contact::all_laws())
     for (const double phase : phases)
-      look(contact::name_of(law), impact({ball}, pair_of(steel, rigid, e), of_law(law), share,
-                                         phase));
+      look(contact::name_of(law),
+           impact({ball}, pair_of(steel, rigid, e), of_law(law), share, phase));
 }
 
 TEST(Losses, an_elastic_collision_dissipates_nothing_and_keeps_its_energy) {
   double most = 0, lost = 0;
   each_collision(1, 1.0 / 50, [&](std::string_view law, const Impact& hit) {
     SCOPED_TRACE(std::string(law));
-    lost = max_or_nan(lost, std::abs(hit.record.lost_normal) + std::abs(hit.record.lost_tangential));
+    lost =
+        max_or_nan(lost, std::abs(hit.record.lost_normal) + std::abs(hit.record.lost_tangential));
     most = max_or_nan(most, std::abs(hit.restitution * hit.restitution - 1));
     EXPECT_EQ(hit.energy_balance.collisions, 1);
   });
@@ -47,7 +48,8 @@ TEST(Losses, an_elastic_collision_dissipates_nothing_and_keeps_its_energy) {
   stays_below("change of energy, relative", most, 1.2e-4, "elastic");
 }
 
-/// Expected: the energy that the ball has lost. The rates of (dem.39) are predicted to second order.
+/// Expected: the energy that the ball has lost. The rates of (dem.39) are predicted to second
+/// order.
 TEST(Losses, are_the_energy_that_the_collision_takes) {
   for (const double e : {0.3, 0.6, 0.9}) {
     double usual = 0, fine = 0, least = INFINITY;
@@ -75,9 +77,9 @@ std::vector<scene::Ball> gas(int count) {
 
 TEST(Losses, an_elastic_gas_loses_nothing) {
   for (const std::size_t few : {std::size_t{0}, std::size_t{100}})
-    for (const contact::AnyLaw& law : {contact::AnyLaw{contact::HertzMindlin{}},
-                                       contact::AnyLaw{contact::LinearSpring{}},
-                                       contact::AnyLaw{contact::WaltonBraun{}}}) {
+    for (const contact::AnyLaw& law :
+         {contact::AnyLaw{contact::HertzMindlin{}}, contact::AnyLaw{contact::LinearSpring{}},
+          contact::AnyLaw{contact::WaltonBraun{}}}) {
       const scene::Chamber box = still_box(0.06);
       const contact::Pair pair = pair_of(steel, steel, 1);
       std::vector<scene::Ball> balls = gas(30);
@@ -121,8 +123,8 @@ TEST(Losses, of_open_contacts_are_never_negative) {
         least = std::min(least, c.lost_normal);
       }
       const double lost = end.lost() - start.lost();
-      states(w.name + ": records and open contacts over all lost", (recorded + end.lost_open) / lost,
-             1, 1e-9, "(obs.3)");
+      states(w.name + ": records and open contacts over all lost",
+             (recorded + end.lost_open) / lost, 1, 1e-9, "(obs.3)");
       EXPECT_GE(least, -1e-15 * lost);
       EXPECT_GE(end.lost_open, -1e-9 * lost);
     }
@@ -146,8 +148,8 @@ TEST(FrictionlessBall, falls_and_bounces_straight_under_every_law_and_rolling_ru
         Recorder none;
         engine->advance(0.4, none);
         const scene::Ball found = engine->balls()[0];
-        const std::string what = fmt::format("{}, {}", contact::name_of(law),
-                                             contact::rule_of(rule).name);
+        const std::string what =
+            fmt::format("{}, {}", contact::name_of(law), contact::rule_of(rule).name);
         stays_below("moved to the side [m], " + what,
                     std::hypot(found.position.x, found.position.y), 1e-15, "no friction");
         stays_below("spin [rad/s], " + what, norm(found.spin), 1e-12, "no friction");

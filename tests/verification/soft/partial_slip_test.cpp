@@ -3,6 +3,8 @@
 
 // Partial slip (dem.40, dem.41): Mindlin's curve at a constant load, and the oblique impact against
 // an elastic half-space with Coulomb friction.
+#include "mahlwerk/soft/kernel/partial_slip.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "mahlwerk/contact/laws.hpp"
-#include "mahlwerk/soft/kernel/partial_slip.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -20,8 +21,8 @@ namespace {
 
 using V = Register<2>;
 
-/// A tangential spring of stiffness 1 N/m under a load of 1 N with mu = 1: force after displacements
-/// along x in many small parts, in units of the Coulomb limit.
+/// A tangential spring of stiffness 1 N/m under a load of 1 N with mu = 1: force after
+/// displacements along x in many small parts, in units of the Coulomb limit.
 class Tangential {
  public:
   Tangential() {
@@ -121,7 +122,10 @@ TEST(PartialSlip, an_oblique_impact_is_that_on_an_elastic_half_space) {
     const double wanted = (exact.v - b.radius * exact.w) / b.velocity.x;
     // Measured errors of the rule; docs/theory/soft.md states them.
     states(fmt::format("slip after over before, psi {}", psi), after(true), wanted,
-           psi < 1 ? 0.13 : psi < 2 ? 0.08 : 0.02, "elastic half-space");
+           psi < 1   ? 0.13
+           : psi < 2 ? 0.08
+                     : 0.02,
+           "elastic half-space");
     if (psi < 5) {
       EXPECT_GT(std::abs(after(false) - wanted), 3 * std::abs(after(true) - wanted)) << psi;
     }

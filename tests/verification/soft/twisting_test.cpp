@@ -26,7 +26,8 @@ struct Pressed {
   double depth, radius, weight;  ///< [m], [m] of the contact area, [N]
   std::unique_ptr<scene::Engine> engine;
 
-  Pressed(double e, double mu, double spin, std::size_t few) : pair(pair_of(plastic, rigid, e, mu)) {
+  Pressed(double e, double mu, double spin, std::size_t few)
+      : pair(pair_of(plastic, rigid, e, mu)) {
     const contact::EffectivePair t = touching(pair, big);
     weight = t.mass * gravity;
     depth = std::pow(weight / contact::hertz_stiffness(t), 2.0 / 3);
@@ -67,7 +68,8 @@ TEST(Twisting, slows_a_pressed_ball_by_two_thirds_of_mu_a_n) {
     const scene::EnergyBalance balance = on.engine->energy_balance();
     const double taken = 0.5 * big.inertia() * (start * start - found * found);
     states("lost and stored over the energy of the spin" + what,
-           (balance.lost() + balance.elastic - Pressed(0.5, mu, 0, few).engine->energy_balance().elastic) /
+           (balance.lost() + balance.elastic -
+            Pressed(0.5, mu, 0, few).engine->energy_balance().elastic) /
                taken,
            1, 2e-3, "energy");
     EXPECT_NEAR(on.spin_at(3 * time), 0, 1e-2 * start) << "it stops" << what;
@@ -92,8 +94,9 @@ TEST(Twisting, none_leaves_the_spin_about_the_normal) {
   scene::Ball ball = big;
   ball.position.z = -0.5 * side + ball.radius;
   ball.spin.z = 2;
-  const auto engine = soft_engine(still_box(side, {0, 0, -gravity}), {ball},
-                                  of_law(contact::HertzMindlin{}, contact::Rolling::cdt), pair, 1e-5);
+  const auto engine =
+      soft_engine(still_box(side, {0, 0, -gravity}), {ball},
+                  of_law(contact::HertzMindlin{}, contact::Rolling::cdt), pair, 1e-5);
   Recorder none;
   engine->advance(0.05, none);
   states("spin [rad/s]", engine->balls()[0].spin.z, 2, 1e-12, "no torque along the normal");

@@ -51,9 +51,12 @@ struct HertzTsuji : HertzSpring {
     const V half = sqrt(overlap), damping = k[1] * sqrt(half);
     const V elastic = k[0] * overlap * half, force = max(elastic + damping * rate, V{});
     const auto pushes = less(V{}, force);  // no friction in the tail without normal force
-    return {force, select(pushes, k[2] * half, V{}),
-            select(pushes, damping, V{}), force,
-            force - elastic, 1.5 * k[0] * half};
+    return {force,
+            select(pushes, k[2] * half, V{}),
+            select(pushes, damping, V{}),
+            force,
+            force - elastic,
+            1.5 * k[0] * half};
   }
   bool operator==(const HertzTsuji&) const = default;
 };

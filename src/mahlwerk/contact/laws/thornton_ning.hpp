@@ -93,8 +93,7 @@ struct ThorntonNing : HertzSpring {
   [[gnu::always_inline]] static V plastic_energy(const V* k, const V* m) {
     const V yield = min(k[4], V{} + 1e3), beyond = max(m[0] - yield, V{});  // [m]
     const V q = flattening(k, m[0]), most = max(m[0], yield), root = sqrt(yield);
-    const V loading = yield * (yield * (0.4 * root)) +
-                      beyond * root * (yield + 0.75 * beyond);
+    const V loading = yield * (yield * (0.4 * root)) + beyond * root * (yield + 0.75 * beyond);
     const V unloading = 0.4 * q * q * most * most * sqrt(most);
     return where<V>(less(V{}, beyond), k[0] * (loading - unloading));
   }

@@ -46,9 +46,9 @@ struct alignas(64) PairParameters {
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
   Lanes rolling_stiffness_ratio{};
-  Lanes inertia{};               ///< [kg m2] reduced moment of inertia
-  Lanes slip_factor{};           ///< [1] of the pair (hol.4)
-  Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
+  Lanes inertia{};                      ///< [kg m2] reduced moment of inertia
+  Lanes slip_factor{};                  ///< [1] of the pair (hol.4)
+  Lanes stiffness_correction{};         ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
   Lanes half_step_squared_over_mass{};  ///< [s2/kg] dt^2/(2 m*)
 };
 

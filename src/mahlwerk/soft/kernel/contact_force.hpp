@@ -176,9 +176,8 @@ template <class Law, class V>
                                              geometry.overlap_rate, constants.dt, law_force);
     active |= correction.corrected;
     const V unit = constants.partial_slip ? law_force.stiffness : zero + 1.0;
-    history.spring = select<V>(transitions->begun,
-                               (correction.initial_slip_time * unit) * geometry.slip,
-                               history.spring);
+    history.spring = select<V>(
+        transitions->begun, (correction.initial_slip_time * unit) * geometry.slip, history.spring);
   }
   law_force.force = where<V>(active, law_force.force);
   const V damper = where<V>(active, law_force.damper);
@@ -218,8 +217,8 @@ template <class Law, class V>
                       friction;
   work.impulse = constants.dt * law_force.force;
   // The rate was predicted from the force of the last step, too; the elastic force has grown since.
-  const V rate = (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) *
-                 geometry.overlap_rate;
+  const V rate =
+      (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) * geometry.overlap_rate;
   work.normal = constants.dt * (damper * rate) +
                 (plastic_energy<Law>(coefficients, history) - plastic_before);  // (dem.39)
   work.tangential = -(constants.dt * dot(friction, slip));

@@ -56,8 +56,8 @@ template <class V>
   // A load that grows faster than the tangential force closes the slipping ring.
   const auto sticks = less(2.0 * stiffness * dot(half_slip, slip.direction), load_change);
   slip.along = select<V>(sticks, one, cube_root(one - min(size / room, one)));
-  force = force + slip.force_change(half_slip) +
-          ((one - slip.along) * load_change) * slip.direction;
+  force =
+      force + slip.force_change(half_slip) + ((one - slip.along) * load_change) * slip.direction;
   history.load = load;
   return slip;
 }

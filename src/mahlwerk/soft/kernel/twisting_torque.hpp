@@ -10,14 +10,10 @@ namespace mahlwerk::soft {
 /// spring, a dashpot and a slider, those of friction over the contact area (dem.42 to dem.44). The
 /// stored angle is half a step ahead, as the tangential spring is.
 template <class V>
-[[gnu::always_inline]] inline V twisting_torque(const LaneGroup<V>& group,
-                                                const PairParameters& pair,
-                                                GroupHistory<V>& history, WorkOfStep<V>& work,
-                                                const StepConstants& constants,
-                                                const ContactGeometry<V>& geometry,
-                                                const PairMotion<V>& motion,
-                                                const contact::LawForce<V>& law_force,
-                                                const MaskOf<V>& touching) {
+[[gnu::always_inline]] inline V twisting_torque(
+    const LaneGroup<V>& group, const PairParameters& pair, GroupHistory<V>& history,
+    WorkOfStep<V>& work, const StepConstants& constants, const ContactGeometry<V>& geometry,
+    const PairMotion<V>& motion, const contact::LawForce<V>& law_force, const MaskOf<V>& touching) {
   const V zero{};
   const V square = group(pair.twisting_radius) * max(geometry.overlap, zero);  // a^2
   const V stiffness = 0.5 * square * law_force.stiffness,

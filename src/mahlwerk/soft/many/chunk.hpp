@@ -52,9 +52,9 @@ struct ContactPackets {
   BlockList<OptionalHistory>
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
   BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
-  BlockList<PairParameters> parameters;  ///< of each packet, if curved walls change them
-  BlockList<WallNormals> wall_normals;   ///< of each packet, for walls
-  std::vector<std::int32_t> free;        ///< lane l of packet g: 8 g + l
+  BlockList<PairParameters> parameters;           ///< of each packet, if curved walls change them
+  BlockList<WallNormals> wall_normals;            ///< of each packet, for walls
+  std::vector<std::int32_t> free;                 ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
   /// its memory is freed.
   std::vector<std::int32_t> copies_left;

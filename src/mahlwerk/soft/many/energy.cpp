@@ -14,9 +14,9 @@ StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n
                                        std::size_t l) const {
   const ContactPacket& g = list.packets[n];
   const auto i = static_cast<std::size_t>(g.i[l]);
-  const PairParameters& parameters =
-      list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
-                              : list.parameters[n];
+  const PairParameters& parameters = list.parameters.empty()
+                                         ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
+                                         : list.parameters[n];
   double law_history[contact::law_history_size] = {};
   if (has_history_)
     for (int a = 0; a < contact::law_history_size; ++a)

@@ -60,8 +60,7 @@ template <class Law, class V>
     group.put(k.rolling_spring_torque, history.rolling_spring_torque);
     group.put(k.stiffness, history.stiffness);
   }
-  if (friction)
-    put_friction_history<V>(s.constants, group, history, list.friction_histories[n]);
+  if (friction) put_friction_history<V>(s.constants, group, history, list.friction_histories[n]);
   group.add(g.impulse, work.impulse);
   group.add(g.lost_normal, work.normal);
   group.add(g.lost_tangential, work.tangential + work.rolling);
