@@ -67,12 +67,15 @@ TEST(Twisting, slows_a_pressed_ball_by_two_thirds_of_mu_a_n) {
            slowing * elapsed + 1e-3 * start, "Coulomb over the contact area (dem.44)");
     const scene::EnergyBalance balance = on.engine->energy_balance();
     const double taken = 0.5 * big.inertia() * (start * start - found * found);
+    const double dent = contact::hertz_energy(
+        contact::hertz_stiffness(touching(on.pair, big)), on.depth);
     states("lost and stored over the energy of the spin" + what,
-           (balance.lost() + balance.elastic -
-            Pressed(0.5, mu, 0, few).engine->energy_balance().elastic) /
-               taken,
-           1, 2e-3, "energy");
-    EXPECT_NEAR(on.spin_at(3 * time), 0, 1e-2 * start) << "it stops" << what;
+           (balance.lost() + balance.elastic - dent) / taken, 1, 2e-3, "energy");
+    // When the ball stops its spring is wound to the limit, so that it swings back by at most the
+    // spin that this energy gives.
+    const double swing = slowing * std::sqrt(big.inertia() / on.stiffness());
+    stays_below("spin after three times the time [rad/s]" + what, std::abs(on.spin_at(6 * time)),
+                swing, "it stops but for the torsion spring");
   }
 }
 
