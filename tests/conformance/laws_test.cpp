@@ -58,8 +58,8 @@ class HeadOn {
   struct ProgramResult {
     double rebound = 0;  ///< [m/s]
     double duration = 0, deepest = 0;
-    double unloading = 0;  ///< [s] from the deepest overlap until the spring force vanishes
-    bool parted = false;   ///< false: the bodies stick
+    double unloading = 0;   ///< [s] from the deepest overlap until the spring force vanishes
+    bool parted = false;    ///< false: the bodies stick
     double dissipated = 0;  ///< [J] by damper, plastic deformation and separation (dem.39)
   };
 
@@ -209,8 +209,8 @@ TYPED_TEST(Laws, dissipate_what_a_collision_loses) {
       if (t.pair.restitution == 1 && adhesion == Adhesion::none)
         elastic = max_or_nan(elastic, std::abs(end.dissipated) / before);
     });
-  // The trapezoidal rule and the bound of the rebound: twice the error of the speed, and the power of
-  // the damper in the first and the last step, h^(5/4) of the whole.
+  // The trapezoidal rule and the bound of the rebound: twice the error of the speed, and the power
+  // of the damper in the first and the last step, h^(5/4) of the whole.
   stays_below(this->named("dissipated less the energy taken, relative"), worst,
               4 * integration + std::pow(1.0 / steps_per_collision, 1.25) * 10, "energy");
   stays_below(this->named("dissipated at e = 1, relative"), elastic, 2 * solving, "no damper");

@@ -67,8 +67,8 @@ TEST(Twisting, slows_a_pressed_ball_by_two_thirds_of_mu_a_n) {
            slowing * elapsed + 1e-3 * start, "Coulomb over the contact area (dem.44)");
     const scene::EnergyBalance balance = on.engine->energy_balance();
     const double taken = 0.5 * big.inertia() * (start * start - found * found);
-    const double dent = contact::hertz_energy(
-        contact::hertz_stiffness(touching(on.pair, big)), on.depth);
+    const double dent =
+        contact::hertz_energy(contact::hertz_stiffness(touching(on.pair, big)), on.depth);
     states("lost and stored over the energy of the spin" + what,
            (balance.lost() + balance.elastic - dent) / taken, 1, 2e-3, "energy");
     // When the ball stops its spring is wound to the limit, so that it swings back by at most the
