@@ -44,10 +44,10 @@ TEST(Losses, an_elastic_collision_dissipates_nothing_and_keeps_its_energy) {
   states("lost [J]", lost, 0, 0, "neither damper nor plastic loop nor friction");
   // The weights of the first and the last force are those of the integral (dem.35). The next term
   // of the Euler-Maclaurin sum is F''' dt^4/720 at both ends, (pi/50)^4/720 of the impulse, 2e-8;
-  // the laws that solve for their damper solve e = 1 to 6e-5 of the speed. Laws with adhesion take
-  // the weight of a force that grows in proportion to the overlap: for Hertz's it is off by up to 5
-  // % of the first force, (pi/50)^1.5 = 0.016 of the largest, which lasts 30 steps: 3e-5 at both
-  // ends, four times that of the energy.
+  // the laws that solve for their damper solve e = 1 to 6e-5 of the speed. SJKR takes the weight of
+  // a force that grows in proportion to the overlap: for Hertz's it is off by up to 5 % of the
+  // first force, (pi/50)^1.5 = 0.016 of the largest, which lasts 30 steps: 3e-5 at both ends, four
+  // times that of the energy.
   stays_below("change of energy, relative", most, 2.4e-4, "elastic");
 }
 

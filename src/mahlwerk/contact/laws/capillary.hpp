@@ -28,8 +28,6 @@ struct Capillary : HertzSpring {
                                            {0.25, 0.3, 0.98},
                                            {0.1, 0.28, 0.95},
                                            {0.06, 0.1, 0.35}}};
-  /// Adhesion grows in proportion to the overlap, or to the distance from the pull-off.
-  static constexpr TouchExponent touch_exponent = TouchExponent::one;
   static constexpr std::array adhesion{surface_tension};
   double contact_angle = 0;     ///< [rad] of the liquid on both bodies
   double bridge_ratio = 0.001;  ///< [1] volume of a bridge over the cube of 2 R*

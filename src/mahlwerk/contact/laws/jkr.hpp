@@ -16,8 +16,6 @@ struct Jkr : HertzSpring {
       "Johnson, Kendall and Roberts: elastic spheres with adhesive surfaces";
   static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // same dampers and friction
-  /// Adhesion grows in proportion to the overlap, or to the distance from the pull-off.
-  static constexpr TouchExponent touch_exponent = TouchExponent::one;
   static constexpr std::array adhesion{surface_energy};
   static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 

@@ -58,7 +58,9 @@ template <class V>
     const Vec<V> limited_spring = select(sliding & less(limited_energy, spring_energy),
                                          limited_energy * (size * inverse_product), one) *
                                   spring;
-    const V work_done = dot(force, limited_spring - spring);
+    // With partial slip the spring is a force, and its length that over the stiffness.
+    const V length = constants.partial_slip ? one / max(full_stiffness, zero + 1e-300) : one;
+    const V work_done = length * dot(force, limited_spring - spring);
     work.sliding = where<V>(sliding, work_done);
     spring = limited_spring;
   }
@@ -209,16 +211,18 @@ template <class Law, class V>
     out.torque_j = out.torque_j - torque;
     if (walls) wall_power += dot(torque, motion.wj);
   }
-  Vec<V> slip = geometry.slip;
-  if (transitions != nullptr)  // the velocities were predicted from the force of the last step
-    slip = slip + where<V>(correction.corrected & transitions->begun,
-                           group(pair.slip_factor) * constants.inverse_dt *
-                               group(pair.half_step_squared_over_mass)) *
-                      friction;
-  work.impulse = constants.dt * law_force.force;
-  // The rate was predicted from the force of the last step, too; the elastic force has grown since.
-  const V rate =
+  // Rates were predicted from the force of the last step. The elastic force has grown since; the
+  // first force of a contact is all new.
+  const V half_kick = constants.inverse_dt * group(pair.half_step_squared_over_mass);
+  V rate =
       (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) * geometry.overlap_rate;
+  Vec<V> slip = geometry.slip;
+  if (transitions != nullptr) {
+    const Mask first = correction.corrected & transitions->begun;
+    rate = select<V>(first, geometry.overlap_rate - half_kick * law_force.force, rate);
+    slip = slip + where<V>(first, group(pair.slip_factor) * half_kick) * friction;
+  }
+  work.impulse = constants.dt * law_force.force;
   work.normal = constants.dt * (damper * rate) +
                 (plastic_energy<Law>(coefficients, history) - plastic_before);  // (dem.39)
   work.tangential = -(constants.dt * dot(friction, slip));

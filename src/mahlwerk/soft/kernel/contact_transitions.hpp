@@ -30,18 +30,22 @@ template <class V>
               step_fraction * (0.16417356305177494 - step_fraction * 0.028025128008455826));
 }
 
-/// The same weight for an elastic force, which grows with the overlap as t or t^(3/2) (dem.35).
-/// Exact for t; for t^(3/2) a polynomial fit of Hurwitz's -zeta(-3/2, 1 + step_fraction), to 9e-6.
-template <contact::TouchExponent exponent, class V>
-[[gnu::always_inline]] inline V elastic_weight(const V& step_fraction) {
+/// The same weight for an elastic force, which grows with the overlap as t or t^(3/2) (dem.35). The
+/// adhesive force of lanes that adhere grows as t. Exact for t; for t^(3/2) a polynomial fit of
+/// Hurwitz's -zeta(-3/2, 1 + step_fraction), to 9e-6.
+template <class Law, class V>
+[[gnu::always_inline]] inline V elastic_weight(const V& step_fraction, const MaskOf<V>& adheres) {
   const V& s = step_fraction;
-  if constexpr (exponent == contact::TouchExponent::one)
-    return (0.5 * s * (s + 1.0) + 1.0 / 12) / s;
-  else
-    return (0.0254941970299688 +
-            s * (0.3113754078497435 +
-                 s * (0.5514419661692912 + s * (0.15141145787596966 - s * 0.014244103851504217)))) /
-           (s * sqrt(s));
+  const V linear = (0.5 * s * (s + 1.0) + 1.0 / 12) / s;
+  if constexpr (Law::touch_exponent == contact::TouchExponent::one) {
+    return linear;
+  } else {
+    const V polynomial =
+        0.0254941970299688 +
+        s * (0.3113754078497435 +
+             s * (0.5514419661692912 + s * (0.15141145787596966 - s * 0.014244103851504217)));
+    return select<V>(adheres, linear, polynomial / (s * sqrt(s)));
+  }
 }
 
 /// Sum of the part of a force that is there at touch and the part that grows from there, each with
@@ -97,7 +101,8 @@ template <class Law, class V>
   const V step_fraction =
       min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end
   const V overlap_now =
-      select<V>(transitions.ended, step_fraction * overlap_change - pull_off_distance, overlap);
+      select<V>(transitions.ended, step_fraction * overlap_change - pull_off_distance,
+                max(overlap, step_fraction * overlap_change));
   const auto evaluate_at = [&](const V& at, const V& speed) {
     V own_history[contact::law_history_size]{history.law_history[0], history.law_history[1]};
     return Law::template evaluate<V>(k.data(), own_history, where<V>(corrected, at),
@@ -116,17 +121,24 @@ template <class Law, class V>
   // The elastic force is there without a rate, and has its own weight. A law without tension has
   // none where its damper has taken all of it.
   const Mask acts = less(zero, abs(full_force.force));
+  const Mask adheres = less(zero, pull_off_distance);
   const V elastic = weighted_force(
       evaluate_at(overlap_now, zero).force,
       evaluate_at(select<V>(transitions.ended, -pull_off_distance, zero), zero).force,
-      elastic_weight<Law::touch_exponent>(step_fraction) - already_counted,
+      elastic_weight<Law>(step_fraction, adheres) - already_counted,
       0.5 + step_fraction - already_counted);
   correct(full_force.damper, jump_force.damper, f.damper);
   f.damper = where<V>(acts | ~corrected, f.damper);
   const V load_over_force = full_force.load - full_force.force;
   f.force = select<V>(corrected, where<V>(acts, elastic + f.damper), f.force);
   f.load = select<V>(corrected, f.force + jump_weight * load_over_force, f.load);
-  correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
+  // The tangential force grows as the elastic one, as its spring is loaded from touch on. Early in
+  // a step, where this force is none, the weight is bounded.
+  f.stiffness =
+      select<V>(corrected,
+                (elastic_weight<Law>(max(step_fraction, zero + 0.02), adheres) - already_counted) *
+                    full_force.stiffness,
+                f.stiffness);
   correct(full_force.damping, jump_force.damping, f.damping);
   return {corrected, where<V>(corrected & transitions.begun, time_step * (step_fraction - 0.5))};
 }
