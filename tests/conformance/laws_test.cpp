@@ -58,12 +58,14 @@ class HeadOn {
   struct ProgramResult {
     double rebound = 0;  ///< [m/s]
     double duration = 0, deepest = 0;
-    double unloading = 0;  ///< [s] from the deepest overlap until the spring force vanishes
-    bool parted = false;   ///< false: the bodies stick
+    double unloading = 0;   ///< [s] from the deepest overlap until the spring force vanishes
+    bool parted = false;    ///< false: the bodies stick
+    double dissipated = 0;  ///< [J] by damper, plastic deformation and separation (dem.39)
   };
 
   HeadOn(const L& law, const EffectivePair& t, double speed)
-      : t_(t),
+      : law_(law),
+        t_(t),
         speed_(speed),
         reach_(law.pull_off_distance(t)),
         step_(law.shortest_time(t, speed) / steps_per_collision),
@@ -78,9 +80,14 @@ class HeadOn {
     State now{0, speed_};
     for (int i = 0; i < most * steps_per_collision; ++i) {
       const State next = after(now, step_);
-      if (next.rate < 0 && next.overlap <= -reach_) return parted(now, e);
+      if (next.rate < 0 && next.overlap <= -reach_) {
+        e.dissipated += plastic() + law_.elastic_energy(k_, memory_, -reach_);
+        return parted(now, e);
+      }
+      const double power = damper_power(now);
       now = next;
       push(memory_, now);
+      e.dissipated += 0.5 * step_ * (power + damper_power(now));
       e.duration += step_;
       if (now.rate < 0 && spring(now) > 0) e.unloading += step_;
       e.deepest = max_or_nan(e.deepest, now.overlap);
@@ -92,6 +99,19 @@ class HeadOn {
   double push(double* memory, const State& s) const {
     return L::template evaluate<double>(k_.data(), memory, std::max(s.overlap, -reach_), s.rate)
         .force;
+  }
+  double damper_power(const State& s) const {
+    double memory[contact::law_history_size];
+    std::ranges::copy(memory_, memory);
+    return s.rate *
+           L::template evaluate<double>(k_.data(), memory, std::max(s.overlap, -reach_), s.rate)
+               .damper;
+  }
+  double plastic() const {
+    if constexpr (requires { L::plastic_energy(k_.data(), memory_); })
+      return L::plastic_energy(k_.data(), memory_);
+    else
+      return 0;
   }
   double spring(const State& s) const {
     double memory[contact::law_history_size];
@@ -126,6 +146,7 @@ class HeadOn {
     return e;
   }
 
+  L law_;
   EffectivePair t_;
   double speed_, reach_, step_;
   LawCoefficients k_;
@@ -173,6 +194,26 @@ TYPED_TEST(Laws, collisions_make_no_energy) {
     });
   stays_below(this->named("speed after over speed before"), most, 1 + integration,
               "conservation of energy");
+}
+
+/// What damper, plastic loop and separation dissipate is what the collision loses; with e = 1 and
+/// without adhesion it is exactly 0.
+TYPED_TEST(Laws, dissipate_what_a_collision_loses) {
+  double worst = 0, elastic = 0;
+  for (const Adhesion adhesion : {Adhesion::none, Adhesion::some})
+    this->collide(adhesion, [&](const EffectivePair& t, double speed, const auto& end) {
+      if (!end.parted) return;
+      const double before = 0.5 * t.mass * speed * speed,
+                   taken = before - 0.5 * t.mass * end.rebound * end.rebound;
+      worst = max_or_nan(worst, std::abs(end.dissipated - taken) / before);
+      if (t.pair.restitution == 1 && adhesion == Adhesion::none)
+        elastic = max_or_nan(elastic, std::abs(end.dissipated) / before);
+    });
+  // The trapezoidal rule and the bound of the rebound: twice the error of the speed, and the power
+  // of the damper in the first and the last step, h^(5/4) of the whole.
+  stays_below(this->named("dissipated less the energy taken, relative"), worst,
+              4 * integration + std::pow(1.0 / steps_per_collision, 1.25) * 10, "energy");
+  stays_below(this->named("dissipated at e = 1, relative"), elastic, 2 * solving, "no damper");
 }
 
 TYPED_TEST(Laws, shortest_time_is_no_longer_than_any_collision) {

@@ -4,6 +4,7 @@
 
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/rolling.hpp"
+#include "mahlwerk/contact/twisting.hpp"
 
 namespace mahlwerk::contact {
 
@@ -15,6 +16,8 @@ struct ContactModel {
   double rolling_damping = 0.2;     ///< [1] eta of epsd (dem.25), fraction of critical damping
   bool curved_walls = false;        ///< R* at a wall includes the wall's curvature
   bool rescaled_unloading = false;  ///< rescale the tangential spring on unloading (dem.21)
+  bool partial_slip = false;        ///< the tangential spring softens as slip spreads (dem.40)
+  Twisting twisting = Twisting::none;
   bool operator==(const ContactModel&) const = default;
 };
 

@@ -40,6 +40,7 @@ inline double hertz_energy(double stiffness, double overlap) {
 /// defines its own time scales and largest overlap (DefinesOwnScales).
 struct HertzSpring {
   static constexpr bool has_history = false;
+  static constexpr TouchExponent touch_exponent = TouchExponent::three_halves;
   void begin(const LawCoefficients&, double*, double) const {}
   template <class V>
   [[gnu::always_inline]] static V onset_overlap(const V*) {

@@ -35,12 +35,17 @@ using LawCoefficients = std::array<double, law_coefficient_count>;
 /// Number of history variables that a law stores for each contact.
 constexpr int law_history_size = 2;
 
-/// Normal force [N], > 0 repulsive; tangential stiffness [N/m] and damping [N s/m]; and the load
-/// [N] of friction and rolling resistance, which use its absolute value; < 0 where the bodies pull.
+/// Normal force [N], > 0 repulsive; tangential stiffness [N/m] and damping [N s/m]; the load [N] of
+/// friction and rolling resistance, which use its absolute value; < 0 where the bodies pull; the
+/// part [N] of the force that dissipates at once (dem.39), the rest being elastic; and the slope
+/// [N/m] of the elastic force over the overlap, 0 where nothing dissipates at once.
 template <class V>
 struct LawForce {
-  V force, stiffness, damping, load;
+  V force, stiffness, damping, load, damper{}, slope{};
 };
+
+/// Power of the overlap with which the elastic force grows at touch.
+enum class TouchExponent { one, three_halves };
 
 /// Upper bounds of the time discretisation error of a collision in steps of a fiftieth of
 /// `shortest_time`: [%] of rebound speed, tangential speed and spin, a row for each of these
@@ -69,10 +74,12 @@ concept DefinesOwnScales = std::same_as<decltype(&L::largest_overlap),
 /// variables of a new contact that closes at `approach` [m/s]. `pull_off_distance` [m] is the gap
 /// at which a contact breaks. Within an overlap of `onset_overlap` [m] a force rises that a single
 /// step may pass over; 0 for most laws. `elastic_energy` [J] is the elastic energy of the normal
-/// deformation. `stiffness_ratio(t)` [1] is the normal stiffness, F/overlap of the spring, over the
-/// tangential stiffness. The following are at a speed [m/s]: `largest_overlap` [m], `shortest_time`
-/// [s] (duration of the fastest part of a collision) and `damper_time` [s] (time in which the
-/// damper alone stops the bodies, where that can be shorter still).
+/// deformation; a law whose history records plastic deformation has `plastic_energy` [J],
+/// dissipated since touch. The elastic force grows from touch on with a power of the overlap,
+/// `touch_exponent`. `stiffness_ratio(t)` [1] is the normal stiffness, F/overlap of the spring,
+/// over the tangential stiffness. The following are at a speed [m/s]: `largest_overlap` [m],
+/// `shortest_time` [s] (duration of the fastest part of a collision) and `damper_time` [s] (time in
+/// which the damper alone stops the bodies, where that can be shorter still).
 template <class L>
 concept Law = std::default_initializable<L> && std::equality_comparable<L> && DefinesOwnScales<L> &&
     requires(const L law, const EffectivePair& t, const LawCoefficients& k, double x, double* m,
@@ -83,6 +90,7 @@ concept Law = std::default_initializable<L> && std::equality_comparable<L> && De
   { L::step_errors } -> std::convertible_to<StepErrors>;
   { L::fields()[0] } -> std::convertible_to<LawField<L>>;
   { L::has_history } -> std::convertible_to<bool>;
+  { L::touch_exponent } -> std::convertible_to<TouchExponent>;
   { law.damping(x) } -> std::same_as<double>;
   { law.coefficients(t, x) } -> std::same_as<LawCoefficients>;
   { law.begin(k, m, x) } -> std::same_as<void>;

@@ -15,6 +15,7 @@ constexpr double tangential_stiffness_ratio = 2.0 / 7.0;
 /// (DefinesOwnScales).
 struct Spring {
   static constexpr bool has_history = false;
+  static constexpr TouchExponent touch_exponent = TouchExponent::one;
   double stiffness_speed = 1;  ///< [m/s] impact speed of equal stored energy
   double stiffness = 0;        ///< [N/m] normal stiffness; 0: from stiffness_speed
 

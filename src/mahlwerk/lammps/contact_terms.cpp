@@ -67,9 +67,11 @@ std::string contact_terms(const contact::ContactModel& model, const contact::Eff
   const auto* linear =
       std::get_if<contact::LinearSpring>(&static_cast<const contact::Laws&>(*model.law));
   const Springs s = linear ? springs(*linear, pair) : springs(contact::HertzMindlin{}, pair);
-  return fmt::format("{} {:.12g} tangential {} {:.12g} {:.12g}{} damping tsuji", s.normal,
+  const bool twists = model.twisting == contact::Twisting::marshall;
+  return fmt::format("{} {:.12g} tangential {} {:.12g} {:.12g}{}{} damping tsuji", s.normal,
                      tsuji_input(s.alpha), s.tangential, s.damping_ratio,
-                     std::min(pair.pair.friction, no_sliding), rolling(model, pair));
+                     std::min(pair.pair.friction, no_sliding), rolling(model, pair),
+                     twists ? " twisting marshall" : "");
 }
 
 }  // namespace mahlwerk::lammps

@@ -67,6 +67,11 @@ std::vector<Fault> faults(const cases::Case& c) {
          "leave out wall_thickness and coating_thickness");
   refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
          "rolling = \"viscous\"", "write rolling = \"cdt\" or \"none\"");
+  refuse(c.contact.model.partial_slip, "contact.partial_slip", "partial_slip = true",
+         "write partial_slip = false");
+  refuse(c.contact.model.twisting != contact::Twisting::none && law != "hertz-mindlin",
+         "contact.twisting", "twisting friction with law = \"" + law + "\"",
+         "write law = \"hertz-mindlin\" or twisting = \"none\"");
   refuse(c.liquid.has_value(), "liquid", "a liquid: its films act on bodies that do not touch",
          "remove [liquid]");
   refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",

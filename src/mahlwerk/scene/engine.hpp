@@ -30,6 +30,10 @@ class Engine {
   /// The energy balance at the time reached.
   virtual EnergyBalance energy_balance() const = 0;
 
+  /// Counting begins: records of contacts that are open now leave out what these contacts have
+  /// dissipated so far.
+  virtual void begin_counting() {}
+
   /// The balls at the time reached, or at balls_time(), in the jar frame.
   virtual std::vector<Ball> balls() const = 0;
 

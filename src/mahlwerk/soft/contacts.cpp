@@ -31,10 +31,13 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   for (std::size_t n = 0; n < pair.coefficients.size(); ++n)
     parameters.coefficients[n] = broadcast(pair.coefficients[n]);
   parameters.friction = broadcast(pair.effective.pair.friction);
+  parameters.twisting_radius = broadcast(pair.effective.radius);
   const double arm = rolling_coefficient(pair.effective, settings.model.rolling);
   parameters.rolling_coefficient = broadcast(arm);
   parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
   parameters.stiffness_correction = broadcast(pair.stiffness_correction(settings.time_step));
+  parameters.half_step_squared_over_mass =
+      broadcast(0.5 * settings.time_step * settings.time_step / pair.effective.mass);
   parameters.slip_factor = broadcast(pair.effective.slip_factor);
   parameters.inertia =
       broadcast(b == nullptr ? a.inertia : a.inertia * b->inertia / (a.inertia + b->inertia));
@@ -57,6 +60,7 @@ void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const Mo
   for (std::size_t n = 0; n < coefficients.size(); ++n)
     parameters.coefficients[n][lane] = coefficients[n];
   const double arm = rolling_coefficient(effective, model.rolling);
+  parameters.twisting_radius[lane] = effective.radius;
   parameters.rolling_coefficient[lane] = arm;
   parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
 }
@@ -75,6 +79,43 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
   std::visit([&](const auto& l) { l.begin(coefficients_of(parameters, lane), begun, approach); },
              law);
   for (int i = 0; i < contact::law_history_size; ++i) law_history[i][lane] = begun[i];
+}
+
+StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
+                           const double* law_history, const Vec3& spring, double twist,
+                           const contact::ContactModel& model) {
+  const contact::LawCoefficients coefficients = coefficients_of(parameters, lane);
+  double history[contact::law_history_size];
+  std::copy_n(law_history, contact::law_history_size, history);
+  const double pressed = std::max(overlap, 0.0);
+  return std::visit(
+      [&]<class L>(const L& law) {
+        StoredEnergy energy{law.elastic_energy(coefficients, history, overlap), 0, 0};
+        const auto force = L::evaluate(coefficients.data(), history, pressed, 0.0);
+        const double stiffness = force.stiffness;
+        if (!(stiffness > 0)) return energy;
+        const double most = parameters.friction[lane] * std::abs(force.load) / stiffness;  // [m]
+        const double length = norm(spring) / (model.partial_slip ? stiffness : 1);
+        const double held = std::min(length, most);
+        energy.tangential = 0.5 * stiffness * held * held;
+        const double square = parameters.twisting_radius[lane] * pressed;  // a^2 (dem.42)
+        const double turned = std::min(std::abs(twist) * std::sqrt(square), 4.0 / 3 * most);
+        energy.twisting = 0.25 * stiffness * turned * turned;
+        return energy;
+      },
+      *model.law);
+}
+
+double separation_energy(const PairParameters& parameters, std::size_t lane,
+                         const contact::AnyLaw& law) {
+  const double distance = parameters.pull_off_distance[lane];
+  if (!(distance > 0)) return 0;
+  const double none[contact::law_history_size] = {};
+  return std::visit(
+      [&](const auto& l) {
+        return l.elastic_energy(coefficients_of(parameters, lane), none, -distance);
+      },
+      law);
 }
 
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane) {
@@ -103,6 +144,8 @@ StepConstants step_constants(const Settings& settings, const Vec3& periods) {
                        .rolling = settings.model.rolling,
                        .rolling_damping = settings.model.rolling_damping,
                        .rescaled = settings.model.rescaled_unloading,
+                       .partial_slip = settings.model.partial_slip,
+                       .twisting = settings.model.twisting,
                        .periodic = is_periodic(periods),
                        .periods = periods};
 }

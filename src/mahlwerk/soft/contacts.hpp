@@ -29,6 +29,25 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
                        const PairParameters& parameters, std::size_t lane, double approach,
                        const contact::AnyLaw& law);
 
+/// Energy [J] that a contact stores.
+struct StoredEnergy {
+  double normal = 0, tangential = 0, twisting = 0;
+
+  double total() const { return normal + tangential + twisting; }
+  void add(const StoredEnergy& other, double weight) {
+    normal += weight * other.normal;
+    tangential += weight * other.tangential, twisting += weight * other.twisting;
+  }
+};
+/// What the springs of a contact store, at most as much as friction can hold.
+StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
+                           const double* law_history, const Vec3& spring, double twist,
+                           const contact::ContactModel& model);
+/// Elastic energy [J] that a contact loses as it breaks at its pull-off distance; 0 without
+/// adhesion.
+double separation_energy(const PairParameters& parameters, std::size_t lane,
+                         const contact::AnyLaw& law);
+
 /// Adds the work of a lane to the energy balance.
 void add_work(scene::EnergyBalance& energy_balance, const ContactWork& work, std::size_t lane);
 

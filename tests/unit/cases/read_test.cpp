@@ -82,6 +82,8 @@ TEST(ReadCase, every_value_has_its_origin) {
                           "contact.rolling",
                           "contact.curved_walls",
                           "contact.rescaled_unloading",
+                          "contact.partial_slip",
+                          "contact.twisting",
                           "contact.softening",
                           "contact.restitution_law",
                           "contact.bounce",

@@ -285,7 +285,9 @@ class AnyCase {
     model.rolling =
         static_cast<contact::Rolling>(whole(static_cast<int>(contact::rolling_rules.size())) - 1);
     model.curved_walls = flip();
-    model.rescaled_unloading = flip();
+    model.partial_slip = flip();
+    model.rescaled_unloading = flip() && !model.partial_slip;
+    if (flip()) model.twisting = contact::Twisting::marshall;
     if (has_meaning("rolling_damping", model)) model.rolling_damping = random_.uniform();
     return model;
   }

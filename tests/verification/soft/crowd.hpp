@@ -72,6 +72,9 @@ inline std::vector<World> worlds() {
                                  scene::mounted_along({1, 0, 0}), down};
   auto curved = of_law(contact::AdamsImpact{}, contact::Rolling::epsd);
   curved.curved_walls = true;
+  auto slipping = of_law(contact::HertzMindlin{}, contact::Rolling::cdt);
+  slipping.partial_slip = true;
+  slipping.twisting = contact::Twisting::marshall;
   return {
       {"shaken", shaker, lattice_of(60, 0.0055, {0.0025}),
        of_law(contact::HertzMindlin{}, contact::Rolling::cdt)},
@@ -84,6 +87,7 @@ inline std::vector<World> worlds() {
       {"drum, curved walls", drum, lattice_of(100, 0.0045, {0.002, 0.0005}), curved},
       {"drum without ends", open_drum, lattice_of(100, 0.0045, {0.002, 0.0015}, 2),
        of_law(contact::HertzMindlin{}, contact::Rolling::cdt)},
+      {"drum, partial slip and twisting", drum, lattice_of(100, 0.0045, {0.002, 0.0015}), slipping},
       {"periodic", gas, lattice_of(64, 0.0074, {0.003, 0.0008}, 3),
        of_law(contact::LinearSpring{})},
   };

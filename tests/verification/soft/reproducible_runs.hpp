@@ -55,6 +55,15 @@ inline Make made(const scene::Chamber& mill, int count, const contact::AnyLaw& l
   };
 }
 
+inline Make made_slipping(const scene::Chamber& mill, int count) {
+  return [=](std::uint32_t replicate) {
+    contact::ContactModel model = of_law(HertzMindlin{}, Rolling::cdt);
+    model.partial_slip = true;
+    model.twisting = contact::Twisting::marshall;
+    return soft_engine(mill, charge(count, replicate), model, soft_pair(), 2e-6, false, 0.37);
+  };
+}
+
 /// Runs of different kinds, with free-flight skips (hops) and without.
 inline std::vector<std::pair<std::string, Make>> runs() {
   const Vec3 down{0, 0, -gravity};
@@ -72,6 +81,7 @@ inline std::vector<std::pair<std::string, Make>> runs() {
       {"twenty balls", made(capsule, 20, AdamsImpact{}, Rolling::epsd, true)},
       {"twenty in a drum", made(drum, 20, Sjkr{}, Rolling::cdt, true)},
       {"twenty in a drum without ends", made(open_drum, 20, HertzMindlin{}, Rolling::cdt, true)},
+      {"five with partial slip and twisting", made_slipping(planet, 5)},
       {"five of own spins", made(planet, 5, HertzMindlin{}, Rolling::own_spin, false)},
   };
 }

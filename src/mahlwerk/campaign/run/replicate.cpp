@@ -337,7 +337,8 @@ void ReplicateRun::end_block() {
   settling_.add(result_.energy_balance, settling_hits_);
   result_.settled = settling_.settled();
   if (!result_.settled && settling_.blocks() < blocks_.most && result_.stop_reason.empty()) return;
-  result_.at_settled = last_ = result_.energy_balance;
+  engine_->begin_counting();
+  result_.at_settled = last_ = result_.energy_balance = engine_->energy_balance();
   window_ = 1;
   begin_counting(end);
 }
@@ -345,8 +346,10 @@ void ReplicateRun::end_block() {
 void ReplicateRun::end_window() {
   if (window_ == 0 && blocks_.length > 0) return end_block();
   if (window_ == 0) {
-    result_.at_settled = result_.energy_balance;
-    begin_counting(window_end(0));
+    const double end = window_end(0);
+    engine_->begin_counting();
+    result_.at_settled = result_.energy_balance = engine_->energy_balance();
+    begin_counting(end);
   } else {
     result_.windows.push_back(window_between(result_.energy_balance.time - begin_, last_,
                                              result_.energy_balance, all_, above_, result_.tally));

@@ -40,11 +40,19 @@ std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
   return balls;
 }
 
+/// The largest speed with which a ball starts [m/s].
+double largest_start_speed(const cases::Case& mill_case) {
+  double most = mill_case.run.start_speed;
+  for (const cases::BallSet& set : mill_case.balls)
+    for (const Vec3& velocity : set.velocities) most = std::max(most, norm(velocity));
+  return most;
+}
+
 double meeting_speed(const cases::Case& mill_case) {
   const double reach = geometry::reach(*mill_case.jar.shape);
   const auto most = kinematics::bounds(*mill_case.mill.motion);
   const double parts = geometry::rotor_tip_speed(*mill_case.jar.shape);
-  const double wall = most.speed + most.spin * reach + parts + mill_case.run.start_speed;
+  const double wall = most.speed + most.spin * reach + parts + largest_start_speed(mill_case);
   constexpr double least = 0.01;  // m/s: a charge at rest needs a finite step, too
   return std::max(least, std::sqrt(wall * wall + 4 * mill_case.gravity * reach));
 }

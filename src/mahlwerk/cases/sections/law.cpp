@@ -33,6 +33,20 @@ std::vector<std::string_view> rolling_meanings() {
   return meanings;
 }
 
+const std::vector<std::string>& twisting_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const contact::TwistingRule& r : contact::twisting_rules) names.emplace_back(r.name);
+    return names;
+  }();
+  return words;
+}
+std::vector<std::string_view> twisting_meanings() {
+  std::vector<std::string_view> meanings;
+  for (const contact::TwistingRule& r : contact::twisting_rules) meanings.push_back(r.about);
+  return meanings;
+}
+
 /// A number of the law, or the alternative key given instead.
 template <class L>
 void read_number(SectionReader& in, L& law, const contact::LawField<L>& field) {
@@ -132,6 +146,14 @@ bool describe(KeyVisitor& v, ContactModel& model) {
   v.flag({"rescaled_unloading", false, "the tangential spring is not rescaled while unloading",
           "whether the tangential spring is rescaled while the normal force decreases (dem.21)"},
          model.rescaled_unloading);
+  v.flag({"partial_slip", false, "a tangential spring of full stiffness, as in paper B",
+          "whether the tangential stiffness falls as slip spreads over the contact area (dem.40)"},
+         model.partial_slip);
+  if (v.reader() != nullptr && model.partial_slip && model.rescaled_unloading)
+    refuse_meaningless(*v.reader(), "rescaled_unloading", "partial_slip", "true");
+  v.word({"twisting", twisting_words(), "none", "small against rolling resistance",
+          "friction of the soft engine against rotation about the normal", twisting_meanings()},
+         model.twisting);
   return known != nullptr;
 }
 

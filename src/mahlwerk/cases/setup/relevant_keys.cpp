@@ -22,6 +22,8 @@ bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
                                                      "softening",
                                                      "curved_walls",
                                                      "rescaled_unloading",
+                                                     "partial_slip",
+                                                     "twisting",
                                                      "time_step",
                                                      "time_step_fraction",
                                                      "hop",

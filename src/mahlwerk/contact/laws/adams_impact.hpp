@@ -86,8 +86,14 @@ struct AdamsImpact : HertzSpring {
   template <class V>
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V* m, V overlap, V rate) {
     const V half = sqrt(overlap), s = min(overlap * m[1], V{} + 1.0);
-    const V force = max(k[0] * overlap * half + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
-    return {force, select(less(V{}, force), k[2] * half, V{}), V{}, force};
+    const V elastic = k[0] * overlap * half;
+    const V force = max(elastic + m[0] * s * s * (3.0 - 2.0 * s) * rate, V{});
+    return {force,
+            select(less(V{}, force), k[2] * half, V{}),
+            V{},
+            force,
+            force - elastic,
+            1.5 * k[0] * half};
   }
   bool operator==(const AdamsImpact&) const = default;
 

@@ -34,8 +34,8 @@ struct HertzMindlin : HertzSpring {
   template <class V>
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
     const V half = sqrt(overlap), quarter = sqrt(half);
-    const V force = k[0] * overlap * half + k[1] * quarter * rate;
-    return {force, k[2] * half, k[3] * quarter, force};
+    const V damper = k[1] * quarter * rate, force = k[0] * overlap * half + damper;
+    return {force, k[2] * half, k[3] * quarter, force, damper, 1.5 * k[0] * half};
   }
 
   double largest_overlap(const EffectivePair& t, double speed) const {

@@ -49,9 +49,14 @@ struct HertzTsuji : HertzSpring {
   template <class V>
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
     const V half = sqrt(overlap), damping = k[1] * sqrt(half);
-    const V force = max(k[0] * overlap * half + damping * rate, V{});
+    const V elastic = k[0] * overlap * half, force = max(elastic + damping * rate, V{});
     const auto pushes = less(V{}, force);  // no friction in the tail without normal force
-    return {force, select(pushes, k[2] * half, V{}), select(pushes, damping, V{}), force};
+    return {force,
+            select(pushes, k[2] * half, V{}),
+            select(pushes, damping, V{}),
+            force,
+            force - elastic,
+            1.5 * k[0] * half};
   }
   bool operator==(const HertzTsuji&) const = default;
 };

@@ -48,8 +48,9 @@ struct Jkr : HertzSpring {
     const V a = contact_radius(k, overlap), half = sqrt(a);
     // F = 4 E* a^3 / (3 R*) - 2 pi a^2 sqrt(4 gamma E* / (pi a)) = (4/3) E* a (a^2/R* - 1.5 c l)
     const V elastic = k[0] * a * (a * a / k[4] - 1.5 * k[5] * half);
-    const V force = elastic + k[1] * half * rate;
-    return {force, k[2] * a, k[3] * half, force + 2.0 * k[6]};
+    const V damper = k[1] * half * rate, force = elastic + damper;
+    // The slope is that without adhesion: 2 E* a.
+    return {force, k[2] * a, k[3] * half, force + 2.0 * k[6], damper, 1.5 * k[0] * a};
   }
 
   /// Adds the overlap of two bodies at rest, where the spring balances the adhesion:

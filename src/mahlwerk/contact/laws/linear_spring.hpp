@@ -30,8 +30,8 @@ struct LinearSpring : Spring {
 
   template <class V>
   [[gnu::always_inline]] static LawForce<V> evaluate(const V* k, V*, V overlap, V rate) {
-    const V force = k[0] * overlap + k[1] * rate;
-    return {force, k[2], k[3], force};
+    const V damper = k[1] * rate, force = k[0] * overlap + damper;
+    return {force, k[2], k[3], force, damper, k[0]};
   }
 
   double elastic_energy(const LawCoefficients& k, const double*, double overlap) const {

@@ -15,6 +15,8 @@ struct Sjkr : HertzSpring {
       "Hertz-Mindlin with a cohesion proportional to the contact area";
   static constexpr std::string_view shortest_time_name = whole_collision;
   static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // same dampers and friction
+  /// Cohesion grows in proportion to the overlap.
+  static constexpr TouchExponent touch_exponent = TouchExponent::one;
   static constexpr std::array adhesion{cohesion};
   static constexpr auto fields() { return std::array<LawField<Sjkr>, 0>{}; }
 

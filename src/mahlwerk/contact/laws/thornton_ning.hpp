@@ -83,10 +83,20 @@ struct ThorntonNing : HertzSpring {
     const V q = flattening(k, m[0]);
     const V elastic = max(overlap - (1.0 - q) * m[0], V{});
     const V half = sqrt(elastic / q), quarter = sqrt(half);  // of the contact radius
-    const V force = k[0] * elastic * half + k[1] * quarter * rate;
-    return {force, k[2] * half, k[3] * quarter, force};
+    const V damper = k[1] * quarter * rate, force = k[0] * elastic * half + damper;
+    return {force, k[2] * half, k[3] * quarter, force, damper, 1.5 * k[0] * half};
   }
 
+  /// Work of loading up to the largest overlap, less what unloading gives back: per k d_y^2.5 of
+  /// first yield and with u = d_max/d_y > 1, 2/5 + (u - 1) + 3/4 (u - 1)^2 - (2/5) q^2 u^2.5.
+  template <class V>
+  [[gnu::always_inline]] static V plastic_energy(const V* k, const V* m) {
+    const V yield = min(k[4], V{} + 1e3), beyond = max(m[0] - yield, V{});  // [m]
+    const V q = flattening(k, m[0]), most = max(m[0], yield), root = sqrt(yield);
+    const V loading = yield * (yield * (0.4 * root)) + beyond * root * (yield + 0.75 * beyond);
+    const V unloading = 0.4 * q * q * most * most * sqrt(most);
+    return where<V>(less(V{}, beyond), k[0] * (loading - unloading));
+  }
   double elastic_energy(const LawCoefficients& k, const double* m, double overlap) const {
     const double q = flattening(k.data(), m[0]);
     const double elastic = std::max(overlap - (1 - q) * m[0], 0.0);

@@ -45,6 +45,11 @@ struct WaltonBraun : Spring {
     return {force, select(less(V{}, force), k[3], V{}), V{}, force};
   }
 
+  /// Area of the loop of loading and unloading (dem.13).
+  template <class V>
+  [[gnu::always_inline]] static V plastic_energy(const V* k, const V* m) {
+    return 0.5 * k[0] * k[2] * m[0] * m[0];
+  }
   double elastic_energy(const LawCoefficients& k, const double* m, double overlap) const {
     const double left = overlap - k[2] * m[0];
     return left > 0 ? 0.5 * k[1] * left * left : 0;

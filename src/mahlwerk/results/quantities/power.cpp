@@ -8,10 +8,13 @@ using scene::EnergyBalance;
 
 namespace {
 
-/// Normal impact energy of the collisions above the threshold, over the work of the jar (obs.13).
+/// Energy that the collisions above the threshold dissipate along the normal, over all dissipated
+/// energy (obs.13).
 double impact_efficiency(const cases::Case&, const Replicate& r) {
-  const double drawn = per_time(r, &EnergyBalance::wall_work);
-  return share(share(r.tally.above.energy_normal, r.time()), drawn);
+  double lost = 0;
+  for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair)
+    lost += r.tally.by_pair[pair].above.lost_normal;
+  return share(share(lost, r.time()), dissipated_power(r));
 }
 
 }  // namespace
@@ -25,9 +28,8 @@ std::vector<Measure> power_measures() {
          return per_time(r, &EnergyBalance::wall_work);
        }},
       {"impact_efficiency", "1",
-       "normal impact energy of the collisions above the threshold, over the work of the jar on "
-       "the "
-       "balls",
+       "energy that the collisions above the threshold dissipate along the normal, over all "
+       "dissipated energy",
        impact_efficiency},
       {"contact_time_share", "1", "share of the balls' time spent in sustained contact",
        [](const cases::Case& c, const Replicate& r) {

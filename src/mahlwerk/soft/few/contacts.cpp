@@ -53,6 +53,7 @@ void FewBodySolver::begin_lane(PairPacket& p, std::size_t lane) {
                          mill_time(particles_.step), pairs_[p.species_pair[lane]], settings_.model);
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
+  clear_friction_history(p, lane);
   p.stiffness[lane] = 0;
   p.tensile[lane] = 0;
   p.touching[lane] = -1;
@@ -74,6 +75,7 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
            : nearest(particles_.position(static_cast<std::size_t>(p.j[lane])) - x);
   const Vec3 n = (1 / norm(separation)) * separation;
   const Vec3 where = jar_->within_period(x) + p.radius_i[lane] * n;
+  p.work.normal[lane] += separation_energy(p, lane, *settings_.model.law);
   const ContactWork& d = p.work;
   const double duration = time_of(particles_.step - onset.step);
   finished_.push_back({.time = time_of(onset.step),
@@ -107,6 +109,7 @@ void FewBodySolver::flush_work(PairPacket& p, std::size_t lane) {
     (*sum)[lane] = 0;
   set_lane(p.spring, lane, {});
   set_lane(p.rolling_spring_torque, lane, {});
+  clear_friction_history(p, lane);
   p.stiffness[lane] = 0;
 }
 

@@ -9,25 +9,38 @@
 
 namespace mahlwerk::soft {
 
-FewBodySolver::ElasticEnergy FewBodySolver::elastic_energy() const {
-  ElasticEnergy energy;
+StoredEnergy FewBodySolver::elastic_energy(const PairPacket& p, std::size_t l) const {
+  if (p.touching[l] == 0) return {};
+  const double law_history[contact::law_history_size] = {p.law_history[0][l], p.law_history[1][l]};
+  const Vec3 separation = nearest(particles_.position(static_cast<std::size_t>(p.j[l])) -
+                                  particles_.position(static_cast<std::size_t>(p.i[l])));
+  const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
+  if (overlap < -p.radius_i[l]) return {};  // the ball has left this face across an edge
+  return stored_energy(p, l, overlap, law_history, get_lane(p.spring, l), p.twist[l],
+                       settings_.model);
+}
+
+StoredEnergy FewBodySolver::elastic_energy() const {
+  StoredEnergy energy;
   for (const PairPacket& p : particles_.packets)
+    for (std::size_t l = 0; l < lanes; ++l) energy.add(elastic_energy(p, l), 1);
+  return energy;
+}
+
+/// What open contacts have dissipated goes to the balance. What they store remains in their sums.
+void FewBodySolver::begin_counting() {
+  for (PairPacket& p : particles_.packets)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (p.touching[l] == 0) continue;
-      const double law_history[contact::law_history_size] = {p.law_history[0][l],
-                                                             p.law_history[1][l]};
-      const Vec3 separation = nearest(particles_.position(static_cast<std::size_t>(p.j[l])) -
-                                      particles_.position(static_cast<std::size_t>(p.i[l])));
-      const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
-      if (overlap < -p.radius_i[l]) continue;  // the ball has left this face across an edge
-      energy.normal += std::visit(
-          [&](const auto& law) {
-            return law.elastic_energy(coefficients_of(p, l), law_history, overlap);
-          },
-          *settings_.model.law);
-      energy.tangential += 0.5 * p.stiffness[l] * squared(get_lane(p.spring, l));
+      const StoredEnergy stored = elastic_energy(p, l);
+      const auto move = [&](Lanes& sum, double kept, double& lost) {
+        lost += sum[l] - kept;
+        sum[l] = kept;
+      };
+      move(p.work.normal, 0, energy_balance_.lost_normal);
+      move(p.work.tangential, stored.tangential, energy_balance_.lost_tangential);
+      move(p.work.rolling, stored.twisting, energy_balance_.lost_rolling);
     }
-  return energy;
 }
 
 scene::EnergyBalance FewBodySolver::energy_balance() const {
@@ -48,8 +61,8 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
     a.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(particles_.spin(b)));
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
-  const ElasticEnergy kept = elastic_energy();
-  a.elastic = kept.normal + kept.tangential;
+  const StoredEnergy kept = elastic_energy();
+  a.elastic = kept.total();
   for (const PairPacket& p : particles_.packets)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (!p.used[l]) continue;
@@ -57,9 +70,9 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
       a.lost_open += p.work.normal[l] + p.work.tangential[l] + p.work.rolling[l];
       a.deepest_overlap = std::max(a.deepest_overlap, p.work.max_overlap[l] / min_radius(p, l));
     }
-  a.lost_normal -= kept.normal;  // stored, not dissipated
-  a.lost_tangential -= kept.tangential;
-  a.lost_open -= a.elastic;
+  a.lost_tangential -= kept.tangential;  // stored, not dissipated
+  a.lost_rolling -= kept.twisting;
+  a.lost_open -= kept.tangential + kept.twisting;
   a.contact_time +=
       static_cast<double>(balls_in_contact_) * time_of(particles_.step - contact_count_step_);
   return a;

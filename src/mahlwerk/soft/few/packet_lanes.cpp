@@ -12,12 +12,14 @@ template <class F>
 void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.tensile}) f(*c);
   for (Lanes* c : {&p.radius_i, &p.radius_j, &p.overlap_share, &p.pull_off_distance, &p.friction,
-                   &p.rolling_coefficient, &p.rolling_stiffness_ratio, &p.inertia, &p.slip_factor,
-                   &p.stiffness_correction, &p.stiffness})
+                   &p.twisting_radius, &p.load, &p.twist, &p.rolling_coefficient,
+                   &p.rolling_stiffness_ratio, &p.inertia, &p.slip_factor, &p.stiffness_correction,
+                   &p.half_step_squared_over_mass, &p.stiffness})
     f(*c);
   for (Lanes& c : p.coefficients) f(c);
   for (Lanes& c : p.law_history) f(c);
-  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.rolling_spring_torque}) f(v->x), f(v->y), f(v->z);
+  for (Vec<Lanes>* v : {&p.spring, &p.normal, &p.rolling_spring_torque, &p.turning_force})
+    f(v->x), f(v->y), f(v->z);
   ContactWork& d = p.work;
   for (Lanes* c :
        {&d.impulse, &d.normal, &d.tangential, &d.rolling, &d.sliding, &d.wall, &d.max_overlap})

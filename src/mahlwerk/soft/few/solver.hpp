@@ -8,6 +8,7 @@
 
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/engine.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/engine.hpp"
 #include "mahlwerk/soft/few/step_block.hpp"
@@ -26,6 +27,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
+  void begin_counting() override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
   void serialize(Archive& archive) override;
@@ -56,10 +58,8 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   bool liquid_at_wall() const;
 
   // Energy (energy.cpp).
-  struct ElasticEnergy {
-    double normal = 0, tangential = 0;  // [J]
-  };
-  ElasticEnergy elastic_energy() const;  // of open contacts
+  StoredEnergy elastic_energy(const PairPacket& packet, std::size_t lane) const;
+  StoredEnergy elastic_energy() const;  // of open contacts
   void check_energy();
 
   // Neighbour list (neighbours.cpp).

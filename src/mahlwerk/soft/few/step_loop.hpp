@@ -53,6 +53,7 @@ template <class Law, class V>
                           group(p.rolling_spring_torque),
                           group(p.stiffness),
                           group(p.tensile)};
+  if (has_friction_history(s.constants)) get_friction_history<V>(group, p, history);
   const ContactTransitions<V> transitions{group.mask(begun), group.mask(ended)};
   WorkOfStep<V> work;
   const ContactForce<V> out =
@@ -65,6 +66,7 @@ template <class Law, class V>
   group.put(p.spring, history.spring);
   if (s.constants.rolling == contact::Rolling::epsd)
     group.put(p.rolling_spring_torque, history.rolling_spring_torque);
+  put_friction_history<V>(s.constants, group, history, p);
   group.put(p.stiffness, history.stiffness);
   group.put(p.tensile, history.tensile);
   group.add(p.work.impulse, work.impulse);

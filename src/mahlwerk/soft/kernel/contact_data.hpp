@@ -13,7 +13,7 @@ namespace mahlwerk::soft {
 /// Impulse and work of a contact since its onset: sums over steps of force or power times the step.
 struct alignas(64) ContactWork {
   Lanes impulse{};      ///< [N s] normal
-  Lanes normal{};       ///< [J] work done against the normal force
+  Lanes normal{};       ///< [J] dissipated along the normal (dem.39)
   Lanes tangential{};   ///< [J] work done against friction
   Lanes rolling{};      ///< [J] work done against rolling resistance
   Lanes sliding{};      ///< [J] part of `tangential`: sliding at the Coulomb limit
@@ -41,13 +41,15 @@ struct alignas(64) PairParameters {
   Lanes pull_off_distance{};     ///< [m] gap at which a contact breaks
   Lanes coefficients[contact::law_coefficient_count]{};
   Lanes friction{};             ///< mu
+  Lanes twisting_radius{};      ///< [m] R* (dem.42)
   Lanes rolling_coefficient{};  ///< [m] mu_r R*; [s] for viscous; mu_r for own_spin
   /// [m2] rolling over tangential stiffness, for epsd: the elastic-plastic spring-dashpot rolling
   /// model.
   Lanes rolling_stiffness_ratio{};
-  Lanes inertia{};               ///< [kg m2] reduced moment of inertia
-  Lanes slip_factor{};           ///< [1] of the pair (hol.4)
-  Lanes stiffness_correction{};  ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
+  Lanes inertia{};                      ///< [kg m2] reduced moment of inertia
+  Lanes slip_factor{};                  ///< [1] of the pair (hol.4)
+  Lanes stiffness_correction{};         ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
+  Lanes half_step_squared_over_mass{};  ///< [s2/kg] dt^2/(2 m*)
 };
 
 /// Radius [m] of the smaller ball; that of the ball at a wall. Overlaps are stated in it.
@@ -76,12 +78,27 @@ struct GroupHistory {
   Vec<V> spring{}, rolling_spring_torque{};
   V stiffness{};
   MaskOf<V> tensile{};
+  Vec<V> turning_force{};  ///< see FrictionHistory
+  V load{}, twist{};
 };
 
+/// History of eight contacts that only partial slip and twisting friction need.
+struct alignas(64) FrictionHistory {
+  Vec<Lanes> turning_force{};  ///< [N] tangential force where its loading last turned round
+  Lanes load{};                ///< [N] at the last step
+  Lanes twist{};               ///< [rad] angle of the twisting spring, half a step ahead
+};
+
+inline void clear_friction_history(FrictionHistory& history, std::size_t lane) {
+  set_lane(history.turning_force, lane, {});
+  history.load[lane] = history.twist[lane] = 0;
+}
+
 /// History of eight contacts.
-struct alignas(64) History {
+struct alignas(64) History : FrictionHistory {
   Lanes law_history[contact::law_history_size]{};
-  Vec<Lanes> spring{};                 ///< [m] tangential spring xi, half a step ahead
+  /// [m] tangential spring xi, half a step ahead; with partial slip its force [N]
+  Vec<Lanes> spring{};
   Vec<Lanes> rolling_spring_torque{};  ///< [N m] epsd: torque of the rolling spring
   Lanes stiffness{};                   ///< [N/m] tangential, at the last step
   LaneMask tensile{};                  ///< lanes with a load < 0 at the last step

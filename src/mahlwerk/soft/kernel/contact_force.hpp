@@ -2,102 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/contact/rolling.hpp"
-#include "mahlwerk/soft/kernel/contact_transitions.hpp"
+#include "mahlwerk/soft/kernel/partial_slip.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
+#include "mahlwerk/soft/kernel/twisting_torque.hpp"
 
 // Contact forces and torques of a group of pairs (docs/theory/soft.md).
 namespace mahlwerk::soft {
-
-/// Constants of a step, for all packets.
-struct StepConstants {
-  double dt = 0, inverse_dt = 0;  ///< [s], [1/s]
-  Vec3 jar_velocity{};
-  contact::Rolling rolling = contact::Rolling::none;
-  double rolling_damping = 0;
-  bool rescaled = false;  ///< ContactModel::rescaled_unloading (dem.21)
-  bool periodic = false;
-  Vec3 periods{};
-};
-
-/// A 3-vector in all lanes.
-template <class V>
-[[gnu::always_inline]] inline Vec<V> in_all_lanes(const Vec3& a) {
-  const V zero{};
-  return {zero + a.x, zero + a.y, zero + a.z};
-}
-
-/// Relative position and motion of the pairs of a group.
-template <class V>
-struct PairMotion {
-  Vec<V> separation;         ///< [m] from i to j
-  Vec<V> relative_velocity;  ///< [m/s] velocity of i minus that of j
-  Vec<V> vj;                 ///< [m/s] velocity of j, for walls only
-  Vec<V> wi, wj;             ///< [rad/s] spins
-};
-
-/// Force [N] on i, its negative on j; torques [N m] on both.
-template <class V>
-struct ContactForce {
-  Vec<V> force, torque_i, torque_j;
-};
-
-/// Impulse and work of a group in a step (ContactWork).
-template <class V>
-struct WorkOfStep {
-  V impulse{}, normal{}, tangential{}, rolling{}, sliding{}, wall{}, overlap{};
-};
-
-/// Geometry and relative motion of contacts, independent of the forces.
-template <class V>
-struct ContactGeometry {
-  Vec<V> n;            ///< from i to j
-  V overlap;           ///< [m]
-  V lever_i, lever_j;  ///< [m] distances from the centres to the contact
-  Vec<V> u;            ///< [m/s] relative velocity at the contact (dem.1)
-  V overlap_rate;      ///< [m/s] u.n, rate of the overlap
-  Vec<V> slip;         ///< [m/s] tangential part of u
-};
-
-/// Centre distance [m] below which a pair is in contact: the sum of the radii, and for a pair
-/// already in contact also the pull-off distance.
-template <class V>
-[[gnu::always_inline]] inline V touch_distance(const LaneGroup<V>& group,
-                                               const PairParameters& pair,
-                                               const MaskOf<V>& touching) {
-  return group(pair.radius_i) + group(pair.radius_j) +
-         where<V>(touching, group(pair.pull_off_distance));
-}
-
-template <class V>
-[[gnu::always_inline]] inline ContactGeometry<V> contact_geometry(const LaneGroup<V>& group,
-                                                                  const PairParameters& pair,
-                                                                  const PairMotion<V>& motion,
-                                                                  const V& distance_squared) {
-  ContactGeometry<V> geometry;
-  const V radius_i = group(pair.radius_i);
-  const V distance = sqrt(distance_squared);
-  geometry.n = (1.0 / max(distance, V{} + 1e-300)) * motion.separation;  // 0 in free lanes
-  geometry.overlap = radius_i + group(pair.radius_j) - distance;
-  geometry.lever_i = radius_i - group(pair.overlap_share) * geometry.overlap;
-  geometry.lever_j = distance - geometry.lever_i;
-  geometry.u = motion.relative_velocity +
-               cross(geometry.lever_i * motion.wi + geometry.lever_j * motion.wj, geometry.n);
-  geometry.overlap_rate = dot(geometry.u, geometry.n);
-  geometry.slip = geometry.u - geometry.overlap_rate * geometry.n;
-  return geometry;
-}
-
-/// Rotates a vector into the tangent plane of the normal n, with its length kept (dem.18). Uses the
-/// series of 1/sqrt(1 - q), q the squared sine of the angle of rotation.
-template <class V>
-[[gnu::always_inline]] inline Vec<V> rotate_to_tangent_plane(const Vec<V>& vector,
-                                                             const Vec<V>& n) {
-  const V normal_part = dot(vector, n);
-  const V q = normal_part * normal_part / max(dot(vector, vector), V{} + 1e-300);
-  const V scale = 1.0 + q * (0.5 + 0.375 * q);
-  return scale * (vector - normal_part * n);
-}
 
 /// Friction force on i [N]: tangential spring and dashpot, cut off at the Coulomb limit (dem.18 to
 /// dem.21, dem.37). The stored spring is half a step ahead: each step adds half its slip before the
@@ -115,10 +25,17 @@ template <class V>
         select(less(law_force.stiffness, history.stiffness), ratio, V{} + 1.0) * history.spring;
   }
   const V zero{}, one = zero + 1.0;
-  const V stiffness =
+  const V full_stiffness =
       law_force.stiffness * (1.0 - group(pair.stiffness_correction) * law_force.stiffness);
   const Vec<V> half_slip = (0.5 * constants.dt) * geometry.slip;
-  Vec<V> spring = rotate_to_tangent_plane(history.spring, geometry.n);
+  PartialSlip<V> partial;
+  Vec<V> spring;  // with partial slip its force, as a spring of stiffness 1
+  if (constants.partial_slip)
+    partial = load_tangentially<V>(group, pair, history, geometry.n, half_slip, full_stiffness,
+                                   law_force.load, spring);
+  else
+    spring = rotate_to_tangent_plane(history.spring, geometry.n);
+  const V stiffness = constants.partial_slip ? one : full_stiffness;
   const auto opposing_damping = [&] {
     return max(-(law_force.damping * dot(geometry.slip, spring)), zero);
   };
@@ -126,7 +43,7 @@ template <class V>
     const V ratio = opposing_damping() / max(stiffness * dot(spring, spring), zero + 1e-150);
     spring = select(load_reversed, min(ratio, one), one) * spring;
   }
-  spring = spring + half_slip;
+  if (!constants.partial_slip) spring = spring + half_slip;
   Vec<V> force = -(stiffness * spring) - law_force.damping * geometry.slip;
   const V limit = group(pair.friction) * law_force.load, squared = dot(force, force);
   const MaskOf<V> sliding = touching & less(limit * limit, squared);
@@ -136,16 +53,19 @@ template <class V>
     const V size = sqrt(squared), square = dot(spring, spring);
     const V spring_energy = max(stiffness * square, zero + 1e-150);
     const V limited_energy = limit * sqrt(square) + opposing_damping(),
-            inverse_product = 1.0 / (size * spring_energy);
+            inverse_product = 1.0 / max(size * spring_energy, zero + 1e-300);
     force = select(sliding, limit * (spring_energy * inverse_product), one) * force;
     const Vec<V> limited_spring = select(sliding & less(limited_energy, spring_energy),
                                          limited_energy * (size * inverse_product), one) *
                                   spring;
-    const V work_done = dot(force, limited_spring - spring);
+    // With partial slip the spring is a force, and its length that over the stiffness.
+    const V length = constants.partial_slip ? one / max(full_stiffness, zero + 1e-300) : one;
+    const V work_done = length * dot(force, limited_spring - spring);
     work.sliding = where<V>(sliding, work_done);
     spring = limited_spring;
   }
-  history.spring = where<V>(touching, spring + half_slip);
+  history.spring = where<V>(
+      touching, spring + (constants.partial_slip ? partial.force_change(half_slip) : half_slip));
   return where<V>(touching, force);
 }
 
@@ -220,6 +140,17 @@ template <class V>
   out.torque_j = out.torque_j + torque_j;
 }
 
+/// Plastic energy [J] of the contacts of a group, by a law that has one.
+template <class Law, class V>
+[[gnu::always_inline]] inline V plastic_energy(
+    const std::array<V, contact::law_coefficient_count>& coefficients,
+    const GroupHistory<V>& history) {
+  if constexpr (requires { Law::plastic_energy(coefficients.data(), history.law_history); })
+    return Law::plastic_energy(coefficients.data(), history.law_history);
+  else
+    return V{};
+}
+
 /// Forces and torques of a group in a step. Updates its history; `work` is what this step adds.
 /// `transitions` is null if no contact begins or ends; `walls` is true if there may be walls.
 template <class Law, class V>
@@ -232,6 +163,7 @@ template <class Law, class V>
   const V zero{};
   work = WorkOfStep<V>{};
   const auto coefficients = load_coefficients<V>(group, pair);
+  const V plastic_before = plastic_energy<Law>(coefficients, history);
   contact::LawForce<V> law_force = Law::template evaluate<V>(
       coefficients.data(), history.law_history, where<V>(touching, geometry.overlap),
       where<V>(touching, geometry.overlap_rate));
@@ -245,10 +177,12 @@ template <class Law, class V>
     correction = correct_transitions<Law, V>(group, pair, history, *transitions, geometry.overlap,
                                              geometry.overlap_rate, constants.dt, law_force);
     active |= correction.corrected;
-    history.spring =
-        select<V>(transitions->begun, correction.initial_slip_time * geometry.slip, history.spring);
+    const V unit = constants.partial_slip ? law_force.stiffness : zero + 1.0;
+    history.spring = select<V>(
+        transitions->begun, (correction.initial_slip_time * unit) * geometry.slip, history.spring);
   }
   law_force.force = where<V>(active, law_force.force);
+  const V damper = where<V>(active, law_force.damper);
   law_force.load = abs(law_force.load);
   const Vec<V> friction = tangential_force<V>(group, pair, history, work, constants, geometry,
                                               law_force, active, load_reversed);
@@ -269,17 +203,28 @@ template <class Law, class V>
     out.torque_j = out.torque_j - torque;
     if (walls) wall_power += dot(torque, motion.wj);
   }
-  V rate = geometry.overlap_rate;
+  if (constants.twisting == contact::Twisting::marshall) {
+    const Vec<V> torque = twisting_torque<V>(group, pair, history, work, constants, geometry,
+                                             motion, law_force, touching) *
+                          geometry.n;
+    out.torque_i = out.torque_i + torque;
+    out.torque_j = out.torque_j - torque;
+    if (walls) wall_power += dot(torque, motion.wj);
+  }
+  // Rates were predicted from the force of the last step. The elastic force has grown since; the
+  // first force of a contact is all new.
+  const V half_kick = constants.inverse_dt * group(pair.half_step_squared_over_mass);
+  V rate =
+      (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) * geometry.overlap_rate;
   Vec<V> slip = geometry.slip;
-  if (transitions != nullptr) {  // the velocities were predicted from the force of the last step
-    const V factor = group(pair.slip_factor);
-    const V half = (1.5 / factor * constants.inverse_dt) *
-                   group(pair.stiffness_correction);  // half a step over the mass
-    rate -= where<V>(correction.corrected, half * (law_force.force - correction.previous_force));
-    slip = slip + where<V>(correction.corrected & transitions->begun, factor * half) * friction;
+  if (transitions != nullptr) {
+    const Mask first = correction.corrected & transitions->begun;
+    rate = select<V>(first, geometry.overlap_rate - half_kick * law_force.force, rate);
+    slip = slip + where<V>(first, group(pair.slip_factor) * half_kick) * friction;
   }
   work.impulse = constants.dt * law_force.force;
-  work.normal = constants.dt * (law_force.force * rate);
+  work.normal = constants.dt * (damper * rate) +
+                (plastic_energy<Law>(coefficients, history) - plastic_before);  // (dem.39)
   work.tangential = -(constants.dt * dot(friction, slip));
   if (walls) work.wall = where<V>(group(pair.wall), constants.dt * wall_power);
   work.overlap = where<V>(touching, geometry.overlap);

@@ -30,12 +30,30 @@ template <class V>
               step_fraction * (0.16417356305177494 - step_fraction * 0.028025128008455826));
 }
 
-/// Sum of the part of the force that is there at touch and the part that grows as a fourth root,
-/// each with its weight.
+/// The same weight for an elastic force, which grows with the overlap as t or t^(3/2) (dem.35). The
+/// adhesive force of lanes that adhere grows as t. Exact for t; for t^(3/2) a polynomial fit of
+/// Hurwitz's -zeta(-3/2, 1 + step_fraction), to 9e-6.
+template <class Law, class V>
+[[gnu::always_inline]] inline V elastic_weight(const V& step_fraction, const MaskOf<V>& adheres) {
+  const V& s = step_fraction;
+  const V linear = (0.5 * s * (s + 1.0) + 1.0 / 12) / s;
+  if constexpr (Law::touch_exponent == contact::TouchExponent::one) {
+    return linear;
+  } else {
+    const V polynomial =
+        0.0254941970299688 +
+        s * (0.3113754078497435 +
+             s * (0.5514419661692912 + s * (0.15141145787596966 - s * 0.014244103851504217)));
+    return select<V>(adheres, linear, polynomial / (s * sqrt(s)));
+  }
+}
+
+/// Sum of the part of a force that is there at touch and the part that grows from there, each with
+/// its weight.
 template <class V>
 [[gnu::always_inline]] inline V weighted_force(const V& full_force, const V& jump_force,
-                                               const V& root_weight, const V& jump_weight) {
-  return root_weight * full_force + (jump_weight - root_weight) * jump_force;
+                                               const V& growth_weight, const V& jump_weight) {
+  return growth_weight * full_force + (jump_weight - growth_weight) * jump_force;
 }
 
 /// Loads the coefficients of a group.
@@ -53,7 +71,6 @@ template <class V>
 struct TransitionCorrection {
   MaskOf<V> corrected{};  ///< lanes whose force is corrected
   V initial_slip_time{};  ///< [s] where begun: initial tangential spring / slip velocity
-  V previous_force{};     ///< [N] normal force of the last step, where ended
 };
 
 /// Weights the first force of a contact so that the sum over the steps equals its integral
@@ -83,16 +100,16 @@ template <class Law, class V>
   const Mask corrected = partial_step & overlap_changes;
   const V step_fraction =
       min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end
-  const V force_overlap =
+  const V overlap_now =
       select<V>(transitions.ended, step_fraction * overlap_change - pull_off_distance,
-                max(overlap, onset_overlap));
-  const auto evaluate_at = [&](const V& at) {
+                max(overlap, step_fraction * overlap_change));
+  const auto evaluate_at = [&](const V& at, const V& speed) {
     V own_history[contact::law_history_size]{history.law_history[0], history.law_history[1]};
     return Law::template evaluate<V>(k.data(), own_history, where<V>(corrected, at),
-                                     where<V>(corrected, rate));
+                                     where<V>(corrected, speed));
   };
-  const contact::LawForce<V> full_force = evaluate_at(force_overlap),
-                             jump_force = evaluate_at(edge_overlap);
+  const contact::LawForce<V> full_force = evaluate_at(max(overlap_now, onset_overlap), rate),
+                             jump_force = evaluate_at(edge_overlap, rate);
   const V already_counted = where<V>(transitions.ended, one);  // whole step already counted
   const V root_weight =
       fourth_root_weight(step_fraction) / sqrt(sqrt(step_fraction)) - already_counted;
@@ -101,12 +118,29 @@ template <class Law, class V>
   const auto correct = [&](const V& a, const V& b, V& out) {
     out = select<V>(corrected, weighted_force(a, b, root_weight, jump_weight), out);
   };
-  correct(full_force.force, jump_force.force, f.force);
-  correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
+  // The elastic force is there without a rate, and has its own weight. A law without tension has
+  // none where its damper has taken all of it.
+  const Mask acts = less(zero, abs(full_force.force));
+  const Mask adheres = less(zero, pull_off_distance);
+  const V elastic = weighted_force(
+      evaluate_at(overlap_now, zero).force,
+      evaluate_at(select<V>(transitions.ended, -pull_off_distance, zero), zero).force,
+      elastic_weight<Law>(step_fraction, adheres) - already_counted,
+      0.5 + step_fraction - already_counted);
+  correct(full_force.damper, jump_force.damper, f.damper);
+  f.damper = where<V>(acts | ~corrected, f.damper);
+  const V load_over_force = full_force.load - full_force.force;
+  f.force = select<V>(corrected, where<V>(acts, elastic + f.damper), f.force);
+  f.load = select<V>(corrected, f.force + jump_weight * load_over_force, f.load);
+  // The tangential force grows as the elastic one, as its spring is loaded from touch on. Early in
+  // a step, where this force is none, the weight is bounded.
+  f.stiffness =
+      select<V>(corrected,
+                (elastic_weight<Law>(max(step_fraction, zero + 0.02), adheres) - already_counted) *
+                    full_force.stiffness,
+                f.stiffness);
   correct(full_force.damping, jump_force.damping, f.damping);
-  correct(full_force.load, jump_force.load, f.load);
-  return {corrected, where<V>(corrected & transitions.begun, time_step * (step_fraction - 0.5)),
-          where<V>(corrected & transitions.ended, full_force.force)};
+  return {corrected, where<V>(corrected & transitions.begun, time_step * (step_fraction - 0.5))};
 }
 
 }  // namespace mahlwerk::soft

@@ -51,9 +51,10 @@ struct ContactPackets {
   BlockList<std::array<ContactOnset, lanes>> onsets;
   BlockList<OptionalHistory>
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
-  BlockList<PairParameters> parameters;  ///< of each packet, if curved walls change them
-  BlockList<WallNormals> wall_normals;   ///< of each packet, for walls
-  std::vector<std::int32_t> free;        ///< lane l of packet g: 8 g + l
+  BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
+  BlockList<PairParameters> parameters;           ///< of each packet, if curved walls change them
+  BlockList<WallNormals> wall_normals;            ///< of each packet, for walls
+  std::vector<std::int32_t> free;                 ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
   /// its memory is freed.
   std::vector<std::int32_t> copies_left;
@@ -62,6 +63,7 @@ struct ContactPackets {
     packets.free_block(block);
     onsets.free_block(block);
     optional_histories.free_block(block);
+    friction_histories.free_block(block);
     parameters.free_block(block);
     wall_normals.free_block(block);
   }

@@ -67,6 +67,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     fresh.j.fill(wall ? 0 : ball);
     list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
+    if (has_friction_history_) list.friction_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
     if (settings_.model.curved_walls && wall)
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
@@ -90,6 +91,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     set_lane(m.rolling_spring_torque, l, {});
     m.stiffness[l] = 0;
   }
+  if (has_friction_history_) clear_friction_history(list.friction_histories[n], l);
   return at;
 }
 
@@ -138,6 +140,12 @@ void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n, std:
     if ((ended & bit(l)) == 0) continue;
     change_contact_count(chunk, g.i[l], -1);
     if (&list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
+    const PairParameters& parameters =
+        list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
+                                : list.parameters[n];
+    const double separation = separation_energy(parameters, l, *settings_.model.law);
+    g.lost_normal[l] += separation;
+    chunk.sums.work.normal[l] += (&list == &chunk.halo ? 0.5 : 1) * separation;
     if (&list != &chunk.halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
     (wall ? chunk.wall_pairs : chunk.ball_pairs)
         .separated.push_back({g.i[l], wall ? ~g.j[l] : g.j[l]});

@@ -10,49 +10,60 @@
 
 namespace mahlwerk::soft {
 
-/// Elastic energy of the open contacts of a chunk. Halo contacts count half, because both chunks
+StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n,
+                                       std::size_t l) const {
+  const ContactPacket& g = list.packets[n];
+  const auto i = static_cast<std::size_t>(g.i[l]);
+  const PairParameters& parameters = list.parameters.empty()
+                                         ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
+                                         : list.parameters[n];
+  double law_history[contact::law_history_size] = {};
+  if (has_history_)
+    for (int a = 0; a < contact::law_history_size; ++a)
+      law_history[a] = list.optional_histories[n].law_history[a][l];
+  const Vec3 x = rows_[i].position();
+  const double distance =
+      parameters.wall[l] != 0
+          ? jar_->gap(g.j[l], x, mill_time(step_), rows_[i].radius + pull_off_distance_).distance
+          : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
+  const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
+  if (overlap < -rows_[i].radius) return {};  // the ball has left this face across an edge
+  const double twist = has_friction_history_ ? list.friction_histories[n].twist[l] : 0;
+  return stored_energy(parameters, l, overlap, law_history, get_lane(g.spring, l), twist,
+                       settings_.model);
+}
+
+/// Energies of the open contacts of a chunk. Halo contacts count half, because both chunks
 /// have them.
-ManyBodySolver::ElasticEnergy ManyBodySolver::elastic_energy(const Chunk& chunk) const {
-  ElasticEnergy energy;
-  const double t = mill_time(step_);
+ManyBodySolver::OpenContacts ManyBodySolver::open_contacts(const Chunk& chunk) const {
+  OpenContacts open;
   const auto add = [&](const ContactPackets& list, double weight) {
-    for (std::size_t n = 0; n < list.packets.size(); ++n) {
-      const ContactPacket& g = list.packets[n];
+    for (std::size_t n = 0; n < list.packets.size(); ++n)
       for (std::size_t l = 0; l < lanes; ++l) {
+        const ContactPacket& g = list.packets[n];
         if (!g.touches(l)) continue;
-        energy.work_done += weight * (g.lost_normal[l] + g.lost_tangential[l]);
-        const auto i = static_cast<std::size_t>(g.i[l]);
-        const PairParameters& parameters =
-            list.parameters.empty() ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
-                                    : list.parameters[n];
-        const contact::LawCoefficients coefficients = coefficients_of(parameters, l);
-        double law_history[contact::law_history_size] = {};
-        if (has_history_)
-          for (int a = 0; a < contact::law_history_size; ++a)
-            law_history[a] = list.optional_histories[n].law_history[a][l];
-        const Vec3 x = rows_[i].position();
-        const double distance =
-            parameters.wall[l] != 0
-                ? jar_->gap(g.j[l], x, t, rows_[i].radius + pull_off_distance_).distance
-                : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
-        const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
-        if (overlap < -rows_[i].radius) continue;  // the ball has left this face across an edge
-        std::visit(
-            [&]<class L>(const L& law) {
-              energy.normal += weight * law.elastic_energy(coefficients, law_history, overlap);
-              const double at = std::max(overlap, 0.0);
-              const double stiffness =
-                  L::evaluate(coefficients.data(), law_history, at, 0.0).stiffness;
-              energy.tangential += weight * 0.5 * stiffness * squared(get_lane(g.spring, l));
-            },
-            *settings_.model.law);
+        open.work_done += weight * (g.lost_normal[l] + g.lost_tangential[l]);
+        open.stored.add(stored_in(list, n, l), weight);
       }
-    }
   };
   add(chunk.own, 1);
   add(chunk.halo, 0.5);
   add(chunk.wall, 1);
-  return energy;
+  return open;
+}
+
+/// The sums of a contact keep what it stores.
+void ManyBodySolver::begin_counting() {
+  for (Chunk& chunk : chunks_)
+    for (ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
+      for (std::size_t n = 0; n < list->packets.size(); ++n)
+        for (std::size_t l = 0; l < lanes; ++l) {
+          ContactPacket& g = list->packets[n];
+          if (!g.touches(l)) continue;
+          const StoredEnergy stored = stored_in(*list, n, l);
+          g.lost_normal[l] = 0;
+          g.lost_tangential[l] = stored.tangential + stored.twisting;
+        }
 }
 
 scene::EnergyBalance ManyBodySolver::energy_balance() const {
@@ -66,7 +77,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
   const Vec3 change = body_kick_change();
   struct Sum {
     double kinetic = 0, potential = 0;
-    ElasticEnergy elastic_energy;
+    OpenContacts open;
   };
   std::vector<Sum> sums(chunks_.size());
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
@@ -79,17 +90,17 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
       sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
       sum.potential -= of.mass * dot(jar_->gravity(), rows_[k].position() + frame.centre);
     }
-    sum.elastic_energy = elastic_energy(chunk);
+    sum.open = open_contacts(chunk);
   });
   a.kinetic = a.potential = a.elastic = 0;
   for (const Sum& sum : sums) {
     a.kinetic += sum.kinetic;
     a.potential += sum.potential;
-    a.elastic += sum.elastic_energy.normal + sum.elastic_energy.tangential;
-    a.lost_open +=
-        sum.elastic_energy.work_done - sum.elastic_energy.normal - sum.elastic_energy.tangential;
-    a.lost_normal -= sum.elastic_energy.normal;  // stored, not dissipated
-    a.lost_tangential -= sum.elastic_energy.tangential;
+    const StoredEnergy& stored = sum.open.stored;
+    a.elastic += stored.total();
+    a.lost_open += sum.open.work_done - stored.tangential - stored.twisting;
+    a.lost_tangential -= stored.tangential;  // stored, not dissipated
+    a.lost_rolling -= stored.twisting;
   }
   return a;
 }

@@ -153,6 +153,12 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
     set_lane(extra.rolling_spring_torque, l, sign * get_lane(past.rolling_spring_torque, m));
     extra.stiffness[l] = past.stiffness[m];
   }
+  if (has_friction_history_) {
+    FrictionHistory& extra = list.friction_histories[n];
+    const FrictionHistory& past = from.friction_histories[old];
+    set_lane(extra.turning_force, l, sign * get_lane(past.turning_force, m));
+    extra.load[l] = past.load[m], extra.twist[l] = past.twist[m];
+  }
   if (!list.wall_normals.empty())
     set_lane(list.wall_normals[n].normal, l, get_lane(from.wall_normals[old].normal, m));
   if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);

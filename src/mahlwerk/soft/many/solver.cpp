@@ -44,6 +44,8 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
           std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||
           contact::rule_of(settings.model.rolling).has_history ||
           settings.model.rescaled_unloading),
+      has_friction_history_(settings.model.partial_slip ||
+                            settings.model.twisting != contact::Twisting::none),
       team_(std::clamp(settings.threads, 1, useful_threads(balls.size()))) {
   const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
   parameters_.resize(pairs_.all().size());

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/huge_page_allocator.hpp"
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/engine.hpp"
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
@@ -31,6 +32,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
+  void begin_counting() override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
   void serialize(Archive& archive) override;
@@ -49,11 +51,12 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
   // Energy (energy.cpp).
-  struct ElasticEnergy {
-    double normal = 0, tangential = 0;  // [J]
-    double work_done = 0;               // [J] by open contacts, since their onset
+  struct OpenContacts {
+    StoredEnergy stored;
+    double work_done = 0;  // [J] since their onset: dissipated, and stored across the normal
   };
-  ElasticEnergy elastic_energy(const Chunk& chunk) const;
+  StoredEnergy stored_in(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
+  OpenContacts open_contacts(const Chunk& chunk) const;
   void check_energy();
   void flush_sums();
   void add_sums(scene::EnergyBalance& a, const Chunk& chunk) const;
@@ -132,7 +135,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   ChunkStepper step_chunk_;
   // pull_off_distance_: largest gap [m] of all pairs at which a contact persists or a liquid acts.
   double start_, pull_off_distance_ = 0, mass_ = 0;
-  bool periodic_, large_, has_history_;
+  bool periodic_, large_, has_history_, has_friction_history_;
   std::vector<PairParameters> parameters_;  // of each species pair
   std::vector<Lanes> half_kick_factors_;    // of each species
   std::vector<int> class_of_;               // size class of each species

@@ -84,6 +84,7 @@ void ManyBodySolver::serialize(Archive& archive) {
       serialize_list(archive, list->packets);
       serialize_list(archive, list->onsets);
       serialize_list(archive, list->optional_histories);
+      serialize_list(archive, list->friction_histories);
       serialize_list(archive, list->parameters);
       serialize_list(archive, list->wall_normals);
       archive(list->free);

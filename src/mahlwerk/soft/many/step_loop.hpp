@@ -44,6 +44,8 @@ template <class Law, class V>
     history.rolling_spring_torque = group(k.rolling_spring_torque);
     history.stiffness = group(k.stiffness);
   }
+  const bool friction = has_friction_history(s.constants);
+  if (friction) get_friction_history<V>(group, list.friction_histories[n], history);
   const ContactTransitions<V> transitions{group.mask(begun), group.mask(ended)};
   WorkOfStep<V> work;
   const ContactForce<V> out = contact_force<Law, V>(
@@ -58,6 +60,7 @@ template <class Law, class V>
     group.put(k.rolling_spring_torque, history.rolling_spring_torque);
     group.put(k.stiffness, history.stiffness);
   }
+  if (friction) put_friction_history<V>(s.constants, group, history, list.friction_histories[n]);
   group.add(g.impulse, work.impulse);
   group.add(g.lost_normal, work.normal);
   group.add(g.lost_tangential, work.tangential + work.rolling);
