@@ -102,33 +102,34 @@ void ContactRecords::serialize(Archive& archive) {
   if (archive.reading() && (first_.size() != balls || !is_consistent())) throw Archive::broken();
 }
 
-/// Whether all indices exist and no list is endless.
+/// Whether all indices exist, each contact is open or free, and the lists agree with one another.
 bool ContactRecords::is_consistent() const {
-  const auto count = static_cast<std::int32_t>(contacts_.size());
-  const auto exists = [&](std::int32_t index) { return index >= none && index < count; };
-  // Whether a list ends, and each of its entries satisfies `fits`.
-  const auto ends = [&](std::int32_t index, auto member, const auto& fits) {
-    for (std::int32_t i = 0; i <= count; ++i) {
-      if (index == none) return true;
-      const Contact& contact = contacts_[static_cast<std::size_t>(index)];
-      if (!fits(contact)) return false;
-      index = contact.*member;
-    }
-    return false;
+  const auto count = std::ssize(contacts_);
+  const auto exists = [&](std::int32_t index) { return index >= 0 && index < count; };
+  std::vector<bool> seen(contacts_.size());
+  const auto visit_once = [&](std::int32_t index) {
+    if (!exists(index) || seen[static_cast<std::size_t>(index)]) return false;
+    return static_cast<bool>(seen[static_cast<std::size_t>(index)] = true);
   };
-  const auto any = [](const Contact&) { return true; };
-  for (const Contact& c : contacts_)
-    if (!exists(c.next) || !exists(c.earlier) || !exists(c.later) || c.record.ball < 0 ||
-        c.record.ball >= std::ssize(first_))
+  const auto contact = [&](std::int32_t index) -> const Contact& {
+    return contacts_[static_cast<std::size_t>(index)];
+  };
+  std::int32_t before = none;
+  for (std::int32_t i = earliest_; i != none; before = i, i = contact(i).later)
+    if (!visit_once(i) || contact(i).earlier != before || contact(i).record.ball < 0 ||
+        contact(i).record.ball >= std::ssize(first_))
       return false;
-  if (!exists(free_) || !exists(earliest_) || !exists(latest_)) return false;
-  for (std::size_t ball = 0; ball < first_.size(); ++ball)
-    if (!exists(first_[ball]) || !ends(first_[ball], &Contact::next, [&](const Contact& c) {
-          return static_cast<std::size_t>(c.record.ball) == ball;
-        }))
-      return false;
-  return ends(free_, &Contact::next, any) && ends(earliest_, &Contact::later, any) &&
-         ends(latest_, &Contact::earlier, any);
+  if (before != latest_) return false;
+  const std::vector<bool> open = seen;
+  for (std::int32_t i = free_; i != none; i = contact(i).next)
+    if (!visit_once(i)) return false;
+  if (std::ranges::find(seen, false) != seen.end()) return false;
+  seen.assign(contacts_.size(), false);
+  for (std::int32_t ball = 0; ball < std::ssize(first_); ++ball)
+    for (std::int32_t i = first_[static_cast<std::size_t>(ball)]; i != none; i = contact(i).next)
+      if (!visit_once(i) || !open[static_cast<std::size_t>(i)] || contact(i).record.ball != ball)
+        return false;
+  return true;
 }
 
 }  // namespace mahlwerk::event

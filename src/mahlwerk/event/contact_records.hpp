@@ -39,8 +39,8 @@ class ContactRecords {
   static constexpr std::int32_t none = -1;
   struct Contact {
     scene::Collision record;
-    double last = 0;                           // [s] time of the last bounce
-    std::int32_t next = none;                  // contact of the same ball, or free entry
+    double last = 0;                            // [s] time of the last bounce
+    std::int32_t next = none;                   // contact of the same ball, or free entry
     std::int32_t earlier = none, later = none;  // by the time of the last bounce
   };
 

@@ -114,8 +114,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
   if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
   if (b.raised) ++energy_balance_.tc_collisions;
   energy_balance_.withheld += b.withheld;
-  if (since < rules_.contact_time)
-    energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
+  if (since < rules_.contact_time) energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
   return b;
 }
 
@@ -159,7 +158,8 @@ double ManyBalls::longest_joining_time() const {
   for (const Species& a : species_) {
     for (int face = 0; face < jar_->faces(); ++face)
       longest = std::max(longest, joining_time(wall_pair(a, face), 0, 0));
-    for (const Species& b : species_) longest = std::max(longest, joining_time(ball_pair(a, b), 0, 0));
+    for (const Species& b : species_)
+      longest = std::max(longest, joining_time(ball_pair(a, b), 0, 0));
   }
   return longest;
 }

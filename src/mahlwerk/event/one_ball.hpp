@@ -105,8 +105,8 @@ class OneBall final : public scene::Engine {
   }
 
   void serialize(Archive& archive) override {
-    archive(flight_)(spin_)(in_contact_)(in_contact_until_now_)(
-        now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_contact_time_);
+    archive(flight_)(spin_)(
+        in_contact_)(in_contact_until_now_)(now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_contact_time_);
     archive(zeno_count_)(zeno_since_)(energy_balance_);
     integrator_.serialize(archive);
   }
@@ -277,7 +277,8 @@ class OneBall final : public scene::Engine {
       work += apply_impulse(-body_.mass * dot(relative_velocity, n) * n, wall, p);
     }
     energy_balance_.wall_work += work;
-    energy_balance_.lost_lasting += before + work - kinetic(p.velocity + now_.frame.velocity, spin_);
+    energy_balance_.lost_lasting +=
+        before + work - kinetic(p.velocity + now_.frame.velocity, spin_);
     ++energy_balance_.lasting_contacts;
     integrator_.begin(support, now_.time, {p.position, p.velocity, spin_, 0, 0});
     in_contact_ = in_contact_until_now_ = true;

@@ -137,9 +137,9 @@ class SustainedContactIntegrator {
       return contact_.rate(last.support, at, y, forces);
     };
     const double h = std::max(last.length - ahead, 0.0);
-    ContactState y = dormand_prince_step(rate, last.begin, last.state, last.rate, h, ball_.radius,
-                                         wall_energy_)
-                         .end;
+    ContactState y =
+        dormand_prince_step(rate, last.begin, last.state, last.rate, h, ball_.radius, wall_energy_)
+            .end;
     contact_.project_onto_wall(last.support, last.begin + h, y);
     y.work -= last.work;
     y.lost -= last.lost;
@@ -351,7 +351,7 @@ class SustainedContactIntegrator {
   ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
   ContactForces forces_;
   bool rate_known_ = false;
-  double step_ = 1e-5;      // [s] from the step-size control
+  double step_ = 1e-5;  // [s] from the step-size control
   LastStep last_step_;
   double wall_energy_ = 0;  // [J]
 };
