@@ -8,30 +8,50 @@
 
 namespace mahlwerk::event {
 
-double joining_time(const contact::EffectivePair& pair, double first, double second) {
+namespace {
+
+/// Duration [s] of an elastic contact that begins at `approach` [m/s], at least 1 mm/s.
+double contact_duration(const contact::EffectivePair& pair, double approach) {
   constexpr double slowest = 1e-3;  // [m/s]
-  return contact::hertz_time(pair, std::max(first, slowest)) +
-         contact::hertz_time(pair, std::max(second, slowest));
+  return contact::hertz_time(pair, std::max(approach, slowest));
 }
 
-bool ContactRecords::add(const scene::Collision& bounce, const contact::EffectivePair& pair) {
-  const std::int32_t index = find(bounce);
-  if (index != none) {
-    Contact& contact = at(index);
-    scene::Collision& record = contact.record;
-    if (bounce.time - contact.last < joining_time(pair, record.approach, bounce.approach)) {
-      record.duration = bounce.time - record.time;
-      record.impulse += bounce.impulse;
-      record.lost_normal += bounce.lost_normal;
-      record.lost_tangential += bounce.lost_tangential;
-      contact.last = bounce.time;
-      unlink(index);
-      append(index);
-      return false;
-    }
+}  // namespace
+
+double joining_time(const contact::EffectivePair& pair, double first, double second) {
+  return contact_duration(pair, first) + contact_duration(pair, second);
+}
+
+/// Whether a bounce follows the last one of `contact` within the joining time. Most bounces of
+/// sustained contacts do so within its first part, which is computed once.
+bool ContactRecords::continues(Contact& contact, const Bounce& bounce,
+                               const contact::EffectivePair& pair) {
+  const double since = bounce.time - contact.last;
+  if (contact.first_duration == 0)
+    contact.first_duration = contact_duration(pair, contact.record.approach);
+  return since < contact.first_duration ||
+         since < contact.first_duration + contact_duration(pair, bounce.approach);
+}
+
+bool ContactRecords::join(const Bounce& bounce, const contact::EffectivePair& pair) {
+  std::int32_t index = first_of(bounce.ball);
+  while (index != none && at(index).record.other != bounce.other) index = at(index).next;
+  if (index == none) return false;
+  Contact& contact = at(index);
+  if (!continues(contact, bounce, pair)) {
     take_from_ball(index);
+    return false;
   }
-  begin(bounce);
+  scene::Collision& record = contact.record;
+  record.duration = bounce.time - record.time;
+  record.impulse += bounce.impulse;
+  record.lost_normal += bounce.lost_normal;
+  record.lost_tangential += bounce.lost_tangential;
+  contact.last = bounce.time;
+  if (index != latest_) {
+    unlink(index);
+    append(index);
+  }
   return true;
 }
 
@@ -53,14 +73,7 @@ double ContactRecords::lost() const {
   return sum;
 }
 
-/// The contact of the pair of `bounce`, or none.
-std::int32_t ContactRecords::find(const scene::Collision& bounce) {
-  std::int32_t index = first_of(bounce);
-  while (index != none && at(index).record.other != bounce.other) index = at(index).next;
-  return index;
-}
-
-void ContactRecords::begin(const scene::Collision& bounce) {
+void ContactRecords::begin(const scene::Collision& first) {
   std::int32_t index = free_;
   if (index == none) {
     index = static_cast<std::int32_t>(contacts_.size());
@@ -69,16 +82,17 @@ void ContactRecords::begin(const scene::Collision& bounce) {
     free_ = at(index).next;
   }
   Contact& contact = at(index);
-  contact.record = bounce;
-  contact.last = bounce.time;
-  contact.next = first_of(bounce);
-  first_of(bounce) = index;
+  contact.record = first;
+  contact.first_duration = 0;
+  contact.last = first.time;
+  contact.next = first_of(first.ball);
+  first_of(first.ball) = index;
   append(index);
 }
 
 /// Takes a contact from the list of its ball, if it is still there: no bounce continues it.
 void ContactRecords::take_from_ball(std::int32_t index) {
-  std::int32_t* link = &first_of(at(index).record);
+  std::int32_t* link = &first_of(at(index).record.ball);
   while (*link != none && *link != index) link = &at(*link).next;
   if (*link == index) *link = at(index).next;
 }

@@ -25,9 +25,17 @@ class ContactRecords {
   /// For `balls` balls; `longest` [s] is the longest joining time of any pair.
   ContactRecords(std::size_t balls, double longest) : first_(balls, none), longest_(longest) {}
 
-  /// Adds the bounce of a pair, not earlier than any before. `pair` holds the radius, the mass and
-  /// the modulus of the two bodies. Returns whether it begins a contact.
-  bool add(const scene::Collision& bounce, const contact::EffectivePair& pair);
+  /// A bounce of two bodies, as in scene::Collision.
+  struct Bounce {
+    double time = 0;
+    std::int32_t ball = 0, other = 0;
+    double approach = 0, impulse = 0, lost_normal = 0, lost_tangential = 0;
+  };
+  /// Joins the bounce to the record of its contact, if it continues one; returns whether it does.
+  /// Bounces come in the order of time. `pair` has the radius, the mass and the modulus of the two.
+  bool join(const Bounce& bounce, const contact::EffectivePair& pair);
+  /// Begins a contact with the bounce `first`, which does not continue one.
+  void begin(const scene::Collision& first);
   /// Moves the records that no bounce from `time` [s] on can belong to into `finished`.
   void finish_before(double time, std::vector<scene::Collision>& finished);
   double lost() const;  ///< [J] by contacts whose records are not finished
@@ -39,17 +47,15 @@ class ContactRecords {
   static constexpr std::int32_t none = -1;
   struct Contact {
     scene::Collision record;
-    double last = 0;                            // [s] time of the last bounce
-    std::int32_t next = none;                   // contact of the same ball, or free entry
+    double first_duration = 0;  // [s] of an elastic contact at the first bounce; 0: not computed
+    double last = 0;            // [s] time of the last bounce
+    std::int32_t next = none;   // contact of the same ball, or free entry
     std::int32_t earlier = none, later = none;  // by the time of the last bounce
   };
 
   Contact& at(std::int32_t index) { return contacts_[static_cast<std::size_t>(index)]; }
-  std::int32_t& first_of(const scene::Collision& record) {
-    return first_[static_cast<std::size_t>(record.ball)];
-  }
-  std::int32_t find(const scene::Collision& bounce);
-  void begin(const scene::Collision& bounce);
+  std::int32_t& first_of(std::int32_t ball) { return first_[static_cast<std::size_t>(ball)]; }
+  static bool continues(Contact& contact, const Bounce& bounce, const contact::EffectivePair& pair);
   void take_from_ball(std::int32_t index);
   void append(std::int32_t index);
   void unlink(std::int32_t index);

@@ -169,28 +169,36 @@ double ManyBalls::longest_joining_time() const {
 void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
                        const Vec3& point, const Bounce& bounce, double since,
                        const contact::EffectivePair& pair) {
-  const double t = mill_time();
-  const scene::Collision collision{.time = t - start_,
-                                   .duration = 0,
-                                   .ball = collision_data(ball).id,
-                                   .other = other,
-                                   .where = jar_->to_jar_axes(point, t),
-                                   .normal = jar_->to_jar_axes(touch.normal, t),
-                                   .mass = touch.mass,
-                                   .approach = bounce.touch_speed(touch.mass, touch.approach),
-                                   .slip = touch.slip,
-                                   .glide = norm(touch.tangential_velocity),
-                                   .impulse = bounce.impulse.normal,
-                                   .lost_normal = bounce.loss.normal,
-                                   .lost_tangential = bounce.loss.tangential};
-  const bool begins = !rules_.elastic || contacts_.add(collision, pair);
-  if (begins && since < rules_.contact_time && collision.approach >= rules_.threshold &&
+  const double t = mill_time(), time = t - start_;
+  const double approach = bounce.touch_speed(touch.mass, touch.approach);
+  const contact::Loss& loss = bounce.loss;
+  if (rules_.elastic) {
+    contacts_.finish_before(time, finished_);
+    if (contacts_.join({time, collision_data(ball).id, other, approach, bounce.impulse.normal,
+                        loss.normal, loss.tangential},
+                       pair))
+      return;
+  }
+  if (since < rules_.contact_time && approach >= rules_.threshold &&
       rules_.sustained_mode == SustainedContactMode::tc)
     ++energy_balance_.hits_within;
+  const scene::Collision first{.time = time,
+                               .duration = 0,
+                               .ball = collision_data(ball).id,
+                               .other = other,
+                               .where = jar_->to_jar_axes(point, t),
+                               .normal = jar_->to_jar_axes(touch.normal, t),
+                               .mass = touch.mass,
+                               .approach = approach,
+                               .slip = touch.slip,
+                               .glide = norm(touch.tangential_velocity),
+                               .impulse = bounce.impulse.normal,
+                               .lost_normal = loss.normal,
+                               .lost_tangential = loss.tangential};
   if (rules_.elastic)
-    contacts_.finish_before(collision.time, finished_);
+    contacts_.begin(first);
   else
-    finished_.push_back(collision);
+    finished_.push_back(first);
 }
 
 double ManyBalls::kinetic(std::int32_t ball, double t) const {
