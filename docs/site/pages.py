@@ -5,7 +5,7 @@ import pathlib
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
-THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "elastic-plastic", "capillary", "hollow-balls",
+THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "engine-choice", "elastic-plastic", "capillary", "hollow-balls",
           "liquid", "charge", "statistics", "observe", "lammps", "wear-heat", "powder", "kinetics", "sensors", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
