@@ -5,8 +5,9 @@ import pathlib
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
-THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "elastic-plastic", "capillary", "hollow-balls",
-          "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder", "kinetics", "sensors", "fit",
+THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "engine-choice", "elastic-plastic", "capillary",
+          "hollow-balls", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
+          "kinetics", "sensors", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.

@@ -97,11 +97,13 @@ std::vector<scene::Ball> charge(int n, double radius) {
   return balls;
 }
 
-Make many(const scene::Chamber& chamber, int n, double radius) {
+/// With `joined`, bounces of one contact are joined to one record.
+Make many(const scene::Chamber& chamber, int n, double radius, bool joined = false) {
   return [=] {
     event::Rules rules;
     rules.sustained_mode = event::SustainedContactMode::tc;
     const int faces = geometry::faces(*chamber.shape);
+    if (joined) rules.elastic = contact::PairTable(2, faces, {.modulus = 1.1e11});
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});
     return event::many_balls(chamber, charge(n, radius), rules, table, 0.37);
@@ -137,6 +139,9 @@ TEST(Cuts, do_not_change_a_drum) {
 TEST(Cuts, do_not_change_a_box_on_a_planetary_mill) {
   cut_into_pieces(many(planet(), 4, 0.003), 0.2, 500);
 }
+TEST(Cuts, do_not_change_joined_bounces) {
+  cut_into_pieces(many(drum(), 4, 0.003, true), 0.2, 500);
+}
 /// A fluid so dense that the engine keeps neighbour lists.
 std::unique_ptr<scene::Engine> dense_fluid() {
   return gas(lattice(8, 0.46), side_of(8, 0.46), {1, 1, INFINITY});
@@ -154,7 +159,8 @@ TEST(Cuts, do_not_change_one_ball_that_comes_to_roll) {
 TEST(Archives, of_many_balls_go_on_to_the_bit) {
   for (const double when : {0.0, 1e-3, 0.05, 0.0777})
     for (const scene::Chamber& mill : {capsule(), drum(), planet()})
-      stop_and_go_on(many(mill, 3, 0.003), when, 0.15);
+      for (const bool joined : {false, true})
+        stop_and_go_on(many(mill, 3, 0.003, joined), when, 0.15);
 }
 
 /// 729 balls. The engine sorts them in memory by cell at every reorganisation, after some 2000
@@ -208,7 +214,7 @@ TEST(Archives, cut_short_or_too_long_are_refused) {
 /// Damages counts, ball numbers and memory positions of an archive. None of them causes a read out
 /// of bounds. (A changed speed gives another valid run and cannot be detected.)
 TEST(Archives, with_damaged_numbers_throw_run_errors_and_nothing_else) {
-  const Make make = many(capsule(), 2, 0.003);
+  const Make make = many(capsule(), 2, 0.003, true);
   const auto engine = make();
   Recorder none;
   engine->advance(0.05, none);

@@ -57,6 +57,41 @@ TEST(Lasting, sliding_turns_into_rolling_at_five_sevenths) {
          "1/2 (2/7) m u0^2");
 }
 
+TEST(Lasting, time_in_contact_ends_at_the_time_asked_for) {
+  // A ball falls by h and bounces at e until it rests, 3 t_0 after the start if e = 1/2 and
+  // t_0 = sqrt(2 h/g). The rest of the second is one sustained contact, whose steps become long.
+  const double h = 0.2, t0 = std::sqrt(2 * h / gravity);
+  event::Rules rules;
+  rules.bounce = {0.5, 1, 0.2};
+  const auto engine = event::one_ball(box, ball_a({0, 0, -1 + r + h}), rules);
+  Recorder recorder;
+  for (const double time : {0.7, 0.9, 0.95, 1.0}) {
+    engine->advance(time, recorder);
+    states("time reached [s]", engine->energy_balance().time, time, 0, "as asked for");
+    // The contact begins at the bounce slower than 0.1 mm/s, at most 4 w/g early.
+    states("time in contact [s]", engine->energy_balance().contact_time, time - 3 * t0,
+           4e-4 / gravity, "t - t_0 (1 + e)/(1 - e)");
+  }
+}
+
+TEST(Lasting, a_ball_that_rolls_is_where_it_should_be_at_the_time_asked_for) {
+  const double u0 = 0.3, mu_r = 0.02, deceleration = 5.0 / 7 * mu_r * gravity;
+  const auto engine =
+      event::one_ball(box, on_floor({u0, 0, 0}, {0, u0 / r, 0}), staying(0.5, mu_r));
+  Recorder recorder;
+  for (const double t : {0.1, 0.1234, 0.7}) {
+    engine->advance(t, recorder);
+    const scene::EnergyBalance a = engine->energy_balance();
+    states("time [s]", a.time, t, 0, "as asked for");
+    states("place [m]", engine->balls().front().position.x, u0 * t - 0.5 * deceleration * t * t,
+           1e-6, "u t - a t^2/2, a = (5/7) mu_r g");
+    states("loss [J]", a.lost(),
+           mu_r * ball_a().mass() * gravity * (u0 * t - 0.5 * deceleration * t * t), 1e-9,
+           "mu_r m g x");
+    states("balance [J]", a.residual(), 0, 1e-12, "closed at any time");
+  }
+}
+
 TEST(Lasting, rolling_resistance_slows_by_five_sevenths_mu_r_g) {
   const double mu_r = 0.02, u0 = 0.3;
   const auto engine =

@@ -44,6 +44,7 @@ void ManyBalls::advance(double time, scene::Observer& observer) {
     throw;
   }
   reached_ = time;
+  contacts_.finish_before(time, finished_);
   hand_over(observer);
 }
 
@@ -170,6 +171,7 @@ void ManyBalls::serialize(Archive& archive) {
       epoch_)(reached_)(events_)(collisions_at_reorganisation_)(reorganised_);
   archive(zeno_first_event_)(zeno_since_)(energy_balance_);
   grid_->serialize(archive);
+  contacts_.serialize(archive);
   if (lists_ != nullptr) lists_->serialize(archive);
   if (!archive.reading()) return;
   if (!is_consistent(count)) throw Archive::broken();

@@ -10,6 +10,7 @@
 #include "mahlwerk/contact/bounce_table.hpp"
 #include "mahlwerk/event/calendar_queue.hpp"
 #include "mahlwerk/event/collision_prediction.hpp"
+#include "mahlwerk/event/contact_records.hpp"
 #include "mahlwerk/event/hierarchical_grid.hpp"
 #include "mahlwerk/event/moving_wall.hpp"
 #include "mahlwerk/event/neighbour_lists.hpp"
@@ -119,8 +120,12 @@ class ManyBalls final : public scene::Engine {
   void add_contact_time(CollisionData& ball, bool slow);
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
                              double work, double before);
+  contact::EffectivePair wall_pair(const Species& ball, int face) const;
+  contact::EffectivePair ball_pair(const Species& a, const Species& b) const;
+  double longest_joining_time() const;
   void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
-              const Vec3& point, const Bounce& bounce);
+              const Vec3& point, const Bounce& bounce, double since,
+              const contact::EffectivePair& pair);
   double kinetic(std::int32_t ball, double t) const;
 
   /// Time argument for the jar's motion [s]. With static geometry it is the clock itself, which
@@ -185,6 +190,7 @@ class ManyBalls final : public scene::Engine {
   std::int64_t zeno_first_event_ = 0;  // events_ when the present count of the Zeno guard began
   double zeno_since_ = 0;              // [s] mill time of that
   scene::EnergyBalance energy_balance_;
+  ContactRecords contacts_;
   std::vector<scene::Collision> finished_;
 };
 

@@ -24,8 +24,9 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
                                   relative_velocity, s.radius * data.spin,
                                   pressing_acceleration_ + centripetal_acceleration);
 
+  const double since = now_ - data.last_collision;
   const Bounce b =
-      bounce(bounces_.wall(s.kind, face), touch, s.radius, now_ - data.last_collision,
+      bounce(bounces_.wall(s.kind, face), touch, s.radius, since,
              {data.stored_energy, tc_rule_.storage_capacity(s.mass, pressing_acceleration_)});
   const Vec3 impulse = touch.impulse(b.total_impulse());
   const double before = kinetic(ball, now_);
@@ -35,7 +36,7 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
   energy_balance_.wall_work += work;
   update_energy_balance(touch, b, kinetic(ball, now_) - before, work, before);
   add_contact_time(data, slow(touch));
-  record(ball, ~face, touch, wall.point, b);
+  record(ball, ~face, touch, wall.point, b, since, wall_pair(s, face));
   predict_and_schedule(ball, candidates(ball));
 }
 
@@ -74,7 +75,8 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
                         before);
   add_contact_time(data_a, slow(touch));
   add_contact_time(data_b, slow(touch));
-  record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced);
+  record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced, since,
+         ball_pair(sa, sb));
   predict_and_schedule(ball, near_ball);
   predict_and_schedule(other, near_other);
 }
@@ -112,10 +114,7 @@ ManyBalls::Bounce ManyBalls::bounce(const contact::BounceRule& rule,
   if (rules_.liquid) b.slow_down(touch.mass, touch.approach, approach);
   if (b.raised) ++energy_balance_.tc_collisions;
   energy_balance_.withheld += b.withheld;
-  if (since < rules_.contact_time) {
-    energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
-    if (approach >= rules_.threshold) ++energy_balance_.hits_within;
-  }
+  if (since < rules_.contact_time) energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
   return b;
 }
 
@@ -140,22 +139,66 @@ void ManyBalls::update_energy_balance(const CollisionKinematics& touch, const Bo
   check_balance(energy_balance_, gained, work, lost, before);
 }
 
+contact::EffectivePair ManyBalls::wall_pair(const Species& ball, int face) const {
+  return {.pair = rules_.elastic ? rules_.elastic->wall(ball.kind, face) : contact::Pair{},
+          .radius = ball.radius,
+          .mass = ball.mass};
+}
+
+contact::EffectivePair ManyBalls::ball_pair(const Species& a, const Species& b) const {
+  return {.pair = rules_.elastic ? rules_.elastic->balls(a.kind, b.kind) : contact::Pair{},
+          .radius = a.radius * b.radius / (a.radius + b.radius),
+          .mass = a.mass * b.mass / (a.mass + b.mass)};
+}
+
+/// The longest joining time [s] of any two bodies, that of bounces as slow as can be.
+double ManyBalls::longest_joining_time() const {
+  double longest = 0;
+  if (!rules_.elastic) return longest;
+  for (const Species& a : species_) {
+    for (int face = 0; face < jar_->faces(); ++face)
+      longest = std::max(longest, joining_time(wall_pair(a, face), 0, 0));
+    for (const Species& b : species_)
+      longest = std::max(longest, joining_time(ball_pair(a, b), 0, 0));
+  }
+  return longest;
+}
+
+/// Hands over the record of a bounce, or joins it to that of its contact (man.9). `since` [s] is
+/// the time since the last collision of either body.
 void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
-                       const Vec3& point, const Bounce& bounce) {
-  const double t = mill_time();
-  finished_.push_back({.time = t - start_,
-                       .duration = 0,
-                       .ball = collision_data(ball).id,
-                       .other = other,
-                       .where = jar_->to_jar_axes(point, t),
-                       .normal = jar_->to_jar_axes(touch.normal, t),
-                       .mass = touch.mass,
-                       .approach = bounce.touch_speed(touch.mass, touch.approach),
-                       .slip = touch.slip,
-                       .glide = norm(touch.tangential_velocity),
-                       .impulse = bounce.impulse.normal,
-                       .lost_normal = bounce.loss.normal,
-                       .lost_tangential = bounce.loss.tangential});
+                       const Vec3& point, const Bounce& bounce, double since,
+                       const contact::EffectivePair& pair) {
+  const double t = mill_time(), time = t - start_;
+  const double approach = bounce.touch_speed(touch.mass, touch.approach);
+  const contact::Loss& loss = bounce.loss;
+  if (rules_.elastic) {
+    contacts_.finish_before(time, finished_);
+    if (contacts_.join({time, collision_data(ball).id, other, approach, bounce.impulse.normal,
+                        loss.normal, loss.tangential},
+                       pair))
+      return;
+  }
+  if (since < rules_.contact_time && approach >= rules_.threshold &&
+      rules_.sustained_mode == SustainedContactMode::tc)
+    ++energy_balance_.hits_within;
+  const scene::Collision first{.time = time,
+                               .duration = 0,
+                               .ball = collision_data(ball).id,
+                               .other = other,
+                               .where = jar_->to_jar_axes(point, t),
+                               .normal = jar_->to_jar_axes(touch.normal, t),
+                               .mass = touch.mass,
+                               .approach = approach,
+                               .slip = touch.slip,
+                               .glide = norm(touch.tangential_velocity),
+                               .impulse = bounce.impulse.normal,
+                               .lost_normal = loss.normal,
+                               .lost_tangential = loss.tangential};
+  if (rules_.elastic)
+    contacts_.begin(first);
+  else
+    finished_.push_back(first);
 }
 
 double ManyBalls::kinetic(std::int32_t ball, double t) const {
@@ -169,6 +212,7 @@ scene::EnergyBalance ManyBalls::energy_balance() const {
   scene::EnergyBalance a = energy_balance_;
   const double t = reached_ + start_ - clock_origin_;
   a.time = reached_;
+  a.lost_open = contacts_.lost();
   a.kinetic = a.potential = 0;
   for (std::int32_t ball = 0; ball < std::ssize(trajectories_); ++ball) {
     const Trajectory& path = trajectories_[static_cast<std::size_t>(ball)];

@@ -75,7 +75,8 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
       pressing_acceleration_(
           kinematics::strongest_field(gravity_, jar_->motion_bounds().acceleration, jar_->period(),
                                       [&](double t) { return jar_->frame_motion(t); })),
-      start_(start) {
+      start_(start),
+      contacts_(balls.size(), 0) {
   const double period = jar_->static_geometry() ? jar_->period() : never;
   clock_origin_ = std::isfinite(period) ? std::floor(start / period) * period : start;
   now_ = start - clock_origin_;
@@ -102,6 +103,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
         {ball.spin, -never, 0, static_cast<std::int32_t>(trajectories_.size())});
     trajectories_.push_back(trajectory);
   }
+  contacts_ = ContactRecords(balls.size(), longest_joining_time());
   predictions_.resize(trajectories_.size());
   double ball_volume = 0;
   for (const scene::Ball& ball : balls)

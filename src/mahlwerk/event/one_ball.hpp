@@ -40,7 +40,7 @@ class OneBall final : public scene::Engine {
     now_.time = start - clock_origin_;
     now_.frame = jar_.motion().frame_motion(now_.time);
     start_flight({ball.position, ball.velocity});
-    energy_balance_.kinetic = kinetic(flight_.velocity);
+    energy_balance_.kinetic = kinetic(flight_.velocity, spin_);
     energy_balance_.potential = potential(flight_.position);
     energy_balance_.initial_energy = energy_balance_.kinetic + energy_balance_.potential;
     finished_.reserve(max_records);
@@ -62,6 +62,7 @@ class OneBall final : public scene::Engine {
             next_touch(jar_, flight_, now_, until - clock_origin_, tolerance_);  // (evt.3)
         energy_balance_.search_steps += touch.steps;
         now_ = touch.when;
+        in_contact_until_now_ = false;
         if (touch.face < 0) {
           if (!(now_.time < until - clock_origin_)) break;
           // For the Zeno guard, sixteen search steps count as an event.
@@ -86,33 +87,26 @@ class OneBall final : public scene::Engine {
 
   scene::EnergyBalance energy_balance() const override {
     scene::EnergyBalance a = energy_balance_;
-    const double at = in_contact_ ? now_.time : reached_ + start_ - clock_origin_;
-    // Never below the requested time by rounding: a caller that waits for it would never finish.
-    a.time = in_contact_ ? std::max(reached_, clock_origin_ + at - start_) : reached_;
-    const kinematics::FrameMotion frame = jar_.motion().frame_motion(at);
-    const Vec3& g = jar_.gravity();
-    const Vec3 position =
-        in_contact_ ? integrator_.state().position + frame.centre : flight_.lab_position(at, g);
-    const Vec3 velocity =
-        in_contact_ ? integrator_.state().velocity + frame.velocity : flight_.lab_velocity(at, g);
-    a.kinetic = kinetic(velocity);
-    a.potential = potential(position);
+    a.time = reached_;
+    const kinematics::FrameMotion frame = jar_.motion().frame_motion(clock_reached());
+    const ContactState now = state_at_time_reached();
+    a.contact_time -= contact_ahead();
+    a.wall_work += now.work;
+    a.lost_lasting += now.lost;
+    a.kinetic = kinetic(now.velocity + frame.velocity, now.spin);
+    a.potential = potential(now.position + frame.centre);
     return a;
   }
 
   std::vector<scene::Ball> balls() const override {
-    const double at = in_contact_ ? now_.time : reached_ + start_ - clock_origin_;
-    const BallState p =
-        in_contact_ ? BallState{integrator_.state().position, integrator_.state().velocity}
-                    : flight_.ball_state(at, jar_.gravity(), jar_.motion().frame_motion(at));
+    const ContactState now = state_at_time_reached();
     const double density = body_.mass / (4.0 / 3.0 * std::numbers::pi * math::pow(body_.radius, 3));
-    return {{body_.radius, density, p.position, p.velocity,
-             in_contact_ ? integrator_.state().spin : spin_, 0, body_.inertia_ratio}};
+    return {{body_.radius, density, now.position, now.velocity, now.spin, 0, body_.inertia_ratio}};
   }
 
   void serialize(Archive& archive) override {
     archive(flight_)(spin_)(
-        in_contact_)(now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_contact_time_);
+        in_contact_)(in_contact_until_now_)(now_)(clock_origin_)(reached_)(stored_)(rebound_)(last_contact_time_);
     archive(zeno_count_)(zeno_since_)(energy_balance_);
     integrator_.serialize(archive);
   }
@@ -120,12 +114,27 @@ class OneBall final : public scene::Engine {
  private:
   static constexpr std::size_t max_records = 256;
 
-  double kinetic(const Vec3& lab_velocity) const {
-    return 0.5 * body_.mass * squared(lab_velocity) +
-           0.5 * body_.inertia * squared(in_contact_ ? integrator_.state().spin : spin_);
+  double kinetic(const Vec3& lab_velocity, const Vec3& spin) const {
+    return 0.5 * body_.mass * squared(lab_velocity) + 0.5 * body_.inertia * squared(spin);
   }
   double potential(const Vec3& lab_position) const {
     return -body_.mass * dot(jar_.gravity(), lab_position);
+  }
+
+  /// The time reached on the engine's clock [s].
+  double clock_reached() const { return reached_ + start_ - clock_origin_; }
+  /// Time [s] by which the last step of a sustained contact passed the time reached. Its length is
+  /// that of the step-size control whatever the time asked for, so that cuts change no bits.
+  double contact_ahead() const {
+    return in_contact_until_now_ ? std::max(now_.time - clock_reached(), 0.0) : 0.0;
+  }
+  /// The ball at the time reached, in the jar frame; in a sustained contact with the work and the
+  /// loss that the energy balance lacks, < 0 if the last step passed that time.
+  ContactState state_at_time_reached() const {
+    if (in_contact_until_now_) return integrator_.state_before_end(contact_ahead());
+    const double at = clock_reached();
+    const BallState p = flight_.ball_state(at, jar_.gravity(), jar_.motion().frame_motion(at));
+    return {p.position, p.velocity, spin_};
   }
 
   /// Starts a flight now with the state `p` in the jar frame.
@@ -161,9 +170,9 @@ class OneBall final : public scene::Engine {
         -(j.normal + liquid_impulse) * n - (slip > 0 ? j.tangential / slip : 0.0) * slip_velocity;
 
     BallState after = now_.ball;
-    const double before = kinetic(after.velocity + now_.frame.velocity);
+    const double before = kinetic(after.velocity + now_.frame.velocity, spin_);
     const double work = apply_impulse(impulse, wall, after);
-    const double gained = kinetic(after.velocity + now_.frame.velocity) - before;
+    const double gained = kinetic(after.velocity + now_.frame.velocity, spin_) - before;
     check_balance(energy_balance_, gained, work,
                   loss.normal + loss.tangential + stored_change + liquid_loss, before);
 
@@ -260,7 +269,7 @@ class OneBall final : public scene::Engine {
     for (int other = 0; other < S::faces && support.count < SupportFaces::max_count; ++other)
       if (other != face && jar_.shape().can_touch(other, body_.radius) && rests_on(other, p))
         support.add(other);
-    const double before = kinetic(p.velocity + now_.frame.velocity);
+    const double before = kinetic(p.velocity + now_.frame.velocity, spin_);
     double work = 0;
     for (std::size_t i = 0; i < support.count; ++i) {
       const Wall wall = jar_.wall(support.face[i], p.position, now_.time, body_.radius);
@@ -268,10 +277,11 @@ class OneBall final : public scene::Engine {
       work += apply_impulse(-body_.mass * dot(relative_velocity, n) * n, wall, p);
     }
     energy_balance_.wall_work += work;
-    energy_balance_.lost_lasting += before + work - kinetic(p.velocity + now_.frame.velocity);
+    energy_balance_.lost_lasting +=
+        before + work - kinetic(p.velocity + now_.frame.velocity, spin_);
     ++energy_balance_.lasting_contacts;
     integrator_.begin(support, now_.time, {p.position, p.velocity, spin_, 0, 0});
-    in_contact_ = true;
+    in_contact_ = in_contact_until_now_ = true;
   }
 
   /// Whether the ball also rests on another face: the ball touches the face, has hardly any normal
@@ -335,6 +345,7 @@ class OneBall final : public scene::Engine {
   Flight flight_;
   Vec3 spin_;
   bool in_contact_ = false;
+  bool in_contact_until_now_ = false;  // the ball came here in sustained contact, not in flight
   // [m/s2] largest acceleration with which the mill presses a ball to its wall (man.4)
   double pressing_acceleration_;
   double start_;                                 // [s] mill time at which the run began

@@ -7,6 +7,7 @@
 
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
+#include "mahlwerk/contact/pair_table.hpp"
 
 namespace mahlwerk::event {
 
@@ -15,7 +16,8 @@ namespace mahlwerk::event {
 enum class SustainedContactMode { roll, tc, none };
 
 /// Collision rules of one ball and its jar, and the treatment of inelastic collapse. The engine for
-/// many balls reads only the latter and `threshold`; its collision rules are in a BounceTable.
+/// many balls reads only the latter, `threshold` and `elastic`; its collision rules are in a
+/// BounceTable.
 struct Rules {
   contact::BounceRule bounce;
   std::vector<contact::BounceRule> faces;  ///< by face of the jar; empty: all as `bounce`
@@ -29,6 +31,9 @@ struct Rules {
   double sustained_speed = 1e-4;
   double contact_time = 1e-4;  ///< [s] t_c of the TC rule
   double threshold = 0;        ///< [m/s] slower collisions are not counted in hits_within
+  /// Moduli of the pairs of many balls: bounces of one contact are joined to one record (man.9).
+  /// None: each bounce is a record.
+  std::optional<contact::PairTable> elastic = std::nullopt;
 
   /// Films on the bodies, which slow them down before they touch (liq.3); none: dry. The engine
   /// takes films that cavitate on rebound; it has no liquid around the balls.

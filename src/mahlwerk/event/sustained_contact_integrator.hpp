@@ -80,6 +80,7 @@ class SustainedContactIntegrator {
     step_ = 1e-5;
     rate_known_ = false;
     if (support_.count == 1) choose_friction_state(t);
+    last_step_ = {t, 0, state_, {}, support_, 0, 0};
   }
 
   /// Takes one step from `t` [s] and sets `t` to its end. `state()` is the state after the step.
@@ -114,18 +115,42 @@ class SustainedContactIntegrator {
       h = bisect_release_time(rate, t, h);
       s = dormand_prince_step(rate, t, state_, rate_, h, ball_.radius, wall_energy_);
     }
+    last_step_ = {t, h, state_, rate_, support_, 0, 0};
     t += h;
     state_ = s.end;
     rate_ = s.rate;
     forces_ = s.forces;
     rate_known_ = h < curvature_jump_time;  // beyond it the derivative differs
     contact_.project_onto_wall(support_, t, state_);
-    return resolve_other_touches(t) ? Status::touched : Status::in_contact;
+    const Status status = resolve_other_touches(t) ? Status::touched : Status::in_contact;
+    last_step_.work = state_.work;
+    last_step_.lost = state_.lost;
+    return status;
+  }
+
+  /// The state `ahead` [s] before the end of the last step of advance(), by a shorter step from
+  /// its beginning. Work and loss are what the last step adds after it, with the opposite sign.
+  ContactState state_before_end(double ahead) const {
+    if (!(ahead > 0)) return state_;
+    const LastStep& last = last_step_;
+    const auto rate = [&](double at, const ContactState& y, ContactForces& forces) {
+      return contact_.rate(last.support, at, y, forces);
+    };
+    const double h = std::max(last.length - ahead, 0.0);
+    ContactState y =
+        dormand_prince_step(rate, last.begin, last.state, last.rate, h, ball_.radius, wall_energy_)
+            .end;
+    contact_.project_onto_wall(last.support, last.begin + h, y);
+    y.work -= last.work;
+    y.lost -= last.lost;
+    return y;
   }
 
   void serialize(Archive& archive) {
-    archive(support_)(state_)(rate_)(forces_)(rate_known_)(step_);
-    if (support_.count > SupportFaces::max_count) throw Archive::broken();
+    archive(support_)(state_)(rate_)(forces_)(rate_known_)(step_)(last_step_);
+    if (support_.count > SupportFaces::max_count ||
+        last_step_.support.count > SupportFaces::max_count)
+      throw Archive::broken();
   }
 
   const ContactState& state() const { return state_; }
@@ -308,6 +333,14 @@ class SustainedContactIntegrator {
     return leaves;
   }
 
+  /// What the last step began with, and its length.
+  struct LastStep {
+    double begin = 0, length = 0;  // [s]
+    ContactState state, rate;
+    SupportFaces support;
+    double work = 0, lost = 0;  // [J] at its end
+  };
+
   const J* jar_;
   SustainedContact<J> contact_;
   BallBody ball_;
@@ -318,7 +351,8 @@ class SustainedContactIntegrator {
   ContactState rate_;  // derivative of now_, and the forces in it, if rate_known_
   ContactForces forces_;
   bool rate_known_ = false;
-  double step_ = 1e-5;      // [s] from the step-size control
+  double step_ = 1e-5;  // [s] from the step-size control
+  LastStep last_step_;
   double wall_energy_ = 0;  // [J]
 };
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mahlwerk/results/replicate_setup.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::engine_choice_test {
@@ -78,6 +79,27 @@ TEST(EngineChoice, event_engine_says_that_it_knows_no_cohesion) {
             std::string::npos);
   EXPECT_EQ(notes(with_engine("event", dry)).find("separate without a pull-off force"),
             std::string::npos);
+}
+
+TEST(EngineChoice, event_engine_says_how_many_hits_share_a_body) {
+  const auto notes = [](std::int64_t within) {
+    results::Outcome outcome{.mill_case = with_engine("event", dry), .replicates = {}};
+    outcome.engine = cases::EngineName::event;
+    results::Replicate r = results::empty_replicate(outcome.mill_case);
+    r.tally.above.count = 1000;
+    r.at_settled.hits_within = 50;
+    r.energy_balance.hits_within = 50 + within;
+    outcome.replicates.push_back(std::move(r));
+    Notices found;
+    for (const Notice& one : engine_notices(outcome, {cases::EngineName::event, {}}))
+      if (one.code == "simultaneous-hits") found.push_back(one);
+    return found;
+  };
+  EXPECT_TRUE(notes(300).empty()) << "30 % is the limit";
+  const Notices many = notes(420);
+  ASSERT_EQ(many.size(), 1U);
+  EXPECT_EQ(many.front().severity, Severity::warning);
+  EXPECT_EQ(many.front().text.rfind("42 % of the hits", 0), 0U) << many.front().text;
 }
 
 }  // namespace

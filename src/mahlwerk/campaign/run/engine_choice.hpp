@@ -11,9 +11,12 @@
 
 namespace mahlwerk::campaign {
 
-/// Above this share of the balls' time in contact, the event engine resolves sustained contacts
-/// into many small bounces, and the soft engine is recommended (docs/theory/many-balls.md).
-constexpr double contact_share_limit = 0.25;
+/// Above this share of the balls' time in contact, the engines differ in their hits by more than a
+/// tenth, and the soft engine is recommended (docs/theory/engine-choice.md).
+constexpr double contact_share_limit = 0.1;
+/// Above this share of hits that begin within the contact time of another hit of the same body, the
+/// engines differ in their hits by more than a tenth (docs/theory/engine-choice.md).
+constexpr double hits_within_limit = 0.3;
 /// Above this share of power withheld by the TC rule, two pilot runs measure the effect of the
 /// contact time (man.8).
 constexpr double withheld_share_limit = 0.02;

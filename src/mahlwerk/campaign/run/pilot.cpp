@@ -67,8 +67,9 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
   try {
     for (int i = 1; i <= parts && !counter.enough; ++i) {
       trial->advance(whole * i / parts, counter);
-      if (trial->energy_balance().time > samples.back().energy_balance.time)
-        samples.push_back({trial->energy_balance(), counter.hits});
+      const scene::EnergyBalance now = trial->energy_balance();
+      if (now.time > samples.back().energy_balance.time) samples.push_back({now, counter.hits});
+      if (now.collisions >= most) break;  // many bounces may be one record (man.9)
     }
   } catch (const RunError&) {  // the samples so far are used
     seen.stopped = true;

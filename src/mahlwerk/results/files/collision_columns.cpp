@@ -11,7 +11,8 @@ using scene::Collision;
 
 constexpr CollisionColumn record_columns[] = {
     {"time", "s", "time of first contact, since the start of the run", offsetof(Collision, time)},
-    {"duration", "s", "duration of the contact; 0 in the event engine",
+    {"duration", "s",
+     "duration of the contact; in the event engine from its first to its last bounce",
      offsetof(Collision, duration)},
     {"ball", "1", "number of the ball, from 0", offsetof(Collision, ball), true},
     {"other", "1", "number of the other ball; below 0: face -1 - other of the jar",
