@@ -23,7 +23,9 @@ constexpr std::array<std::string_view, 13> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 75> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 77> not_negative{"collision_rate",
+                                                        "ball_count",
+                                                        "balls_mass",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
