@@ -42,14 +42,15 @@ TEST(Tilt, the_x_axis_of_a_tilted_mill_rises) {
   const Case c = read_sample(leaning("30 deg"));
   expect_near(c.gravity_vector(), {-g / 2, 0, -g * std::sqrt(0.75)});
   expect_near(chamber(c).gravity, c.gravity_vector());
-  expect_near(read_sample(leaning("-30 deg")).gravity_vector(),
-              {g / 2, 0, -g * std::sqrt(0.75)});
+  expect_near(read_sample(leaning("-30 deg")).gravity_vector(), {g / 2, 0, -g * std::sqrt(0.75)});
   expect_near(read_sample(leaning("90 deg")).gravity_vector(), {-g, 0, 0});
   EXPECT_EQ(read_sample(write(c)), c);
 }
 
 TEST(Tilt, the_critical_speed_of_a_leaning_drum_is_that_of_gravity_across_its_axis) {
-  const auto speed = [](const Case& c) { return std::get<kinematics::Tumbling>(*c.mill.motion).speed; };
+  const auto speed = [](const Case& c) {
+    return std::get<kinematics::Tumbling>(*c.mill.motion).speed;
+  };
   const double level = speed(read_sample(drum));
   EXPECT_NEAR(speed(read_sample(leaning("60 deg"))) / level, std::sqrt(0.5), 1e-14);
 }
