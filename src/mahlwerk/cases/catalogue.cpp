@@ -113,7 +113,8 @@ std::vector<std::string> Catalogue::entries_called(std::string_view category,
   if (has(category, word)) return {std::string(word)};
   const std::string wanted = letters_and_digits(word);
   std::vector<std::string> found;
-  if (wanted.empty()) return found;
+  const bool path = word.starts_with('.') || word.starts_with('/');
+  if (wanted.empty() || path) return found;
   for (const std::string& name : names(category)) {
     const fs::path file = root_ / category / (name + ".toml");
     const CatalogueEntry entry = read_entry(contents(file), category, name, file.string());

@@ -122,7 +122,11 @@ std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
 std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec,
                                        std::string& material) {
   const Node* name = in.find("material");
-  if (name != nullptr) material = in.entry_name("material", "materials").value_or("");
+  if (name != nullptr) {
+    const auto given = in.entry_name("material", "materials");
+    if (!given) return invalid_value;  // already reported
+    material = *given;
+  }
   if (material.empty() || !by_material(in, spec.key)) return in.optional_number(spec);
   const auto entry = find_entry(in, "materials", material, *name);
   return entry ? of_entry(in, spec, *entry) : invalid_value;

@@ -89,6 +89,11 @@ double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Mill& mi
   return speed;
 }
 
+/// A speed is compared with the range of a machine by its magnitude: a negative one reverses it.
+double compared(const NumberSpec& spec, double value) {
+  return spec.range.without_zero ? std::abs(value) : value;
+}
+
 /// Reports a given value outside the range that the maker of a catalogue's mill offers.
 void check_offer(SectionReader& in, const NumberSpec& spec, double value,
                  const CatalogueEntry& entry) {
@@ -101,7 +106,8 @@ void check_offer(SectionReader& in, const NumberSpec& spec, double value,
   };
   try {
     const auto least = offered("least"), most = offered("most");
-    const bool low = least && value < *least, high = most && value > *most;
+    const double size = compared(spec, value);
+    const bool low = least && size < *least, high = most && size > *most;
     if (!low && !high) return;
     const auto text = [&](std::string_view end) {
       const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
@@ -124,7 +130,7 @@ void remark_on_ranges(SectionReader& in, const NumberSpec& spec, const Catalogue
              most = entry.values.find(fmt::format("{}_most", spec.key));
   const auto beyond = [&](const std::string& text) {
     try {
-      const double value = parse_in(text, spec.unit);
+      const double value = compared(spec, parse_in(text, spec.unit));
       return (least != entry.values.end() && value < parse_in(least->second.text, spec.unit)) ||
              (most != entry.values.end() && value > parse_in(most->second.text, spec.unit));
     } catch (const UnitError&) {
