@@ -149,6 +149,8 @@ class PartWriter {
     const auto *own = of_entry(name), *least = of_entry(name + "_least"),
                *most = of_entry(name + "_most");
     if (own != nullptr && !key.instead_of.empty()) return;  // nominal volume of a jar
+    if (own != nullptr && own->assumed)
+      return out_.left_out(key, own->text, fmt::format("{}; {}", replace_it, own->source));
     if (own != nullptr)
       return out_.left_out(key, own->text,
                            fmt::format("of the catalogue{}: {}",
@@ -161,11 +163,6 @@ class PartWriter {
     if (material_.put(out_, key)) return;
     if (!key.required) return out_.left_out(key, key.default_value, default_remark(key));
     if (name == "file") return out_.value(key, file, "a sample file was written for you");
-    if (const auto* arc = of_entry("arc_amplitude"); arc != nullptr && name == "swing") {
-      const double arm = parse_in(start_value(kind_, "arm"), "m");
-      return out_.value(key, show_rounded(parse_in(arc->text, "m") / arm, "rad", 3),
-                        fmt::format("{} ({} of arc over the assumed arm)", replace_it, arc->text));
-    }
     out_.value(key, start_of(key), replace_it);
   }
   static std::string default_remark(const KeyInfo& key) {

@@ -36,6 +36,10 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
     for (const std::string& one : all.names(category))
       if (one == name || fmt::format("{}/{}", category, one) == name)
         found.push_back(all.find(category, one));
+  if (!found.empty() || !sections_named(name).empty()) return found;
+  for (const std::string_view category : cases::Catalogue::categories)  // "MM 400"
+    for (const std::string& one : all.entries_called(category, name))
+      found.push_back(all.find(category, one));
   return found;
 }
 
@@ -67,8 +71,9 @@ int list(const Request& request) {
     if (!request.json) fmt::print("{}\n", category);
     for (const std::string& name : all.names(category)) {
       const cases::CatalogueEntry entry = all.find(category, name);
-      const bool weak = std::any_of(entry.values.begin(), entry.values.end(),
-                                    [](const auto& v) { return v.second.unverified; });
+      const bool weak = std::any_of(entry.values.begin(), entry.values.end(), [](const auto& v) {
+        return v.second.unverified || v.second.assumed;
+      });
       if (request.json)
         json.push_back(Json::object(
             {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
@@ -84,13 +89,23 @@ int list(const Request& request) {
   return success;
 }
 
+/// Mark of a value whose source is weak.
+std::string_view confidence(const cases::CatalogueValue& value) {
+  if (value.assumed) return "ASSUMED: ";
+  return value.unverified ? "UNVERIFIED: " : "";
+}
+
 void print(const cases::CatalogueEntry& entry) {
   to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.category, entry.name));
   if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
   to_stdout(fmt::format("{}\n\n", entry.about));
   for (const auto& [key, value] : entry.values)
-    to_stdout(fmt::format("  {:<20} {:<14} {}{}\n", key, value.text,
-                          value.unverified ? "UNVERIFIED: " : "", value.source));
+    to_stdout(fmt::format(
+        "  {:<20} {:<14} {}{}{}\n", key, value.text, confidence(value),
+        value.range[0].empty() ? "" : fmt::format("{} to {}; ", value.range[0], value.range[1]),
+        value.source));
+  if (!entry.names.empty())
+    to_stdout(fmt::format("\nother names: {}\n", fmt::join(entry.names, ", ")));
   if (!entry.jars.empty()) to_stdout(fmt::format("\njars: {}\n", fmt::join(entry.jars, ", ")));
   for (const auto& check : entry.checks)
     to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n",
@@ -125,7 +140,7 @@ int describe(const Request& request) {
   }
   if (!sections.empty()) print(sections, request.target);
   for (const cases::CatalogueEntry& entry : entries) {
-    if (!sections.empty() || entries.size() > 1)
+    if (!sections.empty())
       to_stdout(fmt::format("\nThe catalogue has this name, too ({}/{}):\n\n", entry.category,
                             entry.name));
     print(entry);

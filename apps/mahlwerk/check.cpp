@@ -190,6 +190,11 @@ std::string verdict(const CheckResult& c) {
                      std::min(c.points, campaign::CheckedPoints::most));
 }
 
+/// The plausible range of an assumed value: "128 mm to 144 mm; ".
+std::string range_of(const cases::Origin& origin) {
+  return origin.range[0].empty() ? "" : fmt::format("{} to {}; ", origin.range[0], origin.range[1]);
+}
+
 void print(const CheckResult& c, const std::filesystem::path& file) {
   to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
   if (!c.mill_case.sweep.empty())
@@ -202,7 +207,8 @@ void print(const CheckResult& c, const std::filesystem::path& file) {
   std::string assumed;
   for (const cases::Origin& origin : c.mill_case.origins)
     if (origin.assumed)
-      assumed += fmt::format("  {:<38} {:<14} {}\n", origin.key, origin.value, origin.source);
+      assumed += fmt::format("  {:<38} {:<14} {}{}\n", origin.key, origin.value, range_of(origin),
+                             origin.source);
   if (!assumed.empty())
     to_stdout(fmt::format("\nassumed, because the case does not give it:\n{}", assumed));
   for (const std::string& note : c.notes) to_stdout(fmt::format("\n{}\n", note));

@@ -138,7 +138,7 @@ std::string key_range(const KeyInfo& key) {
     return text;
   };
   if (k.type != "number" && k.type != "integer") return k.type;
-  if (!low && !high) return "any";
+  if (!low && !high) return k.range.without_zero ? "not 0" : "any";
   if (!high) return fmt::format("{} {}", k.range.without_least ? ">" : ">=", value(k.range.least));
   if (!low) return fmt::format("{} {}", k.range.without_most ? "<" : "<=", value(k.range.most));
   return fmt::format("{}{} to {}{}", k.range.without_least ? "> " : "", value(k.range.least),

@@ -51,7 +51,7 @@ def category_page(program: str, category: str, names: list[str]) -> str:
     described = [ask(program, "describe", name) for name in names]
     head = "[[balls]]" if section == "balls" else f"[{section}]"
     rows = [[f"[{cell(one['name'])}](#{slug(one['name'])})", cell(one["title"]), cell(one.get("kind", "")),
-             UNVERIFIED if any(v["unverified"] for v in one["values"].values()) else ""]
+             UNVERIFIED if any(v["unverified"] or v["assumed"] for v in one["values"].values()) else ""]
             for one in described]
     kinds = any(one.get("kind") for one in described)
     if not kinds:
@@ -63,8 +63,14 @@ def category_page(program: str, category: str, names: list[str]) -> str:
     return "\n".join(made)
 
 
+def mark(value: dict) -> str:
+    if value["assumed"]:
+        return f"assumed, {value['from']} to {value['to']}" if "from" in value else "assumed"
+    return UNVERIFIED if value["unverified"] else ""
+
+
 def entry(one: dict) -> str:
-    rows = [[f"`{key}`", cell(v["value"]), UNVERIFIED if v["unverified"] else "", cell(v["source"])]
+    rows = [[f"`{key}`", cell(v["value"]), mark(v), cell(v["source"])]
             for key, v in sorted(one["values"].items())]
     lines = [f"## {cell(one['name'])}\n", f"**{cell(one['title'])}**"
              + (f", kind `{one['kind']}`" if one.get("kind") else "") + ".\n"]

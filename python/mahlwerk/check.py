@@ -23,6 +23,7 @@ class Origin(NamedTuple):
     source: str  #: "case.toml:9", "--set mill.speed", "catalogue ...", "default: ..."
     assumed: bool  #: a default that nobody chose
     unverified: bool  #: the source in the catalogue is weak
+    range: tuple[str, str] | None = None  #: plausible range of an assumed value of the catalogue
 
 
 class Check(NamedTuple):

@@ -9,13 +9,16 @@
 
 namespace mahlwerk {
 
-/// Range of values of a field. Ends are included unless `without_least` or `without_most` is set.
+/// Range of values of a field. Ends are included unless `without_least` or `without_most` is set,
+/// and 0 unless `without_zero` is.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool without_least = false, without_most = false;
+  bool without_zero = false;
 
   constexpr bool holds(double v) const {
+    if (without_zero && v == 0) return false;
     return (without_least ? v > least : v >= least) && (without_most ? v < most : v <= most);
   }
 };
@@ -23,6 +26,7 @@ struct Range {
 constexpr Range any_number{};
 constexpr Range positive{.least = 0, .without_least = true};
 constexpr Range not_negative{.least = 0};
+constexpr Range not_zero{.without_zero = true};
 
 /// One numeric parameter of a model, for users. Parser, help, docs and results read this
 /// description.

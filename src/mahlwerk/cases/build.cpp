@@ -12,7 +12,7 @@ scene::Chamber chamber(const Case& c) {
   return {.shape = c.jar.shape,
           .motion = c.mill.motion,
           .mount = scene::mounted_along(c.mill.jar_axis),
-          .gravity = {0, 0, -c.gravity}};
+          .gravity = c.gravity_vector()};
 }
 
 std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
@@ -61,7 +61,8 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
   const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
   const Rotation axes = start.rotation * mount;
-  const Vec3 up = axes.apply_inverse({0, 0, 1});
+  const Vec3 gravity = c.gravity_vector();
+  const Vec3 up = axes.apply_inverse(c.gravity == 0 ? Vec3{0, 0, 1} : -gravity / c.gravity);
   std::vector<scene::Ball> balls =
       fill(*c.jar.shape, c.balls, random, stop, c.run.start == StartLayout::layers ? &up : nullptr);
   // Ball velocities are relative to the jar's centre, initial speeds to the chosen frame.

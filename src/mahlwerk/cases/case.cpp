@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/case.hpp"
 
+#include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::cases {
@@ -40,8 +41,17 @@ bool Case::operator==(const Case& o) const {
          powder == o.powder && contact == o.contact && liquid == o.liquid && run == o.run &&
          observe == o.observe && wear == o.wear && heat == o.heat && capture == o.capture &&
          grinding == o.grinding && kinetics == o.kinetics && sensors == o.sensors &&
-         gravity == o.gravity && sweep == o.sweep && optimise == o.optimise && match == o.match &&
-         uncertainty == o.uncertainty && fit == o.fit;
+         gravity == o.gravity && gravity_direction == o.gravity_direction && sweep == o.sweep &&
+         optimise == o.optimise && match == o.match && uncertainty == o.uncertainty && fit == o.fit;
+}
+
+Vec3 gravity_in_mill(double gravity, const Vec3& direction, double tilt) {
+  const Vec3 untilted = gravity * direction;
+  return tilt == 0 ? untilted : rotation_about({0, 1, 0}, tilt) * untilted;  // (kin.19)
+}
+
+Vec3 Case::gravity_vector() const {
+  return gravity_in_mill(gravity, gravity_direction, mill.tilt);
 }
 
 }  // namespace mahlwerk::cases

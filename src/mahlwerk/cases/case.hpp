@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/cases/sensors.hpp"
 #include "mahlwerk/cases/sizes.hpp"
@@ -35,6 +36,7 @@ struct Mill {
   std::int64_t jars_carried = 1;  ///< identical jars; one of them is simulated
   Vec3 jar_axis{0, 0, 1};         ///< unit vector along the z axis of the mounted jar
   std::string motion_file;        ///< of a tabulated motion, as written; relative to the case file
+  double tilt = 0;                ///< [rad] of the whole mill about its y axis; its x axis rises
   bool operator==(const Mill&) const = default;
 };
 
@@ -332,6 +334,9 @@ struct Kinetics {
   bool operator==(const Kinetics&) const = default;
 };
 
+/// [m/s2] Gravity in the axes of a mill that is tilted about its y axis.
+Vec3 gravity_in_mill(double gravity, const Vec3& direction, double tilt);
+
 /// Range searched by `mahlwerk fit`: least and largest value, as text.
 using FitRange = std::array<std::string, 2>;
 
@@ -372,15 +377,20 @@ struct Case {
   std::optional<Grinding> grinding;
   std::optional<Kinetics> kinetics;
   Sensors sensors;
-  double gravity = 9.81;  ///< [m/s2], downwards
-  Sweep sweep;            ///< keys that vary from run to run; empty: one run
+  double gravity = 9.81;             ///< [m/s2]
+  Vec3 gravity_direction{0, 0, -1};  ///< unit vector, in the axes of a mill without tilt
+  Sweep sweep;                       ///< keys that vary from run to run; empty: one run
   std::optional<Optimise> optimise;
   std::optional<Match> match;
   std::optional<Uncertainty> uncertainty;  ///< keys with a scatter of values
   std::map<std::string, FitRange> fit;     ///< dotted key -> range searched by `mahlwerk fit`
 
-  // operator== ignores both: equal cases may come from different files.
+  /// [m/s2] Gravity in the axes of the mill.
+  Vec3 gravity_vector() const;
+
+  // operator== ignores these: equal cases may come from different files.
   std::vector<Origin> origins;  ///< source of each value
+  Notices remarks;              ///< what the reader of the file noticed
   std::string file;             ///< path of the case file, or empty
 
   bool operator==(const Case& o) const;

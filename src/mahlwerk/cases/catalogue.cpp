@@ -41,6 +41,11 @@ std::vector<std::string> words_of(std::string_view word) {
   return parts;
 }
 
+/// "Fritsch P-7" as "fritschp7", for comparisons.
+std::string letters_and_digits(std::string_view word) {
+  return joined(words_of(word), "");
+}
+
 /// Suggestions for an unknown name, likeliest first: the nearest by spelling, and names that
 /// contain all its parts.
 std::vector<std::string> similar_names(std::string_view word,
@@ -103,9 +108,31 @@ bool Catalogue::has(std::string_view category, std::string_view name) const {
          fs::is_regular_file(root_ / category / (std::string(name) + ".toml"), missing);
 }
 
+std::vector<std::string> Catalogue::entries_called(std::string_view category,
+                                                   std::string_view word) const {
+  if (has(category, word)) return {std::string(word)};
+  const std::string wanted = letters_and_digits(word);
+  std::vector<std::string> found;
+  const bool path = word.starts_with('.') || word.starts_with('/');
+  if (wanted.empty() || path) return found;
+  for (const std::string& name : names(category)) {
+    const fs::path file = root_ / category / (name + ".toml");
+    const CatalogueEntry entry = read_entry(contents(file), category, name, file.string());
+    const auto same = [&](const std::string& other) { return letters_and_digits(other) == wanted; };
+    if (same(name) || same(entry.title) || std::ranges::any_of(entry.names, same))
+      found.push_back(name);
+  }
+  return found;
+}
+
 CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
                                std::string_view where) const {
-  if (!has(category, name)) {
+  const std::vector<std::string> called = entries_called(category, name);
+  if (called.size() > 1)
+    throw InputError(Fault{std::string(where),
+                           fmt::format("'{}' may be any of '{}'", name, joined(called, "', '")),
+                           "write one of these names", "ambiguous-name"});
+  if (called.empty()) {
     const std::vector<std::string> near = similar_names(name, names(category));
     throw InputError(
         Fault{std::string(where),
@@ -114,8 +141,8 @@ CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
                   fmt::format("`mahlwerk list {}` shows them all", category),
               "unknown-name"});
   }
-  const fs::path file = root_ / category / (std::string(name) + ".toml");
-  return read_entry(contents(file), category, name, file.string());
+  const fs::path file = root_ / category / (called.front() + ".toml");
+  return read_entry(contents(file), category, called.front(), file.string());
 }
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& known) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,9 +15,11 @@ namespace mahlwerk::cases {
 
 /// One value of a catalogue file.
 struct CatalogueValue {
-  std::string text;         ///< as written in a case: "70 mm", "1:-2", "0.35"
-  std::string source;       ///< citation, never empty
-  bool unverified = false;  ///< confidence = "unverified" in the file
+  std::string text;                       ///< as written in a case: "70 mm", "1:-2", "0.35"
+  std::string source;                     ///< citation, never empty
+  bool unverified = false;                ///< confidence = "unverified" in the file
+  bool assumed = false;                   ///< confidence = "assumed": not known of this entry
+  std::array<std::string, 2> range = {};  ///< `from` and `to` of an assumed value
 };
 
 /// A [[check]] of a catalogue file: a published value that a quantity derived from the entry's
@@ -29,11 +32,12 @@ struct CatalogueCheck {
 };
 
 struct CatalogueEntry {
-  std::string category;  ///< "mills", "jars", "materials" or "media"
-  std::string name;      ///< the file's stem; a case uses this name
-  std::string title;     ///< usual name
-  std::string kind;      ///< motion of a mill, shape of a jar; empty otherwise
-  std::string about;     ///< description, one sentence
+  std::string category;            ///< "mills", "jars", "materials" or "media"
+  std::string name;                ///< the file's stem; a case uses this name
+  std::string title;               ///< usual name
+  std::vector<std::string> names;  ///< other names that people write, "MM 400"
+  std::string kind;                ///< motion of a mill, shape of a jar; empty otherwise
+  std::string about;               ///< description, one sentence
   std::map<std::string, CatalogueValue> values;
   std::vector<std::string> jars;  ///< of a mill: names of the catalogue's jars that fit it
   std::vector<CatalogueCheck> checks;
@@ -49,8 +53,12 @@ class Catalogue {
 
   std::vector<std::string> names(std::string_view category) const;  ///< sorted
   bool has(std::string_view category, std::string_view name) const;
-  /// Reads an entry. Throws InputError with the nearest names if there is no such entry, or with
-  /// the faults of its file. `where` is the place that the error cites.
+  /// Names of the entries that a word may mean: their name, title or one of their other names,
+  /// compared without case, blanks and punctuation. An entry of exactly this name is the only one.
+  std::vector<std::string> entries_called(std::string_view category, std::string_view word) const;
+  /// Reads the entry of a name that entries_called() knows. Throws InputError with the nearest
+  /// names if there is no such entry or several, or with the faults of its file. `where` is the
+  /// place that the error cites.
   CatalogueEntry find(std::string_view category, std::string_view name,
                       std::string_view where = "") const;
   const std::filesystem::path& root() const { return root_; }

@@ -78,7 +78,7 @@ std::optional<double> shaft_speed(const Case& c) {
   if (const auto* drum = kinematics::as<kinematics::Tumbling>(*c.mill.motion))
     return drum->speed != 0 ? std::optional(std::abs(drum->speed)) : std::nullopt;
   if (const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion))
-    return planetary->speed;
+    return std::abs(planetary->speed);
   const auto* vessel = std::get_if<geometry::Attritor>(&*c.jar.shape);
   const bool at_rest = kinematics::as<kinematics::Still>(*c.mill.motion) != nullptr;
   if (at_rest && vessel != nullptr && vessel->rotor_speed != 0)

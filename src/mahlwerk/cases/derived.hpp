@@ -30,8 +30,10 @@ double bulk_filling(const std::vector<BallSet>& balls, const Jar& jar);
 std::optional<double> void_filling(const Case& c);
 /// [kg/m3] Mass of the balls over their bulk volume.
 double bulk_density(const std::vector<BallSet>& balls);
+/// [m/s2] The part of gravity across the axis of a drum, which is the x axis of its mill.
+double across_axis(const Vec3& gravity);
 /// [rad/s] Critical speed, at which the largest ball centrifuges on the wall of a tumbling jar
-/// (kin.11).
+/// (kin.11); `gravity` is that across the axis.
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity);
 /// [rad/s] Speed of the shaft that drives a drum, the disc of a planetary mill or a stirrer; no
 /// value where no shaft turns steadily.

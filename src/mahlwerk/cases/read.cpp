@@ -56,6 +56,7 @@ class CaseReader {
     read_sections();
     check_fit(c_, fit.locations, findings_);
     c_.origins = std::move(findings_.origins);
+    c_.remarks = std::move(findings_.remarks);
     drop_irrelevant_assumptions(c_);
     auto more = findings_.faults.empty() ? faults(c_) : inconsistencies(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));
@@ -228,6 +229,7 @@ class CaseReader {
     }
     c_.seed = read_seed(in);
     in.fields(c_, case_fields());
+    describe_gravity_direction(in, c_.gravity_direction);
     in.report_unknown_keys();
   }
 
@@ -266,7 +268,17 @@ class CaseReader {
     return what;
   }
 
+  /// The jars of the mill in the catalogue, among which short names of jars are looked for first.
+  void find_jars_of_mill() {
+    const Node* name = value_at(root_, "mill.model");
+    if (name == nullptr || name->kind != Node::Kind::text) return;
+    const auto called = findings_.catalogue->entries_called("mills", name->text);
+    if (called.size() == 1)
+      findings_.jars_of_mill = findings_.catalogue->find("mills", called.front()).jars;
+  }
+
   void read_sections() {
+    find_jars_of_mill();
     c_.jar = described<Jar>("jar", true).value_or(invalid_jar());
     Node no_balls;
     no_balls.where = file_.generic_string();

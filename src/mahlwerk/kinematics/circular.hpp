@@ -20,7 +20,8 @@ struct Circular : NonRotating {
     using C = Circular;
     return std::array{
         Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"},
-        Field<C>{"speed", "rad/s", &C::speed, positive, "turns of the circle per unit of time"}};
+        Field<C>{"speed", "rad/s", &C::speed, not_zero,
+                 "turns of the circle per unit of time; a negative one goes the other way round"}};
   }
 
   FrameMotion frame_motion(double t) const {
@@ -30,9 +31,10 @@ struct Circular : NonRotating {
   }
   Bounds bounds() const {
     const double a = speed * speed * radius;
-    return {.speed = speed * radius, .acceleration = {a, a, 0}, .jerk = a * speed};
+    return {
+        .speed = std::abs(speed) * radius, .acceleration = {a, a, 0}, .jerk = a * std::abs(speed)};
   }
-  double period() const { return 2 * std::numbers::pi / speed; }
+  double period() const { return 2 * std::numbers::pi / std::abs(speed); }
   bool operator==(const Circular&) const = default;
 };
 

@@ -22,7 +22,8 @@ struct Planetary {
     using P = Planetary;
     return std::array{Field<P>{"orbit_radius", "m", &P::orbit_radius, positive,
                                "distance between the axes of disc and jar"},
-                      Field<P>{"speed", "rad/s", &P::speed, positive, "speed of the disc"},
+                      Field<P>{"speed", "rad/s", &P::speed, not_zero,
+                               "speed of the disc; a negative one turns the mill the other way"},
                       Field<P>{"ratio", "", &P::ratio, any_number,
                                "jar speed over disc speed, relative to the disc unless "
                                "ratio_convention says otherwise; \"1:-2\" is -2"}};
@@ -40,12 +41,12 @@ struct Planetary {
   Vec3 fixed_axis() const { return {0, 0, jar_spin() == 0 ? 0.0 : 1.0}; }
   Bounds bounds() const {
     const double a = speed * speed * orbit_radius;
-    return {.speed = speed * orbit_radius,
+    return {.speed = std::abs(speed) * orbit_radius,
             .acceleration = {a, a, 0},
-            .jerk = a * speed,
+            .jerk = a * std::abs(speed),
             .spin = std::abs(jar_spin())};
   }
-  double period() const { return 2 * std::numbers::pi / speed; }
+  double period() const { return 2 * std::numbers::pi / std::abs(speed); }
   bool operator==(const Planetary&) const = default;
 };
 

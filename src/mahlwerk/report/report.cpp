@@ -108,7 +108,10 @@ std::string origin_box(const Outcome& outcome, bool cases::Origin::*chosen,
   for (const cases::Origin& o : outcome.mill_case.origins) {
     if (o.*chosen)
       lines += fmt::format("<tr><td><code>{}</code></td><td>{}</td><td>{}</td></tr>\n",
-                           escaped(o.key), escaped(o.value), escaped(o.source));
+                           escaped(o.key), escaped(o.value),
+                           escaped(o.range[0].empty() ? o.source
+                                                      : fmt::format("{} to {}; {}", o.range[0],
+                                                                    o.range[1], o.source)));
   }
   if (lines.empty()) return "";
   return fmt::format(

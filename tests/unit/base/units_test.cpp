@@ -83,6 +83,26 @@ TEST(Units, times_speeds_and_energies) {
   EXPECT_EQ(parse_in("3 W/g", "W/kg"), 3000);
 }
 
+TEST(Units, of_comminution_and_mechanochemistry) {
+  EXPECT_EQ(parse_in("1 MJ/kg", "J/kg"), 1e6);
+  EXPECT_EQ(parse_in("10 kWh/t", "J/kg"), 36000);  // 10 * 3.6 MJ over 1000 kg
+  EXPECT_EQ(parse_in("1 kJ/g", "J/kg"), 1e6);
+  EXPECT_EQ(parse_in("2 GJ", "J"), 2e9);
+  EXPECT_EQ(parse_in("1 Wh", "J"), 3600);
+  EXPECT_EQ(parse_in("1 cal", "J"), 4.184);
+  EXPECT_EQ(parse_in("2.5 MW", "W"), 2.5e6);
+  EXPECT_EQ(parse_in("3 bar", "Pa"), 3e5);
+  EXPECT_EQ(parse_in("5 mbar", "Pa"), 500);
+  EXPECT_EQ(parse_in("1 atm", "Pa"), 101325);
+  EXPECT_EQ(parse_in("1 cP", "Pa s"), 1e-3);
+  EXPECT_EQ(parse_in("1 P", "Pa s"), 0.1);
+  EXPECT_EQ(parse_in("45 mL", "m3"), 45e-6);
+  EXPECT_EQ(parse_in("2 L", "m3"), 0.002);
+  EXPECT_EQ(parse_in("5 cc", "m3"), 5e-6);
+  EXPECT_EQ(parse_in("1 ft", "m"), 0.3048);
+  EXPECT_EQ(parse_in("1 lb", "kg"), 0.45359237);
+}
+
 TEST(Units, numbers_and_per_cent) {
   EXPECT_EQ(parse_in("0.35", ""), 0.35);
   EXPECT_EQ(parse_in("+0.35", ""), 0.35);

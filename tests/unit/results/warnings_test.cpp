@@ -92,6 +92,19 @@ TEST(Overlap, is_warned_of_by_what_was_reached) {
   EXPECT_EQ(warnings(ended(o))[0].code, "deep-overlap");
 }
 
+TEST(Overlap, advice_does_not_ask_for_more_than_the_stiffness_of_the_material) {
+  Outcome o = fake_outcome();
+  o.engine = cases::EngineName::soft;
+  o.replicates[1].energy_balance.deepest_overlap = 0.03;
+  o.mill_case.contact.softening = 0.1;
+  EXPECT_NE(warnings(ended(o))[0].text.find("contact.softening is 0.1, and 1 gives"),
+            std::string::npos);
+  o.mill_case.contact.softening = 1;
+  const std::string text = warnings(ended(o))[0].text;
+  EXPECT_EQ(text.find("larger contact.softening"), std::string::npos) << text;
+  EXPECT_NE(text.find("check youngs_modulus"), std::string::npos) << text;
+}
+
 TEST(TwoStates, are_named_with_their_shares_and_values) {
   EXPECT_FALSE(summarise(fake_outcome({100, 101, 99, 102, 98, 100, 101, 99})).two_states);
   const Outcome o = fake_outcome({100, 900, 102, 98, 904, 101, 99, 100});

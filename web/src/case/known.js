@@ -8,7 +8,7 @@ const valueOf = (values, end) => (values[`frequency_${end}`] ?? values[`speed_${
 /// An entry; `least` and `most` are the range of frequency or speed, `fixed` the keys that it gives.
 const entryOf = ({ name, title, kind, jars = [], values = {} }) => ({ name, title, kind, jars,
   least: valueOf(values, "least"), most: valueOf(values, "most"), fixed: new Set(Object.keys(values)),
-  unverified: Object.values(values).some(({ unverified }) => unverified) });
+  unverified: Object.values(values).some(({ unverified, assumed }) => unverified || assumed) });
 
 export function knownOf({ keys, catalogue }) {
   const { mills, jars, materials } = catalogue;

@@ -10,7 +10,7 @@ const first = {
   vibration: { frequency: "20 Hz" },
   planetary: { speed: "400 rpm" },
   tumbling: { speed: "70 %" },
-  "arc-shaker": { frequency: "25 Hz", arm: "150 mm", swing: "3.44 deg" },
+  "arc-shaker": { frequency: "25 Hz", arm: "136 mm", swing: "3.8 deg" },
   "figure-eight": {},
   circular: { speed: "1000 rpm" },
 };
@@ -19,7 +19,7 @@ const firstOfKind = {
   vibration: { frequency: "10 Hz", amplitude: "25 mm" },
   planetary: { orbit_radius: "70 mm", speed: "400 rpm", ratio: "1:-2" },
   tumbling: { speed: "70 %" },
-  "arc-shaker": { frequency: "25 Hz", arm: "150 mm", swing: "3.44 deg" },
+  "arc-shaker": { frequency: "25 Hz", arm: "136 mm", swing: "3.8 deg" },
   "figure-eight": { frequency: "17.67 Hz", stroke_along: "29.5 mm", stroke_across: "12.5 mm" },
   circular: { radius: "17 mm", speed: "1000 rpm" },
   capsule: { diameter: "20 mm", height: "20 mm" },

@@ -150,14 +150,12 @@ Notices overlap_warnings(const cases::Case& mill_case) {
   const SoftSettings s = soft_settings(mill_case);
   Notices notes;
   if (s.steps.overlap > deep)
-    notes.push_back(warning(
-        "soft-contacts",
-        fmt::format(
-            "Contacts are so soft that balls which collide at {} overlap by {} % of their "
-            "radius, more than {:.0f} %. Forces and contact times are then those of softer bodies; "
-            "a larger "
-            "contact.softening or stiffness makes them harder.",
-            show_rounded(s.speed, "m/s", 2), two_digits(100 * s.steps.overlap), 100 * deep)));
+    notes.push_back(
+        warning("soft-contacts",
+                fmt::format("Balls which collide at {} overlap by {} % of their "
+                            "radius, more than {:.0f} %. {}",
+                            show_rounded(s.speed, "m/s", 2), two_digits(100 * s.steps.overlap),
+                            100 * deep, results::overlap_advice(mill_case))));
   return notes;
 }
 

@@ -61,11 +61,11 @@ void for_each_model(const std::variant<Models...>*, Visit visit) {
 constexpr const kinematics::AnyMotion* motions = nullptr;
 constexpr const geometry::FormulaShape* shapes = nullptr;
 
+/// A range that a machine offers is that of the magnitude, whatever the sense of turning.
 void add_range(std::vector<CatalogueKey>& keys, const CatalogueKey& of) {
-  keys.push_back(
-      {of.key + "_least", of.unit, of.range, "least value the mill offers: " + of.about});
-  keys.push_back(
-      {of.key + "_most", of.unit, of.range, "largest value the mill offers: " + of.about});
+  const Range range = of.range.without_zero ? positive : of.range;
+  keys.push_back({of.key + "_least", of.unit, range, "least value the mill offers: " + of.about});
+  keys.push_back({of.key + "_most", of.unit, range, "largest value the mill offers: " + of.about});
 }
 
 /// The fields of the model called `kind` in a register.

@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mahlwerk/base/error.hpp"
@@ -68,13 +69,14 @@ class EntryReader {
   void read_top(std::string_view key, const toml::node& node,
                 const std::vector<CatalogueKey>& keys) {
     if (key == "title" || key == "about") return;
+    if (key == "names") return read_list(node, "names", entry_.names);
     if (key == "kind" && !catalogue_kinds(entry_.category).empty()) return;
-    if (key == "jars" && entry_.category == "mills") return read_jars(node);
+    if (key == "jars" && entry_.category == "mills") return read_list(node, "jars", entry_.jars);
     if (key == "check") return read_checks(node);
     const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
     if (known != keys.end()) return read_value(*known, node);
     if (!kind_known_) return;  // the keys of an unknown kind are unknown, too
-    std::vector<std::string> words{"title", "about", "check"};
+    std::vector<std::string> words{"title", "names", "about", "check"};
     for (const CatalogueKey& k : keys) words.push_back(k.key);
     fault(node, fmt::format("unknown key '{}'", key), suggestion(key, words));
   }
@@ -84,16 +86,35 @@ class EntryReader {
     if (!table)
       return fault(node, fmt::format("{} has no source", key.key),
                    fmt::format("write [{}] with value = \"...\" and source = \"...\"", key.key));
-    check_keys(*table, {"value", "source", "confidence"});
-    CatalogueValue value{text(*table, "value"), text(*table, "source"), false};
+    check_keys(*table, {"value", "source", "confidence", "from", "to"});
+    CatalogueValue value{text(*table, "value"), text(*table, "source")};
     if (table->contains("confidence")) {
-      value.unverified = text(*table, "confidence") == "unverified";
-      if (!value.unverified)
-        fault(*table->get("confidence"), "confidence can only be \"unverified\"",
+      const std::string word = text(*table, "confidence");
+      value.unverified = word == "unverified";
+      value.assumed = word == "assumed";
+      if (!value.unverified && !value.assumed)
+        fault(*table->get("confidence"), "confidence can only be \"unverified\" or \"assumed\"",
               "leave it out if the source can be looked up");
     }
     if (!value.text.empty()) check_number(key, value.text, *table->get("value"));
+    read_range(key, *table, value);
     entry_.values.emplace(key.key, std::move(value));
+  }
+
+  /// `from` and `to` of an assumed number.
+  void read_range(const CatalogueKey& key, const toml::table& table, CatalogueValue& value) {
+    const bool given = table.contains("from") || table.contains("to");
+    const bool wanted = value.assumed && key.unit != a_material;
+    if (given != wanted)
+      return fault(table,
+                   wanted ? fmt::format("{} is assumed without a range", key.key)
+                          : fmt::format("{} has a range, but is not an assumed number", key.key),
+                   "give `from` and `to` together with confidence = \"assumed\"");
+    if (!given) return;
+    value.range = {text(table, "from"), text(table, "to")};
+    const std::array ends{"from", "to"};
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (!value.range[i].empty()) check_number(key, value.range[i], *table.get(ends[i]));
   }
 
   void check_number(const CatalogueKey& key, const std::string& written, const toml::node& node) {
@@ -107,14 +128,18 @@ class EntryReader {
     }
   }
 
-  void read_jars(const toml::node& node) {
+  void read_list(const toml::node& node, std::string_view key, std::vector<std::string>& into) {
+    const auto no_list = [&](const toml::node& at) {
+      fault(at, fmt::format("{} must be a list of names", key),
+            fmt::format("write {} = [\"...\"]", key));
+    };
     const toml::array* list = node.as_array();
-    if (!list) return fault(node, "jars must be a list of names", "write jars = [\"...\"]");
+    if (!list) return no_list(node);
     for (const toml::node& name : *list) {
       if (const auto found = name.value_exact<std::string>())
-        entry_.jars.push_back(*found);
+        into.push_back(*found);
       else
-        fault(name, "jars must be a list of names", "write jars = [\"...\"]");
+        no_list(name);
     }
   }
 

@@ -157,7 +157,7 @@ void periodic_cylinder_in_a_mill(const Case& c, std::vector<Fault>& found) {
     found.push_back({location_of(c, key), std::move(what), remedy, "periodic-cylinder"});
   };
   const Vec3 axis = c.mill.jar_axis;
-  if (c.gravity != 0 && std::abs(axis.z) > 1e-9)
+  if (std::abs(dot(c.gravity_vector(), axis)) > 1e-9 * c.gravity)
     fault("jar.kind",
           "gravity pulls along the axis of a periodic cylinder, in which balls would fall without "
           "end",

@@ -99,7 +99,8 @@ struct Flag {
 struct TextSpec {
   std::string_view key, about;
   bool required = false;
-  std::string_view instead = "";  ///< the other key of two that exclude each other
+  std::string_view instead = "";   ///< the other key of two that exclude each other
+  std::string_view category = "";  ///< of the catalogue, whose entries the text may name
 };
 
 /// A value with a format of its own, for instance a list.

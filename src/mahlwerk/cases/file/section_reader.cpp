@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/units.hpp"
 
 namespace mahlwerk::cases {
@@ -24,6 +25,7 @@ std::string as_written(std::string_view key, const Node& node) {
 }  // namespace
 
 std::string range_text(const Range& range, std::string_view unit) {
+  if (range.without_zero) return "other than 0";
   const auto end = [&](double v) { return show(v, unit); };
   const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
   if (low && high)
@@ -48,10 +50,13 @@ SectionReader::SectionReader(const Node* table, std::string name, Findings& find
 
 void SectionReader::add_defaults(const CatalogueEntry& entry) {
   const std::string place = fmt::format("catalogue {}/{}", entry.category, entry.name);
+  entry_title_ = entry.title;
   for (const auto& [key, value] : entry.values) {
     Node node = value_from_text(value.text, entry.file, Precedence::catalogue);
     node.source = fmt::format("{}: {}", place, value.source);
     node.unverified = value.unverified;
+    node.assumed = value.assumed;
+    node.range = value.range;
     catalogue_values_.insert_or_assign(key, std::move(node));
   }
 }
@@ -124,13 +129,20 @@ void SectionReader::record_origin(std::string_view key, std::string value, const
   std::string source = from ? from->source : "";
   if (!how.empty()) source += fmt::format(": {}", how);
   findings_.origins.push_back(
-      {dotted(key), std::move(value), std::move(source), false, from && from->unverified});
+      {.key = dotted(key),
+       .value = std::move(value),
+       .source = std::move(source),
+       .assumed = from != nullptr && from->assumed,
+       .unverified = from != nullptr && from->unverified,
+       .range = from != nullptr ? from->range : std::array<std::string, 2>{}});
 }
 
 void SectionReader::record_default(std::string_view key, std::string value,
                                    std::string_view source) {
-  findings_.origins.push_back(
-      {dotted(key), std::move(value), fmt::format("default: {}", source), true, false});
+  findings_.origins.push_back({.key = dotted(key),
+                               .value = std::move(value),
+                               .source = fmt::format("default: {}", source),
+                               .assumed = true});
 }
 
 double SectionReader::quantity(const Node& at, const NumberSpec& spec) {
@@ -171,24 +183,68 @@ double SectionReader::value(const NumberSpec& spec) {
                                         show(spec.plausible->most, spec.unit)};
     return *spec.standard;
   }
-  std::string remedy =
-      fmt::format("write for instance {} = \"{}\"", spec.key, example_of(spec.unit));
+  std::string remedy = remedy_for(spec);
   if (!spec.instead.empty()) remedy += fmt::format(", or give `{}`", spec.instead);
   missing(spec.key, spec.about, std::move(remedy));
   return invalid_value;
 }
 
+std::string SectionReader::remedy_for(const NumberSpec& spec) const {
+  const auto least = catalogue_values_.find(fmt::format("{}_least", spec.key)),
+             most = catalogue_values_.find(fmt::format("{}_most", spec.key));
+  if (most == catalogue_values_.end())
+    return fmt::format("write for instance {} = \"{}\"", spec.key, example_of(spec.unit));
+  const std::string from = least == catalogue_values_.end() ? "up to" : least->second.text + " to";
+  return fmt::format("{} offers {} {}: write for instance {} = \"{}\"", entry_title_, from,
+                     most->second.text, spec.key, most->second.text);
+}
+
 std::optional<std::string> SectionReader::text(std::string_view key) {
   const Node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->kind != Node::Kind::text &&
-      !(node->given_as_text() && node->kind != Node::Kind::list)) {
-    fault(*node, fmt::format("`{}` must be a text", key), fmt::format("write {} = \"...\"", key),
+  const auto found = text_at(key, *node);
+  if (found) record_origin(key, fmt::format("\"{}\"", *found), node);
+  return found;
+}
+
+std::optional<std::string> SectionReader::text_at(std::string_view key, const Node& node) {
+  if (node.kind != Node::Kind::text && !(node.given_as_text() && node.kind != Node::Kind::list)) {
+    fault(node, fmt::format("`{}` must be a text", key), fmt::format("write {} = \"...\"", key),
           "wrong-type");
     return std::nullopt;
   }
-  record_origin(key, fmt::format("\"{}\"", node->text), node);
-  return node->text;
+  if (trimmed(node.text).empty() && key != "title") {
+    fault(node, fmt::format("`{}` of {} is empty", key, heading()),
+          fmt::format("give it a value, or remove the key; an unset variable of a script, as in "
+                      "{}=$NAME, is a usual reason",
+                      dotted(key)),
+          "empty-text");
+    return std::nullopt;
+  }
+  return node.text;
+}
+
+std::optional<std::string> SectionReader::entry_name(std::string_view key,
+                                                     std::string_view category) {
+  const Node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const auto word = text_at(key, *node);
+  if (!word) return std::nullopt;
+  std::vector<std::string> entries = catalogue().entries_called(category, *word);
+  if (entries.size() > 1 && category == "jars")
+    std::erase_if(entries, [&](const std::string& jar) {
+      const auto& fit = findings_.jars_of_mill;
+      return !fit.empty() && std::ranges::find(fit, jar) == fit.end();
+    });
+  if (entries.size() > 1) {
+    fault(*node, fmt::format("{} = \"{}\" may be any of {}", key, *word, quoted_list(entries)),
+          "write one of these names", "ambiguous-name");
+    return std::nullopt;
+  }
+  const std::string name = entries.empty() ? *word : entries.front();
+  record_origin(key, fmt::format("\"{}\"", name), node,
+                name == *word ? "" : fmt::format("written as \"{}\"", *word));
+  return name;
 }
 
 std::string SectionReader::choice(const Choice& choice) {

@@ -29,6 +29,8 @@ struct Findings {
   std::optional<double> milling_time = std::nullopt;
   std::string_view milling_time_of = {};
   std::set<std::string, std::less<>> fitted_keys = {};  ///< dotted keys that only [fit] gives
+  std::vector<std::string> jars_of_mill = {};  ///< of the catalogue; preferred by short names
+  Notices remarks = {};                        ///< see Case::remarks
 };
 
 constexpr double invalid_value =
@@ -52,7 +54,8 @@ class SectionReader : public KeyVisitor {
   void integer(const IntegerSpec& spec, std::int64_t& value) override;
   void flag(const Flag& flag, bool& value) override;
   void text(const TextSpec& spec, std::string& value) override {
-    value = text(spec.key).value_or("");
+    value =
+        (spec.category.empty() ? text(spec.key) : entry_name(spec.key, spec.category)).value_or("");
   }
   bool choose(const Choice& choice, std::size_t& word_index) override;
   void custom(const CustomKey&, const std::function<std::string()>&) override {}
@@ -71,7 +74,10 @@ class SectionReader : public KeyVisitor {
 
   double value(const NumberSpec& spec);  ///< given value or default; a fault without either
   std::optional<double> optional_number(const NumberSpec& spec);  ///< no value if it is not given
-  std::optional<std::string> text(std::string_view key);
+  std::optional<std::string> text(std::string_view key);          ///< an empty text is a fault
+  /// The name of an entry of the catalogue for a text that may be another name of it, "ZrO2". A
+  /// text that names no entry is returned as it is; one that names several is a fault.
+  std::optional<std::string> entry_name(std::string_view key, std::string_view category);
   std::string choice(const Choice& choice);  ///< empty after a fault
   std::optional<std::int64_t> integer(std::string_view key, std::int64_t most,
                                       std::int64_t least = 1);
@@ -98,12 +104,16 @@ class SectionReader : public KeyVisitor {
 
  private:
   std::string dotted(std::string_view key) const;
+  std::optional<std::string> text_at(std::string_view key, const Node& node);
+  /// How to give a missing number: for an entry of the catalogue within the range that it offers.
+  std::string remedy_for(const NumberSpec& spec) const;
   void mark(std::string_view key);
 
   const Node* table_;
   std::string name_;
   Findings& findings_;
   std::map<std::string, Node, std::less<>> catalogue_values_;
+  std::string entry_title_;  ///< of the catalogue entry that gives the defaults
   std::vector<std::string> known_;
   bool unknown_keys_ignored_ = false;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ struct Node {
   std::string source;  ///< location for origins
   Precedence precedence = Precedence::file;
   bool unverified = false;  ///< the source in the catalogue is weak
+  bool assumed = false;     ///< a value of the catalogue that is not known of this machine
+  std::array<std::string, 2> range = {};  ///< plausible range of an assumed value; or empty
 
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
@@ -14,6 +15,22 @@
 
 namespace mahlwerk::cases {
 namespace {
+
+/// Tells how far the nearest whole number of balls is from what the case asks for.
+void remark_on_rounding(SectionReader& in, const Node& at, std::string_view key, double share,
+                        double count) {
+  constexpr double told = 0.01, large = 0.05;
+  const double deviation = count / share - 1;
+  if (!(std::abs(deviation) > told)) return;
+  const NumberText asked = number_text(at.text);
+  const std::string text = fmt::format(
+      "[[{}]]: {} = \"{}\" is {} balls. The nearest whole number is {}, which makes {} {}: {:+.1f} "
+      "%.",
+      in.name(), key, at.text, show_rounded(share, ""), count,
+      show_rounded(asked.number * count / share, ""), asked.rest, 100 * deviation);
+  in.findings().remarks.push_back(std::abs(deviation) > large ? warning("count-rounded", text)
+                                                              : note("count-rounded", text));
+}
 
 std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view key, double share) {
   if (std::isnan(share)) return 0;  // already reported
@@ -26,6 +43,7 @@ std::int64_t nearest_count(SectionReader& in, const Node& at, std::string_view k
   const auto count = static_cast<std::int64_t>(n);
   in.record_origin("count", std::to_string(count), &at,
                    fmt::format("nearest to {} = \"{}\"", key, at.text));
+  remark_on_rounding(in, at, key, share, n);
   return count;
 }
 
@@ -239,8 +257,9 @@ void describe(KeyVisitor& v, BallSet& set, const Jar& jar) {
   if (in == nullptr) {
     describe_count(v, set);
   } else if (const Node* model = in->find("model")) {
-    in->text("model");
-    if (const auto entry = find_entry(*in, "media", *model)) in->add_defaults(*entry);
+    const auto name = in->entry_name("model", "media");
+    if (const auto entry = name ? find_entry(*in, "media", *name, *model) : std::nullopt)
+      in->add_defaults(*entry);
   }
   const bool sound = describe_sizes(v, set);
   describe_material(v, set);

@@ -18,7 +18,7 @@ namespace {
 /// [m/s2] Strongest effective gravity in the frame of the jar's centre.
 double field_of(const Case& c) {
   const kinematics::AnyMotion& motion = *c.mill.motion;
-  return kinematics::strongest_field({0, 0, -c.gravity}, kinematics::bounds(motion).acceleration,
+  return kinematics::strongest_field(c.gravity_vector(), kinematics::bounds(motion).acceleration,
                                      kinematics::period(motion),
                                      [&](double t) { return kinematics::frame_motion(motion, t); });
 }
@@ -94,6 +94,12 @@ std::string between_text(const PairRule& pair) {
   return fmt::format("[{}, {}]", in_quotes(pair.between[0]), in_quotes(pair.between[1]));
 }
 
+/// A partner of a pair; a material may be called as people write it.
+std::string partner(SectionReader& in, const std::string& word) {
+  const auto entries = in.catalogue().entries_called("materials", word);
+  return entries.size() == 1 ? entries.front() : word;
+}
+
 void describe_between(KeyVisitor& v, PairRule& pair) {
   constexpr CustomKey between{
       .key = "between",
@@ -110,7 +116,7 @@ void describe_between(KeyVisitor& v, PairRule& pair) {
   } else if (at->items.size() != 2 || !std::ranges::all_of(at->items, is_text)) {
     in->fault(*at, "`between` must name two partners", std::string(form), "wrong-type");
   } else {
-    pair.between = {at->items[0].text, at->items[1].text};
+    pair.between = {partner(*in, at->items[0].text), partner(*in, at->items[1].text)};
     in->record_origin(between.key, between_text(pair), at);
   }
 }

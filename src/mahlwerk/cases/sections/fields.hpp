@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ namespace mahlwerk::cases {
 
 constexpr std::int64_t max_jars = 100;
 constexpr Range restitution_range{.least = 0, .most = 1};
+constexpr Range tilts{.least = -std::numbers::pi / 2, .most = std::numbers::pi / 2};
 constexpr Range poisson_ratios{.least = -1, .most = 0.5, .without_least = true};
 constexpr Range tangential_range{.least = -1, .most = 1};
 constexpr std::int64_t max_replicates = 10000;
@@ -26,7 +28,7 @@ constexpr double densest = 0.74;      ///< solid fraction of the densest packing
 
 constexpr auto case_fields() {
   return std::array{Field<Case>{"gravity", "m/s2", &Case::gravity, not_negative,
-                                "acceleration of free fall, downwards", 9.81, "on Earth"}};
+                                "acceleration of free fall", 9.81, "on Earth"}};
 }
 
 /// Parameters of a contact besides its bounce rule, for [contact] and for a pair.

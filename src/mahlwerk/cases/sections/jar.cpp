@@ -132,7 +132,9 @@ void describe(KeyVisitor& v, Jar& jar) {
   const bool known =
       describe_kind(v, "jars", "inner shape of the jar", *jar.shape, jar.model, model);
   constexpr TextSpec material{
-      "material", "material of the jar, by its name in the catalogue; gives the properties below"};
+      .key = "material",
+      .about = "material of the jar, by its name in the catalogue; gives the properties below",
+      .category = "materials"};
   if (v.reader() != nullptr) v.text(material, jar.material);
   if (!known) {
     jar.shape = invalid_jar().shape;

@@ -68,6 +68,8 @@ std::optional<double> of_entry(SectionReader& in, const NumberSpec& spec,
   Node node = value_from_text(found->second.text, entry.file, Precedence::catalogue);
   node.source = fmt::format("catalogue materials/{}: {}", entry.name, found->second.source);
   node.unverified = found->second.unverified;
+  node.assumed = found->second.assumed;
+  node.range = found->second.range;
   const double value = in.quantity(node, spec);
   in.record_origin(spec.key, show(value, spec.unit), &node);
   return value;
@@ -76,7 +78,7 @@ std::optional<double> of_entry(SectionReader& in, const NumberSpec& spec,
 /// The catalogue entry of a material; no value for a material that the catalogue lacks.
 std::optional<CatalogueEntry> known_material(SectionReader& in, const std::string& material) {
   if (!in.catalogue().has("materials", material)) return std::nullopt;
-  return find_entry(in, "materials", *in.find("material"));
+  return find_entry(in, "materials", material, *in.find("material"));
 }
 
 /// The given value, else that of the material, else the default.
@@ -120,9 +122,13 @@ std::optional<double> read_density(SectionReader& in, const NumberSpec& spec,
 std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec,
                                        std::string& material) {
   const Node* name = in.find("material");
-  if (name != nullptr) material = in.text("material").value_or("");
+  if (name != nullptr) {
+    const auto given = in.entry_name("material", "materials");
+    if (!given) return invalid_value;  // already reported
+    material = *given;
+  }
   if (material.empty() || !by_material(in, spec.key)) return in.optional_number(spec);
-  const auto entry = find_entry(in, "materials", *name);
+  const auto entry = find_entry(in, "materials", material, *name);
   return entry ? of_entry(in, spec, *entry) : invalid_value;
 }
 

@@ -48,7 +48,12 @@ double read_ratio(SectionReader& in, const NumberSpec& spec) {
   const Node* at = in.find(spec.key);
   const bool said = in.gives("ratio_convention");
   const std::string convention = in.choice(ratio_convention());
-  if (at == nullptr) return in.value(spec);
+  if (at == nullptr) {
+    const bool offered = in.gives("ratio_most");
+    if (offered) return in.value(spec);
+    in.missing(spec.key, spec.about, "write disc to jar, for instance ratio = \"1:-2\"");
+    return invalid_value;
+  }
   if (said && at->precedence == Precedence::catalogue) {
     in.fault(*in.find("ratio_convention"), "ratio_convention is given without a ratio",
              "give `ratio` too, or remove it", "missing-value");
@@ -68,7 +73,7 @@ double read_ratio(SectionReader& in, const NumberSpec& spec) {
 }
 
 /// A drum's speed, which may be given as a share of the critical speed.
-double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c) {
+double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Mill& mill, const Case& c) {
   const Node* at = in.find(spec.key);
   if (at == nullptr || at->kind != Node::Kind::text || at->text.find('%') == std::string::npos)
     return in.value(spec);
@@ -79,7 +84,8 @@ double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c)
     return invalid_value;
   }
   const double share = in.quantity(*at, {spec.key, "", any_number, spec.about});
-  const double critical = critical_speed(c.jar, c.balls, c.gravity);
+  const Vec3 gravity = gravity_in_mill(c.gravity, c.gravity_direction, mill.tilt);
+  const double critical = critical_speed(c.jar, c.balls, across_axis(gravity));
   const double speed = share * critical;
   if (std::isnan(share)) return invalid_value;
   if (!std::isfinite(speed)) return 0;  // a ball larger than the drum, reported elsewhere
@@ -87,6 +93,11 @@ double read_drum_speed(SectionReader& in, const NumberSpec& spec, const Case& c)
       spec.key, show(speed, spec.unit), at,
       fmt::format("{} of the critical speed {}", at->text, show_rounded(critical, spec.unit)));
   return speed;
+}
+
+/// A speed is compared with the range of a machine by its magnitude: a negative one reverses it.
+double compared(const NumberSpec& spec, double value) {
+  return spec.range.without_zero ? std::abs(value) : value;
 }
 
 /// Reports a given value outside the range that the maker of a catalogue's mill offers.
@@ -101,7 +112,8 @@ void check_offer(SectionReader& in, const NumberSpec& spec, double value,
   };
   try {
     const auto least = offered("least"), most = offered("most");
-    const bool low = least && value < *least, high = most && value > *most;
+    const double size = compared(spec, value);
+    const bool low = least && size < *least, high = most && size > *most;
     if (!low && !high) return;
     const auto text = [&](std::string_view end) {
       const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
@@ -117,16 +129,52 @@ void check_offer(SectionReader& in, const NumberSpec& spec, double value,
   }
 }
 
+/// Warns of ranges of [sweep], [optimise] and [match] that go beyond those of the maker.
+void remark_on_ranges(SectionReader& in, const NumberSpec& spec, const CatalogueEntry& entry,
+                      const Case& c) {
+  const auto least = entry.values.find(fmt::format("{}_least", spec.key)),
+             most = entry.values.find(fmt::format("{}_most", spec.key));
+  const auto beyond = [&](const std::string& text) {
+    try {
+      const double value = compared(spec, parse_in(text, spec.unit));
+      return (least != entry.values.end() && value < parse_in(least->second.text, spec.unit)) ||
+             (most != entry.values.end() && value > parse_in(most->second.text, spec.unit));
+    } catch (const UnitError&) {
+      return false;  // reported where the value is used
+    }
+  };
+  const auto check = [&](std::string_view section, const std::vector<SweptKey>& keys) {
+    for (const SweptKey& one : keys) {
+      const auto value = std::ranges::find_if(one.values, beyond);
+      if (one.key != fmt::format("mill.{}", spec.key) || value == one.values.end()) continue;
+      const auto text = [&](const auto& end, std::string_view none) {
+        return end == entry.values.end() ? std::string(none) : end->second.text;
+      };
+      in.findings().remarks.push_back(warning(
+          "beyond-mill-range",
+          fmt::format("[{}] varies {} to {}, which {} does not offer: its range is {} to {}. Such "
+                      "settings are refused.",
+                      section, one.key, *value, entry.title, text(least, "any"),
+                      text(most, "any"))));
+    }
+  };
+  check("sweep", c.sweep.keys);
+  if (c.optimise) check("optimise", c.optimise->over);
+  if (c.match) check("match", c.match->over);
+}
+
 /// Reads a number of the motion, with the special forms of a mill.
 template <class M>
-double read_motion_number(SectionReader& in, const NumberSpec& spec, const Case& c) {
+double read_motion_number(SectionReader& in, const NumberSpec& spec, const Mill& mill,
+                          const Case& c) {
   if (std::is_same_v<M, Planetary> && spec.key == "ratio") return read_ratio(in, spec);
-  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, spec, c);
+  if (std::is_same_v<M, Tumbling>) return read_drum_speed(in, spec, mill, c);
   return in.value(spec);
 }
 
 template <class M>
-void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model) {
+void describe_motion(KeyVisitor& v, M& motion, const Mill& mill, const Case& c,
+                     const Model& model) {
   SectionReader* in = v.reader();
   if (in == nullptr) {
     v.fields(motion, M::fields());
@@ -136,8 +184,11 @@ void describe_motion(KeyVisitor& v, M& motion, const Case& c, const Model& model
   }
   for (const auto& field : M::fields()) {
     const NumberSpec spec(field);
-    const double value = read_motion_number<M>(*in, spec, c);
-    if (model.entry) check_offer(*in, spec, value, *model.entry);
+    const double value = read_motion_number<M>(*in, spec, mill, c);
+    if (model.entry) {
+      check_offer(*in, spec, value, *model.entry);
+      remark_on_ranges(*in, spec, *model.entry, c);
+    }
     motion.*field.value = value;
   }
 }
@@ -192,18 +243,51 @@ void describe_jars(KeyVisitor& v, std::int64_t& carried) {
   carried = std::isnan(jars) ? 1 : std::llround(jars);
 }
 
+/// The whole mill leans. A shaken jar has a `tilt` of its own, of the line of its motion.
+void describe_tilt(KeyVisitor& v, Mill& mill) {
+  if (std::holds_alternative<kinematics::Vibration>(*mill.motion)) return;
+  const NumberSpec spec("tilt", "rad", tilts,
+                        "angle by which the whole mill leans: its x axis, that of a drum, rises");
+  std::optional<double> given = mill.tilt == 0 ? std::nullopt : std::optional(mill.tilt);
+  v.optional_number(spec.with_default_text("0 deg, a level mill"), given);
+  mill.tilt = given.value_or(0);
+}
+
+/// Warns of a jar that the catalogue names for other mills only.
+void remark_on_jar(SectionReader& in, const CatalogueEntry& mill, const Jar& jar) {
+  const auto fits = [&](const CatalogueEntry& one) {
+    return std::ranges::find(one.jars, jar.model) != one.jars.end();
+  };
+  if (jar.model.empty() || fits(mill)) return;
+  std::string others;
+  for (const std::string& name : in.catalogue().names("mills"))
+    if (const CatalogueEntry other = in.catalogue().find("mills", name); fits(other))
+      others += (others.empty() ? "" : ", ") + other.title;
+  if (others.empty()) return;
+  std::string own;
+  for (const std::string& name : mill.jars) own += (own.empty() ? "" : ", ") + name;
+  in.findings().remarks.push_back(
+      warning("jar-of-another-mill",
+              fmt::format("The jar {} belongs to other mills ({}), not to {}{}", jar.model, others,
+                          mill.title,
+                          own.empty() ? ", of which the catalogue has no jar."
+                                      : fmt::format(". Its jars in the catalogue: {}.", own))));
+}
+
 }  // namespace
 
 void describe(KeyVisitor& v, Mill& mill, const Case& c) {
   Model model;
   if (!describe_kind(v, "mills", "motion of the mill", *mill.motion, mill.model, model))
     return v.ignore_unknown_keys();
+  describe_tilt(v, mill);
   if (v.reader() != nullptr) describe_axis(v, mill);
   if (std::holds_alternative<Tabulated>(*mill.motion)) describe_measured(v, mill);
   if (!std::holds_alternative<Tabulated>(*mill.motion))
-    std::visit([&](auto& motion) { describe_motion(v, motion, c, model); }, *mill.motion);
+    std::visit([&](auto& motion) { describe_motion(v, motion, mill, c, model); }, *mill.motion);
   if (v.reader() == nullptr) describe_axis(v, mill);
   describe_jars(v, mill.jars_carried);
+  if (v.reader() != nullptr && model.entry) remark_on_jar(*v.reader(), *model.entry, c.jar);
 }
 
 }  // namespace mahlwerk::cases

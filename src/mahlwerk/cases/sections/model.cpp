@@ -7,9 +7,9 @@
 namespace mahlwerk::cases {
 
 std::optional<CatalogueEntry> find_entry(SectionReader& in, std::string_view category,
-                                         const Node& at) {
+                                         const std::string& name, const Node& at) {
   try {
-    return in.catalogue().find(category, at.text, at.where);
+    return in.catalogue().find(category, name, at.where);
   } catch (const InputError& error) {
     auto& found = in.findings().faults;
     found.insert(found.end(), error.faults().begin(), error.faults().end());
@@ -23,9 +23,9 @@ namespace {
 /// resolved case with all its values must not need a catalogue.
 void check_model_name(Model& model, SectionReader& in, std::string_view category,
                       const Node& name) {
-  model.name = in.text("model").value_or("");
+  model.name = in.entry_name("model", category).value_or("");
   if (model.name.empty() || model.kind.empty() || !in.catalogue().has(category, model.name)) return;
-  model.entry = find_entry(in, category, name);
+  model.entry = find_entry(in, category, model.name, name);
   if (!model.entry || model.entry->kind == model.kind) return;
   in.fault(name,
            fmt::format("model = \"{}\" is of kind \"{}\", not \"{}\"", model.name,
@@ -48,9 +48,9 @@ Model read_model(SectionReader& in, std::string_view category,
   }
   Model model;
   if (kind == nullptr || (name != nullptr && name->precedence > kind->precedence)) {
-    model.name = in.text("model").value_or("");
+    model.name = in.entry_name("model", category).value_or("");
     if (model.name.empty()) return model;
-    model.entry = find_entry(in, category, *name);
+    model.entry = find_entry(in, category, model.name, *name);
     if (!model.entry) return model;
     in.add_defaults(*model.entry);
     model.kind = model.entry->kind;

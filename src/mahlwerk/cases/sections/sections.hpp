@@ -28,6 +28,7 @@ void describe(CaseVisitor& v, Case& c);
 /// Only for visitors that list keys; such sections are read and written by functions of their own.
 void describe_many_runs(CaseVisitor& v);
 
+void describe_gravity_direction(KeyVisitor& v, Vec3& direction);
 void describe(KeyVisitor& v, Jar& jar);
 void describe(KeyVisitor& v, BallSet& set, const Jar& jar);
 /// Requires `c` with gravity, jar and balls.
@@ -101,9 +102,9 @@ StartStates read_start_states(const std::string& file, const Node& at, Findings&
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
                                        Findings& findings);
 
-/// The catalogue entry named by the text of `at`; no value after a fault, which cites `at`.
+/// The catalogue entry called `name`; no value after a fault, which cites `at`.
 std::optional<CatalogueEntry> find_entry(SectionReader& in, std::string_view category,
-                                         const Node& at);
+                                         const std::string& name, const Node& at);
 /// The model of a section: `kind` with numbers in the section, or `model` with the values of a
 /// catalogue entry as defaults. With both, `model` is only a name.
 struct Model {
@@ -125,7 +126,8 @@ bool describe_kind(KeyVisitor& v, std::string_view category, std::string_view ab
   const bool known = v.model({.key = "kind", .words = {}, .standard = "", .about = about}, any);
   v.text({.key = "model",
           .about = "name of an entry of the catalogue, which gives the kind and its numbers",
-          .instead = "kind"},
+          .instead = "kind",
+          .category = category},
          name);
   return known;
 }

@@ -109,7 +109,7 @@ class Derivation {
           "turns of the jar end over end");
       return;
     }
-    const double critical = critical_speed(c_.jar, c_.balls, c_.gravity);
+    const double critical = critical_speed(c_.jar, c_.balls, across_axis(c_.gravity_vector()));
     add("drum_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm", "speed of the drum");
     add("critical_speed", critical, "rad/s",
         "speed that pins the largest ball to the wall of the drum (kin.11)");
@@ -207,6 +207,10 @@ class Derivation {
 };
 
 }  // namespace
+
+double across_axis(const Vec3& gravity) {
+  return std::hypot(gravity.y, gravity.z);
+}
 
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity) {
   return std::sqrt(gravity / (jar_radius(jar) - 0.5 * largest_ball(balls)));  // (kin.11)

@@ -7,7 +7,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
-#include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -39,11 +39,48 @@ Notices ratios(const Case& c) {
                   show_rounded(planetary->ratio, ""), show_rounded(-planetary->ratio, "")))};
 }
 
+/// The motion with every assumed number of the mill at one end of its range.
+kinematics::AnyMotion motion_at(const Case& c, std::size_t end) {
+  kinematics::AnyMotion motion = *c.mill.motion;
+  const auto set = [&]<class M>(M& one) {
+    if constexpr (requires { M::fields(); })
+      for (const auto& field : M::fields())
+        for (const Origin& o : c.origins)
+          if (o.key == fmt::format("mill.{}", field.key) && !o.range[end].empty())
+            one.*field.value = parse_in(o.range[end], field.unit);
+  };
+  std::visit(set, motion);
+  return motion;
+}
+
+/// Numbers of the mill that the catalogue assumes, and their effect on the speed of its jar.
+Notices assumed_numbers(const Case& c) {
+  std::string list;
+  for (const Origin& o : c.origins)
+    if (o.key.starts_with("mill.") && !o.range[0].empty())
+      list += fmt::format("{}{} = {} ({} to {})", list.empty() ? "" : ", ", o.key, o.value,
+                          o.range[0], o.range[1]);
+  if (list.empty()) return {};
+  const double now = kinematics::bounds(*c.mill.motion).speed;
+  const auto change = [&](std::size_t end) {
+    const double other = kinematics::bounds(motion_at(c, end)).speed / now;
+    return fmt::format("{:+.0f}", 100 * (other * other - 1));
+  };
+  return {warning("assumed-mill",
+                  fmt::format("Assumed, because they are not known of this mill: {}. Energies of "
+                              "hits grow with the square of the speed of the jar, which these "
+                              "ranges change by {} to {} %. Measure your mill, and give the "
+                              "numbers in [mill].",
+                              list, change(0), change(1)))};
+}
+
 }  // namespace
 
 Notices unusual_values(const Case& c) {
   Notices found = densities(c);
   append(found, ratios(c));
+  append(found, assumed_numbers(c));
+  append(found, c.remarks);
   return found;
 }
 

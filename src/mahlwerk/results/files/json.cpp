@@ -12,8 +12,13 @@ constexpr int schema = 2;  // of summary.json; grows only when a name or a meani
 Json origins(const cases::Case& mill_case, bool cases::Origin::*chosen) {
   Json list = Json::array();
   for (const cases::Origin& o : mill_case.origins) {
-    if (o.*chosen)
-      list.push_back(Json::object({{"key", o.key}, {"value", o.value}, {"source", o.source}}));
+    if (!(o.*chosen)) continue;
+    Json one = Json::object({{"key", o.key}, {"value", o.value}, {"source", o.source}});
+    if (!o.range[0].empty()) {
+      one["from"] = o.range[0];
+      one["to"] = o.range[1];
+    }
+    list.push_back(std::move(one));
   }
   return list;
 }

@@ -253,20 +253,32 @@ void overlaps(const Outcome& outcome, Notices& list) {
         "deep-overlap",
         fmt::format(
             "Two bodies overlapped by {} of a ball's radius. At such overlaps the contact law is "
-            "no longer valid: a larger contact.softening, stiffer contacts or a shorter "
-            "run.time_step help.",
-            two_digits(deepest))));
+            "no longer valid. A shorter run.time_step may help. {}",
+            two_digits(deepest), overlap_advice(outcome.mill_case))));
   else
     list.push_back(warning(
         "soft-contacts",
-        fmt::format(
-            "Two bodies overlapped by {} % of a ball's radius, more than {:.0f} %. Forces and "
-            "contact times are those of softer bodies; a larger contact.softening or stiffness "
-            "makes them harder.",
-            two_digits(100 * deepest), 100 * soft_overlap)));
+        fmt::format("Two bodies overlapped by {} % of a ball's radius, more than {:.0f} %. {}",
+                    two_digits(100 * deepest), 100 * soft_overlap,
+                    overlap_advice(outcome.mill_case))));
 }
 
 }  // namespace
+
+std::string overlap_advice(const cases::Case& mill_case) {
+  const double softening = mill_case.contact.softening;
+  if (softening < 1)
+    return fmt::format(
+        "Forces and contact times are those of softer bodies: contact.softening is {}, and 1 gives "
+        "the stiffness of the material.",
+        show_rounded(softening, ""));
+  return "contact.softening is 1, so this is the stiffness of the material as the case gives it: "
+         "check youngs_modulus and the stiffness of the contact law. If they are right, real "
+         "bodies "
+         "would be pressed as deep, or yield: metals do, and the force is then lower than computed "
+         "(law = \"thornton-ning\" has a yield limit). Only slower or smaller balls lower the "
+         "overlap.";
+}
 
 Notices warnings(const Outcome& outcome) {
   Notices list;

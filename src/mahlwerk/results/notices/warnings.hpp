@@ -12,6 +12,10 @@ namespace mahlwerk::results {
 /// [1] Overlap over a ball's radius above which contact laws are less accurate.
 constexpr double soft_overlap = 0.01;
 
+/// What an overlap above soft_overlap means, and what helps: with a softening of 1 the stiffness is
+/// that of the material.
+std::string overlap_advice(const cases::Case& mill_case);
+
 /// Warnings of a run: a run cut short or stopped, an energy balance that does not close and others
 /// (docs/warnings.md). Made once from `outcome.summary` when the run ends, and kept in
 /// `Outcome::notices`.

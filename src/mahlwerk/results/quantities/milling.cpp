@@ -42,6 +42,15 @@ double power_number(const Case& c, const Replicate& r) {
   return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * math::pow(vessel.arm_span, 5));
 }
 
+/// The charge of balls: of a campaign that varies sizes, these are columns.
+void add_charge_measures(std::vector<Measure>& list) {
+  list.push_back({"ball_count", "1", "number of balls of all sets",
+                  [](const Case& c, const Replicate&) { return count_of_balls(c); }});
+  list.push_back({"balls_mass", "g", "mass of all balls", [](const Case& c, const Replicate&) {
+                    return 1000 * cases::balls_mass(c.balls);
+                  }});
+}
+
 /// Speed and filling of a drum, as comminution states them.
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
   if (cases::drum(mill_case) == nullptr) return;
@@ -118,6 +127,7 @@ std::vector<Measure> mill_measures(const Case& mill_case) {
                     [](const Case& c, const Replicate& r) {
                       return drawn(r) / *cases::shaft_speed(c);  // (obs.7)
                     }});
+  add_charge_measures(list);
   add_drum_measures(mill_case, list);
   add_stirrer_measures(mill_case, list);
   if (mill_case.mill.jars_carried > 1)

@@ -24,7 +24,9 @@ constexpr std::array<std::string_view, 14> shares{
     "second_yield",
     "processed_share_per_hit"};
 
-constexpr std::array<std::string_view, 85> not_negative{"collision_rate",
+constexpr std::array<std::string_view, 87> not_negative{"collision_rate",
+                                                        "ball_count",
+                                                        "balls_mass",
                                                         "collision_rate_in_flight",
                                                         "collision_rate_between_balls",
                                                         "collision_rate_with_jar",
