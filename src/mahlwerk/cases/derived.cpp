@@ -86,7 +86,7 @@ std::optional<double> shaft_speed(const Case& c) {
   return std::nullopt;
 }
 
-const kinematics::Tumbling* drum(const Case& c) {
+const kinematics::Tumbling* drum_motion(const Case& c) {
   const bool about_own_axis = c.mill.jar_axis == kinematics::Tumbling::jar_axis;
   return about_own_axis ? kinematics::as<kinematics::Tumbling>(*c.mill.motion) : nullptr;
 }

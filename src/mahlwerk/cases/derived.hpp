@@ -40,6 +40,6 @@ double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double 
 std::optional<double> shaft_speed(const Case& c);
 /// The motion of a drum: a tumbling jar that turns about its own axis. Null for other mills, and
 /// for a tumbler that turns its jar end over end.
-const kinematics::Tumbling* drum(const Case& c);
+const kinematics::Tumbling* drum_motion(const Case& c);
 
 }  // namespace mahlwerk::cases

@@ -16,6 +16,7 @@
 namespace mahlwerk::cases {
 namespace {
 
+/// A drum, or a jar that tumbles end over end.
 bool is_drum(const Case& c) {
   return kinematics::as<kinematics::Tumbling>(*c.mill.motion) != nullptr;
 }

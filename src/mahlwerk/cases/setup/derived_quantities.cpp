@@ -104,7 +104,7 @@ class Derivation {
   }
 
   void special(const Tumbling& tumbler) {
-    if (drum(c_) == nullptr) {
+    if (drum_motion(c_) == nullptr) {
       add("tumbling_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm",
           "turns of the jar end over end");
       return;

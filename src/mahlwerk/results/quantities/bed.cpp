@@ -23,12 +23,12 @@ constexpr double degrees_of_bed = 180 / std::numbers::pi;
 
 /// The motion of a drum that turns; else null.
 const kinematics::Tumbling* turning_drum(const Case& c) {
-  const kinematics::Tumbling* motion = cases::drum(c);
+  const kinematics::Tumbling* motion = cases::drum_motion(c);
   return motion != nullptr && motion->speed != 0 ? motion : nullptr;
 }
 
 double sense(const Case& c) {
-  return cases::drum(c)->speed < 0 ? -1 : 1;
+  return cases::drum_motion(c)->speed < 0 ? -1 : 1;
 }
 
 double width(const PlaneField& field) {

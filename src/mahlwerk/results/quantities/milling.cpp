@@ -53,7 +53,7 @@ void add_charge_measures(std::vector<Measure>& list) {
 
 /// Speed and filling of a drum, as comminution states them.
 void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
-  if (cases::drum(mill_case) == nullptr) return;
+  if (cases::drum_motion(mill_case) == nullptr) return;
   list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
                     return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
                   }});

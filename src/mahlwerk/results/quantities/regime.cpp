@@ -34,7 +34,7 @@ const Planetary& planetary(const Case& c) {
 }
 
 bool has_regime(const Case& c) {
-  const Tumbling* drum = cases::drum(c);
+  const Tumbling* drum = cases::drum_motion(c);
   return (drum != nullptr && drum->speed != 0) ||
          kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
@@ -47,7 +47,7 @@ struct Reference {
   double sense = 1;
 };
 Reference reference(const Case& c) {
-  if (const Tumbling* drum = cases::drum(c))
+  if (const Tumbling* drum = cases::drum_motion(c))
     return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
   return {0, planetary(c).ratio < 0 ? -1.0 : 1.0};
 }
@@ -119,7 +119,7 @@ double shoulder(const Case& c, const Replicate& r) {
 }
 
 double jar_spin(const Case& c) {
-  if (const Tumbling* drum = cases::drum(c)) return drum->speed;
+  if (const Tumbling* drum = cases::drum_motion(c)) return drum->speed;
   return planetary(c).jar_spin();
 }
 
@@ -129,7 +129,7 @@ double wall_slip(const Case& c, const Replicate& r) {
 }
 
 bool is_drum(const Case& c) {
-  return cases::drum(c) != nullptr;
+  return cases::drum_motion(c) != nullptr;
 }
 
 /// [m] Distance of the centre of the largest ball on the wall from the jar's axis.
