@@ -157,7 +157,7 @@ class Result:
     def sensitivity(self) -> list[Influence]:
         """What each assumed value does, the largest influence on the power first; empty if no run was
         made for that (docs/theory/statistics.md, "Assumed values")."""
-        return [Influence(one["key"], one["value"], tuple(one["range"]), one["source"],
+        return [Influence(one["key"], one["value"], (one["range"][0], one["range"][1]), one["source"],
                           {name: (nan_if_none(ends[0]), nan_if_none(ends[1]))
                            for name, ends in one["at_ends"].items()})
                 for one in self.summary.get("_sensitivity", {}).get("keys", [])]

@@ -238,7 +238,7 @@ def test_a_page_of_a_result_shows_numbers_and_replay(ball):
 
 def test_observers_in_several_threads_may_be_the_first_to_use_numpy(example):
     ended = python("import sys, mahlwerk\n"
-                   "case = mahlwerk.Case(sys.argv[1], {'run.time': '1 s'})\n"
+                   "case = mahlwerk.Case(sys.argv[1], {'run.time': '1 s', 'run.settle': '0 s'})\n"
                    "seen = []\n"
                    "case.run(observers=[lambda records, k: seen.append(len(records))])\n"
                    "print(len(seen))", example("01-one-ball"))

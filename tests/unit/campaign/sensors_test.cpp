@@ -193,6 +193,7 @@ density = "7850 kg/m3"
 [run]
 engine = "event"
 time = "0.3 s"
+settle = "0 s"
 [power_meter]
 )";
   const Table table = results::power_readings(outcome_of(text));

@@ -14,13 +14,16 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// The states of the balls, as those of a file that a run starts from.
+/// The state of the balls as that of each of the replicates that run together.
 cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun& run) {
   std::vector<cases::BallState> states;
   for (const scene::Ball& b : seen_from_carrier(mill_case, run.balls(), run.energy_balance().time))
     states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
-  return {.file = "", .folder = false, .states = std::make_shared<const std::vector<std::vector<cases::BallState>>>(
-              1, std::move(states))};
+  std::vector<std::vector<cases::BallState>> all(replicates_together(mill_case), states);
+  return {.file = "",
+          .folder = true,
+          .states = std::make_shared<const std::vector<std::vector<cases::BallState>>>(
+              std::move(all))};
 }
 
 }  // namespace

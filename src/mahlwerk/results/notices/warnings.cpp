@@ -123,26 +123,27 @@ void part_of_a_period(const Outcome& outcome, Notices& list) {
                   show_rounded(period, "s"), show_rounded(period, "s"))));
 }
 
-/// Warns if drawn and dissipated power differ by more than their scatter and the fluctuation of the
-/// stored energy: then energy is stored, or given back, all the time (sta.11).
+/// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy: then energy is stored, or given back, all the time (sta.11).
 void powers_apart(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.1, far = 3;
   constexpr std::size_t fewest = 10;
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  const Quantity& imbalance = named(outcome.summary.quantities, "power_imbalance");
-  const double scatter = std::isfinite(imbalance.ci95) ? imbalance.ci95 : 0;
+  double lost = 0, drawn = 0;
+  for (const Replicate* r : chosen)
+    for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work;
   const std::vector<double> energy = stored(chosen);
-  if (energy.size() < fewest || !(std::abs(imbalance.value) > std::max(much, scatter))) return;
+  const double apart = std::abs(drawn - lost) / std::max(std::abs(drawn), std::abs(lost));
+  if (energy.size() < fewest || !(apart > much)) return;
   if (std::ranges::any_of(list, [](const Notice& n) { return n.code == "not-settled"; })) return;
   const observe::Trend trend = observe::trend(energy);
   if (!(std::abs(trend.change) > far * trend.scatter)) return;
   list.push_back(warning(
       "powers-apart",
-      fmt::format("{} % {} power was drawn than dissipated, although in a settled mill both are "
-                  "equal: {} A longer run.settle, or run.settle = \"auto\", and a longer run.time "
+      fmt::format("Drawn and dissipated power differ by {} % of the larger one, {} was drawn, although "
+                  "in a settled mill both are equal: {} A longer run.settle, or run.settle = \"auto\", and a longer run.time "
                   "help.",
-                  two_digits(100 * std::abs(imbalance.value)), imbalance.value > 0 ? "more" : "less",
-                  imbalance.value > 0
+                  two_digits(100 * apart), drawn > lost ? "more" : "less",
+                  drawn > lost
                       ? "the charge still gained energy when counting ended, for instance a bed "
                         "that is lifted and does not yet flow."
                       : "the charge still lost energy that it had when counting began.")));
