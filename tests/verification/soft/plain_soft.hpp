@@ -144,23 +144,32 @@ class PlainSoft {
 
   /// Damped forces of Hertz and Mindlin at an overlap; forces < 0 pull.
   struct Hertz {
-    double force = 0, stiffness = 0, damping = 0;
+    double elastic = 0, damper = 0, stiffness = 0, damping = 0;
+    double force() const { return elastic + damper; }
   };
   Hertz hertz(const ContactGeometry& m, double overlap, double rate) const {
     const double a = std::sqrt(m.radius * overlap), ln = std::log(pair_.restitution);
     const double beta = ln / std::sqrt(ln * ln + std::numbers::pi * std::numbers::pi);
     const double along = 2 * pair_.modulus * a, across = 8 * pair_.shear_modulus * a;
     const double damp = -2 * std::sqrt(5.0 / 6) * beta;
-    return {4.0 / 3 * pair_.modulus * a * overlap + damp * std::sqrt(along * m.mass) * rate, across,
+    return {4.0 / 3 * pair_.modulus * a * overlap, damp * std::sqrt(along * m.mass) * rate, across,
             damp * std::sqrt(across * m.mass)};
   }
-  /// Weight of the first force of a contact, at the fraction `since` of a step after touch
-  /// (dem.35).
+  /// Weights of the first force of a contact, at the fraction `since` of a step after touch: of the
+  /// dampers, and of the elastic force (dem.35).
   static double counted(double since) {
     const double share =
         0.31709151755564424 +
         since * (0.8639717633735045 + since * (0.16417356305177494 - since * 0.028025128008455826));
     return share / std::sqrt(std::sqrt(since));
+  }
+  static double counted_elastic(double since) {
+    const double share =
+        0.0254941970299688 +
+        since * (0.3113754078497435 +
+                 since * (0.5514419661692912 +
+                          since * (0.15141145787596966 - since * 0.014244103851504217)));
+    return share / (since * std::sqrt(since));
   }
 
   /// Torques of rolling resistance on both bodies under the load N.
@@ -188,26 +197,32 @@ class PlainSoft {
     const double rate = dot(m.u, m.n), way = std::abs(rate) * dt_;
     const Vec3 slip = m.u - rate * m.n;
     const auto [at, fresh] = springs_.try_emplace({i, j});
-    double counts = 1, overlap = m.overlap;
+    double counts = 1, elastic = 1, stiff_counts = 1, overlap = m.overlap;
+    const auto weigh = [&](double since, double already) {
+      counts = counted(since) - already;
+      elastic = counted_elastic(since) - already;
+      stiff_counts = already > 0 ? counts : counted_elastic(std::max(since, 0.02));
+    };
     if (fresh) {
       touches_.push_back({time(), rate, i, j});
       const double since = std::min(overlap / way, 1.0);
       if (rate > 0 && overlap < 1.5 * way) {
-        counts = counted(since);
+        weigh(since, 0);
         at->second.spring = (since - 0.5) * dt_ * slip;
       }
     }
-    const bool pulls = touching && hertz(m, overlap, rate).force < 0;
+    const bool pulls = touching && hertz(m, overlap, rate).force() < 0;
     const bool turned = touching && pulls != at->second.pulls;
     at->second.pulls = pulls;
     if (!touching) {
       const double since = std::clamp((overlap + way) / way, 1e-9, 1.0);
       const bool made_up_for = rate < 0 && (overlap + way) / way > -0.5;
-      counts = made_up_for ? counted(since) - 1 : 0;
+      counts = elastic = stiff_counts = 0;
+      if (made_up_for) weigh(since, 1);
       overlap = since * way;
     }
     Hertz f = hertz(m, overlap, rate);
-    f.force *= counts, f.stiffness *= counts, f.damping *= counts;
+    f.elastic *= elastic, f.damper *= counts, f.stiffness *= stiff_counts, f.damping *= counts;
     // The spring turns with the contact, grows by the mean slip of two steps, and is cut off at
     // Coulomb's limit.
     const Vec3 half = 0.5 * dt_ * slip, last = at->second.spring;
@@ -218,7 +233,7 @@ class PlainSoft {
       spring *= std::clamp(-f.damping * dot(slip, spring) / (stiff * squared(spring)), 0.0, 1.0);
     spring += half;
     Vec3 force = -stiff * spring - f.damping * slip;
-    const double most = pair_.friction * std::abs(f.force);
+    const double most = pair_.friction * std::abs(f.force());
     if (norm(force) > most) {
       force *= most / norm(force);
       const double length = norm(spring);
@@ -226,9 +241,9 @@ class PlainSoft {
       if (stiff * length > held) spring *= held / (stiff * length);
     }
     at->second.spring = spring + half;
-    const auto torques = touching ? rolling_torques(m, std::abs(f.force)) : std::array<Vec3, 2>{};
+    const auto torques = touching ? rolling_torques(m, std::abs(f.force())) : std::array<Vec3, 2>{};
     if (!touching) springs_.erase({i, j});
-    return {force - f.force * m.n, torques};
+    return {force - f.force() * m.n, torques};
   }
 
   PlainWorld world_;

@@ -15,7 +15,13 @@ struct Jkr : HertzSpring {
   static constexpr std::string_view about =
       "Johnson, Kendall and Roberts: elastic spheres with adhesive surfaces";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors = HertzMindlin::step_errors;  // same dampers and friction
+  static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
+                                           {0.55, 0.1, 0.3},
+                                           {0.4, 0.15, 0.45},
+                                           {0.25, 0.25, 0.8},
+                                           {0.2, 0.3, 0.98},
+                                           {0.1, 0.28, 0.95},
+                                           {0.06, 0.1, 0.35}}};
   static constexpr std::array adhesion{surface_energy};
   static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 

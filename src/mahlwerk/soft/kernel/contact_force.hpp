@@ -58,8 +58,11 @@ template <class V>
     const Vec<V> limited_spring = select(sliding & less(limited_energy, spring_energy),
                                          limited_energy * (size * inverse_product), one) *
                                   spring;
-    // With partial slip the spring is a force, and its length that over the stiffness.
-    const V length = constants.partial_slip ? one / max(full_stiffness, zero + 1e-300) : one;
+    // With partial slip the spring is a force, and its length that over the stiffness. A contact
+    // that has ended has none.
+    V length = one;
+    if (constants.partial_slip)
+      length = where<V>(less(zero, history.stiffness), one / max(history.stiffness, zero + 1e-300));
     const V work_done = length * dot(force, limited_spring - spring);
     work.sliding = where<V>(sliding, work_done);
     spring = limited_spring;
@@ -181,6 +184,7 @@ template <class Law, class V>
     history.spring = select<V>(
         transitions->begun, (correction.initial_slip_time * unit) * geometry.slip, history.spring);
   }
+  if (constants.partial_slip) history.stiffness = stiffness;
   law_force.force = where<V>(active, law_force.force);
   const V damper = where<V>(active, law_force.damper);
   law_force.load = abs(law_force.load);

@@ -132,13 +132,13 @@ template <class Law, class V>
   const V load_over_force = full_force.load - full_force.force;
   f.force = select<V>(corrected, where<V>(acts, elastic + f.damper), f.force);
   f.load = select<V>(corrected, f.force + jump_weight * load_over_force, f.load);
-  // The tangential force grows as the elastic one, as its spring is loaded from touch on. Early in
-  // a step, where this force is none, the weight is bounded.
-  f.stiffness =
-      select<V>(corrected,
-                (elastic_weight<Law>(max(step_fraction, zero + 0.02), adheres) - already_counted) *
-                    full_force.stiffness,
-                f.stiffness);
+  correct(full_force.stiffness, jump_force.stiffness, f.stiffness);
+  // At touch the tangential force grows as the elastic one, as its spring is loaded from there on.
+  // Early in a step, where this force is none, the weight is bounded.
+  f.stiffness = select<V>(
+      corrected & transitions.begun,
+      elastic_weight<Law>(max(step_fraction, zero + 0.02), adheres) * full_force.stiffness,
+      f.stiffness);
   correct(full_force.damping, jump_force.damping, f.damping);
   return {corrected, where<V>(corrected & transitions.begun, time_step * (step_fraction - 0.5))};
 }
