@@ -204,7 +204,7 @@ class Derivation {
 }  // namespace
 
 double across_axis(const Vec3& gravity) {
-  return std::hypot(gravity.y, gravity.z);
+  return gravity.y == 0 ? std::abs(gravity.z) : math::hypot(gravity.y, gravity.z);
 }
 
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity) {
