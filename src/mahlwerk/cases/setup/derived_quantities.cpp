@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
