@@ -265,6 +265,13 @@ void complete(CaseParts& parts, const cases::Catalogue& catalogue) {
     else
       parts.jar = jars[jars.size() / 2];  // neither the smallest nor the largest
   }
+  // "25 ml" is the mill's own jar of this volume.
+  if (std::vector<std::string> called = catalogue.entries_called("jars", parts.jar);
+      called.size() > 1) {
+    std::erase_if(
+        called, [&](const std::string& jar) { return std::ranges::find(jars, jar) == jars.end(); });
+    if (called.size() == 1) parts.jar = called.front();
+  }
   if (!parts.jar.empty()) parts.jar_kind = catalogue.find("jars", parts.jar, "--jar").kind;
   check_kind(parts.jar_kind, "jar", "--jar-kind");
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -209,7 +210,7 @@ class Derivation {
 }  // namespace
 
 double across_axis(const Vec3& gravity) {
-  return std::hypot(gravity.y, gravity.z);
+  return gravity.y == 0 ? std::abs(gravity.z) : math::hypot(gravity.y, gravity.z);
 }
 
 double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double gravity) {
