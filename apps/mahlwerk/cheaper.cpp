@@ -16,6 +16,8 @@ namespace mahlwerk::app {
 namespace {
 
 constexpr double a_long_run = 60;  // [s]
+/// Overlap over a ball's radius up to which a softening is proposed: half of what the laws bear.
+constexpr double deepest_advised = 0.1;
 
 /// "47 s", "12 min", "3.2 h".
 std::string duration(double seconds) {
@@ -25,7 +27,7 @@ std::string duration(double seconds) {
                             : two_digits(seconds / hour) + " h";
 }
 
-/// Lines on a smaller softening, as long as the overlap at the highest expected speed stays small.
+/// Lines on a smaller softening, as long as the overlap at the highest expected speed is advisable.
 /// The cost follows the number of time steps.
 std::string softenings(const cases::Case& mill_case, double now) {
   std::string lines;
@@ -36,12 +38,13 @@ std::string softenings(const cases::Case& mill_case, double now) {
     softer.contact.softening = factor;
     if (!(factor < mill_case.contact.softening)) continue;
     const campaign::SoftSettings settings = campaign::soft_settings(softer);
-    if (settings.steps.overlap > results::soft_overlap) break;
+    if (settings.steps.overlap > deepest_advised) break;
     lines += fmt::format(
-        "  contact.softening = {:<6} {:<8} impacts last {} times longer, overlaps of {} %\n",
+        "  contact.softening = {:<6} {:<8} impacts last {} times longer, overlaps of {} %{}\n",
         two_digits(factor), duration(now * step / settings.rules.time_step),
         two_digits(math::pow(mill_case.contact.softening / factor, 0.4)),
-        two_digits(100 * settings.steps.overlap));
+        two_digits(100 * settings.steps.overlap),
+        settings.steps.overlap > results::soft_overlap ? ", with a warning" : "");
   }
   return lines;
 }

@@ -9,7 +9,7 @@
 namespace mahlwerk::app {
 
 /// Keys that make a run of `seconds` [s] cheaper, each with the time that the run would then take:
-/// softening, where contacts stay hard enough, and replicates. Empty for a run that is not long.
+/// softening, where overlaps stay bearable, and replicates. Empty for a run that is not long.
 std::string cheaper(const cases::Case& mill_case, double seconds);
 
 }  // namespace mahlwerk::app

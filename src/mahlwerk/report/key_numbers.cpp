@@ -58,8 +58,9 @@ using Ends = std::pair<double, double>;
 std::string range_text(const Ends& ends, const std::string& unit) {
   const double size = std::fmax(std::abs(ends.first), std::abs(ends.second));
   const Multiple in = unit == "s" && size >= hour ? Multiple{hour, "h"} : multiple(size, unit);
-  return Readable{fmt::format("{} to {}", two_digits(ends.first / in.factor),
-                              two_digits(ends.second / in.factor)),
+  const std::string one = two_digits(ends.first / in.factor),
+                    other = two_digits(ends.second / in.factor);
+  return Readable{one == other ? "about " + one : fmt::format("{} to {}", one, other),
                   readable(1, NAN, in.unit).unit}
       .text();
 }
