@@ -167,11 +167,11 @@ std::string against_event(const cases::Case& soft, const std::atomic<bool>* stop
         "In a settled pilot run of {:.3g} s with the event engine, balls were in contact {} of the "
         "time, more than {}.",
         p.time, percent(p.contact_share), percent(contact_share_limit));
-  if (p.clustered_share > clustered_share_limit)
+  if (p.hits_within > hits_within_limit)
     return fmt::format(
         "In a settled pilot run of {:.3g} s with the event engine, {} of the hits followed another "
         "within contact.contact_time, more than {}.",
-        p.time, percent(p.clustered_share), percent(clustered_share_limit));
+        p.time, percent(p.hits_within), percent(hits_within_limit));
   const ContactTimeEffect effect = contact_time_effect(event, stop);
   return effect.matters() || !effect.known() ? in_words(effect, event) : "";
 }

@@ -21,10 +21,6 @@ constexpr double hits_within_limit = 0.3;
 /// contact time (man.8).
 constexpr double withheld_share_limit = 0.02;
 
-/// Above this share of hits within t_c of another hit, hits of the event engine are not those of the
-/// soft one (docs/theory/engine-choice.md).
-constexpr double clustered_share_limit = 0.15;
-
 /// [s] CPU time of a ball and step of the soft engine (docs/performance.md).
 constexpr double ball_step_cost = 33e-9;
 /// Balls times steps of all replicates up to which "auto" takes the soft engine with contacts as

@@ -84,7 +84,7 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
   if (lost > 0) seen.withheld_share = (end.withheld - middle.withheld) / lost;
   const std::int64_t hits = samples.back().hits - samples.front().hits;
   if (hits > 0)
-    seen.clustered_share =
+    seen.hits_within =
         static_cast<double>(end.hits_within - middle.hits_within) / static_cast<double>(hits);
   seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
