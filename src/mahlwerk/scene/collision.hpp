@@ -11,7 +11,7 @@ namespace mahlwerk::scene {
 /// Record of one finished collision, of either engine.
 struct Collision {
   double time = 0;             ///< [s] of first touch, since the start of the run
-  double duration = 0;         ///< [s] 0 in the event engine
+  double duration = 0;         ///< [s] in the event engine from first to last bounce
   std::int32_t ball = 0;       ///< index of the ball
   std::int32_t other = 0;      ///< index of the other ball; < 0: jar face ~other
   Vec3 where;                  ///< [m] point of contact, in the jar's own axes
