@@ -31,8 +31,8 @@ cases::Case read_case(const std::string& text, const std::filesystem::path& file
 py::list origins(const cases::Case& mill_case) {
   py::list all;
   for (const cases::Origin& o : mill_case.origins) {
-    const py::object range =
-        o.range[0].empty() ? py::object(py::none()) : py::make_tuple(o.range[0], o.range[1]);
+    py::object range = py::none();
+    if (!o.range[0].empty()) range = py::make_tuple(o.range[0], o.range[1]);
     all.append(py::make_tuple(o.key, o.value, o.source, o.assumed, o.unverified, range));
   }
   return all;
