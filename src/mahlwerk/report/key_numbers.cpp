@@ -21,13 +21,13 @@ namespace {
 using results::Outcome;
 using results::Quantity;
 using Line = std::array<std::string, 3>;
-constexpr double hour = 3600;  // [s]
+constexpr double one_hour = 3600;  // [s]
 
 /// A quantity in the unit in which its number is short: long times are in hours.
 Quantity in_a_short_unit(Quantity q) {
-  if (q.unit != "s" || !(q.value >= hour)) return q;
-  q.value /= hour;
-  q.ci95 /= hour;
+  if (q.unit != "s" || !(q.value >= one_hour)) return q;
+  q.value /= one_hour;
+  q.ci95 /= one_hour;
   q.unit = "h";
   return q;
 }
@@ -41,8 +41,9 @@ std::string title(const Quantity& q, const cases::Case& c) {
            show_rounded(c.milling.value_or(cases::MillingTime()).dose, "J/kg");
   const auto time = cases::milling_time(c);
   if (time && (q.name == "specific_energy_dose" || q.name == "d50" || q.name == "conversion"))
-    return fmt::format("{} after {}", label(q),
-                       *time < hour ? show_rounded(*time, "s") : two_digits(*time / hour) + " h");
+    return fmt::format(
+        "{} after {}", label(q),
+        *time < one_hour ? show_rounded(*time, "s") : two_digits(*time / one_hour) + " h");
   return label(q);
 }
 
@@ -57,7 +58,8 @@ using Ends = std::pair<double, double>;
 /// "0.62 to 2.1 W".
 std::string range_text(const Ends& ends, const std::string& unit) {
   const double size = std::fmax(std::abs(ends.first), std::abs(ends.second));
-  const Multiple in = unit == "s" && size >= hour ? Multiple{hour, "h"} : multiple(size, unit);
+  const Multiple in =
+      unit == "s" && size >= one_hour ? Multiple{one_hour, "h"} : multiple(size, unit);
   const std::string one = two_digits(ends.first / in.factor),
                     other = two_digits(ends.second / in.factor);
   return Readable{one == other ? "about " + one : fmt::format("{} to {}", one, other),

@@ -94,7 +94,7 @@ double stress_energy(const Replicate& r) {
   return share(r.tally.above.energy_contact_point, static_cast<double>(r.tally.above.count));
 }
 
-constexpr double hour = 3600;  // [s]
+constexpr double one_hour = 3600;  // [s]
 
 /// [J/kg] The dose whose milling time is computed.
 double dose_asked(const Case& c) {
@@ -151,7 +151,7 @@ std::vector<Measure> dose_measures(const Case& mill_case) {
          return dose_rate(c, r) * cases::milling_time(c).value_or(undefined);
        }},
       {"specific_energy_dose_per_hour", "J/g", "dose of an hour of milling without pauses",
-       [](const Case& c, const Replicate& r) { return hour * dose_rate(c, r); }},
+       [](const Case& c, const Replicate& r) { return one_hour * dose_rate(c, r); }},
       {"time_to_dose", "s",
        fmt::format("milling time, without pauses, to a dose of {} ([milling] dose)",
                    show_rounded(dose_asked(mill_case), "J/kg")),
