@@ -80,6 +80,7 @@ TEST(Observed, a_run_that_is_looked_at_ends_where_the_bare_engine_does_to_the_bi
     const auto alone = engine(what, 0);
     alone->advance(*what.run.settle, silent);
     silent.all.clear();
+    alone->begin_counting();
     alone->advance(*what.run.settle + what.run.time, silent);
     alone->serialize(bare);
     ReplicateRun replica(what, 0, std::make_unique<Passed>(kept));
