@@ -167,9 +167,8 @@ void add_sensitivity(const Request& request, const RunJob& job, results::Outcome
     return cases::read(job.file, known, set);
   };
   ProgressLine line(request.quiet);
-  campaign::RunOptions options = options_of(request, line);
-  options.progress = {};  // that of the run itself has reached its end
-  outcome.summary.sensitivity = campaign::sensitivity_to_assumed(outcome, read, options);
+  outcome.summary.sensitivity =
+      campaign::sensitivity_to_assumed(outcome, read, options_of(request, line));
 }
 
 /// Runs all cases without [sweep] together.

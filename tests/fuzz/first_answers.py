@@ -99,9 +99,9 @@ def run(program, text, folder, limit):
 
 
 def careful(program, text, period, balls, folder):
-    """A settled run with stiff contacts, of 40 periods or more for few balls, 4 turns of a drum."""
+    """A settled run with stiff contacts: four turns of a drum, 30 periods or more of other mills."""
     settle = (2 if "tumbling" in text else 15) * period
-    counted = max(4 if "tumbling" in text else 40, 2500 / balls / 5) * period
+    counted = (4 if "tumbling" in text else max(30, 250 / balls)) * period
     return run(program, text + f'softening = 1\n[run]\nengine = "soft"\nsettle = "{settle:.4g} s"\n'
                f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 900)
 

@@ -37,8 +37,10 @@ cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   made.milling = milling;
   made.run.engine = outcome.engine;
   made.run.until.reset();
+  made.run.settle = whole.at_settled.time;
   made.run.time = time_share * whole.time();
   made.run.replicates = 1;
+  made.contact.softening = outcome.mill_case.contact.softening;
   made.observe.collisions = made.observe.final_state = false;
   made.observe.frames.reset();
   made.capture.reset();
@@ -118,6 +120,7 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   own.records = {};
   own.frames = {};
   own.checkpoint = nullptr;
+  own.progress = {};  // that of the run itself has reached its end
   const std::vector<results::Outcome> outcomes = run(ends, own);
   if (!std::ranges::all_of(outcomes, results::complete)) return std::nullopt;
   for (std::size_t i = 0; i < found.keys.size(); ++i)
