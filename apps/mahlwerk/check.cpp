@@ -65,7 +65,8 @@ RunTime run_time(const cases::Case& decided) {
     all.push_back(runs.back().get());
   }
   const Clock::time_point began = Clock::now();
-  while (!all.front()->done() && Clock::now() - began < patience)
+  while (std::ranges::none_of(all, &campaign::ReplicateRun::done) &&
+         Clock::now() - began < patience)
     campaign::ReplicateRun::run_slice_together(all);
   const double spent = std::chrono::duration<double>(Clock::now() - began).count();
   double simulated = 0;

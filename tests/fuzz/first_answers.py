@@ -99,11 +99,13 @@ def run(program, text, folder, limit):
 
 
 def careful(program, text, period, balls, folder):
-    """A settled run with stiff contacts: four turns of a drum, 30 periods or more of other mills."""
-    settle = (2 if "tumbling" in text else 15) * period
-    counted = (4 if "tumbling" in text else max(30, 250 / balls)) * period
+    """A settled run with stiff contacts: three turns of a drum, 10 of a planetary mill's disc, 25
+    oscillations of other mills, more for few balls."""
+    turning = "rpm" in text or "tumbling" in text
+    settle = (2 if turning else 12) * period
+    counted = (3 if "tumbling" in text else max(10 if turning else 25, 120 / balls)) * period
     return run(program, text + f'softening = 1\n[run]\nengine = "soft"\nsettle = "{settle:.4g} s"\n'
-               f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 900)
+               f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 600)
 
 
 def off(found, right):

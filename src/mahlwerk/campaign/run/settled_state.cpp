@@ -10,14 +10,20 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
+#include "mahlwerk/cases/build.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
 
-/// The state of the balls as that of each of the replicates that run together.
-cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun& run) {
+/// The state of the balls as that of each of the replicates that run together, without the overlaps
+/// of soft contacts, which would throw stiff balls apart.
+cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun& run,
+                                const std::atomic<bool>* stop) {
   std::vector<cases::BallState> states;
-  for (const scene::Ball& b : seen_from_carrier(mill_case, run.balls(), run.energy_balance().time))
+  std::vector<scene::Ball> balls =
+      seen_from_carrier(mill_case, run.balls(), run.energy_balance().time);
+  cases::remove_overlaps(mill_case, balls, stop);
+  for (const scene::Ball& b : balls)
     states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
   std::vector<std::vector<cases::BallState>> all(replicates_together(mill_case), states);
   return {.file = "",
@@ -46,10 +52,15 @@ std::optional<SettledState> settled_state(const cases::Case& mill_case, double m
   }
   if (!trial.counting_begins()) return std::nullopt;
   SettledState state{mill_case, *trial.counting_begins()};
-  state.mill_case.run.start_from = start_states(softer, trial);
+  state.mill_case.run.start_from = start_states(softer, trial, stop);
   state.mill_case.run.settle = 0;
+  state.mill_case.run.settle_at_rest = 0;
   return state;
 } catch (const Interrupted&) {  // while balls were placed
+  return std::nullopt;
+} catch (const RunError&) {  // physics stopped it
+  return std::nullopt;
+} catch (const InputError&) {  // balls that cannot be parted
   return std::nullopt;
 }
 

@@ -125,12 +125,13 @@ void part_of_a_period(const Outcome& outcome, Notices& list) {
 
 /// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy: then energy is stored, or given back, all the time (sta.11).
 void powers_apart(const Outcome& outcome, Notices& list) {
-  constexpr double much = 0.1, far = 3;
+  constexpr double much = 0.1, far = 3, rounding = 1e-9;
   constexpr std::size_t fewest = 10;
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  double lost = 0, drawn = 0;
+  double lost = 0, drawn = 0, kinetic = 0;
   for (const Replicate* r : chosen)
-    for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work;
+    for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work, kinetic += w.kinetic;
+  if (!(std::abs(drawn - lost) > rounding * kinetic)) return;
   const std::vector<double> energy = stored(chosen);
   const double apart = std::abs(drawn - lost) / std::max(std::abs(drawn), std::abs(lost));
   if (energy.size() < fewest || !(apart > much)) return;
