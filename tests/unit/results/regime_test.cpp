@@ -192,14 +192,21 @@ TEST(Regime, of_a_bed_that_turns_with_the_drum_is_rigid_and_all_round_centrifugi
 }
 
 TEST(Regime, of_a_charge_under_which_the_wall_passes_is_sliding_or_surging) {
-  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.93; }), "sliding");
+  const auto stays = [](RegimeSigns& s) { s.wall_slip = 0.93, s.carrier_motion = 0.2; };
+  EXPECT_EQ(word_with(stays), "sliding");
+  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.58, s.froude = 0.09; }), "cascading")
+      << "slips, but is carried up and flows down";
   EXPECT_EQ(
       word_with([](RegimeSigns& s) { s.wall_slip = 0.93, s.intermittency = 4, s.froude = 1e-3; }),
       "surging");
-  const auto bounces = [](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.15; };
+  const auto bounces = [](RegimeSigns& s) {
+    s.wall_slip = 0.7, s.airborne_share = 0.15, s.carrier_motion = 0.3;
+  };
   EXPECT_EQ(word_with(bounces), "sliding") << "the wall does not lift the charge";
-  EXPECT_EQ(word_with([](RegimeSigns& s) { s.wall_slip = 0.7, s.airborne_share = 0.3; }),
-            "cataracting");
+  const auto falls = [](RegimeSigns& s) {
+    s.wall_slip = 0.7, s.airborne_share = 0.3, s.carrier_motion = 0.3;
+  };
+  EXPECT_EQ(word_with(falls), "cataracting");
   const auto side_by_side = [](RegimeSigns& s) {  // papers/planetary-mill/friction.toml
     s.flight_share = s.airborne_share = 0, s.carrier_motion = 0.0045, s.wall_slip = 0.4;
     s.wall_share = 1;
@@ -272,9 +279,9 @@ TEST(Regime, intermittency_is_one_for_steady_motion_and_two_for_motion_half_of_t
 }
 
 TEST(Regime, is_named_for_each_replicate_and_for_their_mean) {
-  Outcome outcome = drum(3);
+  Outcome outcome = drum(5);  // F = 0.24
   put(outcome, 120, 40);
-  moves(outcome, 0.24, 0.2, 0.05);
+  moves(outcome, 0.4, 0.33, 0.083);
   outcome.replicates[0].charge.mass_sought = 1;
   outcome.replicates.push_back(outcome.replicates[0]);
   outcome.replicates[1].charge.mass_outside = 0.5;

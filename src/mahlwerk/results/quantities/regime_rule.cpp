@@ -11,19 +11,26 @@ bool carried_round(const RegimeSigns& s) {
          (s.flight_share < 0.02 || (s.jar_lag < 0.2 && s.flight_share < 0.1));
 }
 
+/// The wall passes under the charge, which stays in place: it neither flows down a surface nor is
+/// carried up.
+bool passes_under(const RegimeSigns& s) {
+  constexpr double most = 0.5, flows = 0.4;
+  return s.wall_slip > most && s.carrier_motion < flows;
+}
+
 /// The wall lifts the charge and throws it. The few large balls of a planetary mill are more often
 /// without support than those of a bed.
 bool thrown(const RegimeSigns& s, bool drum) {
   constexpr double throws = 0.1;  // Mellmann: at a lower Froude number balls roll down the bed
-  constexpr double hardly_lifted = 0.5, many = 0.2;
+  constexpr double many = 0.2;
   if (!(s.froude > throws) || !(s.airborne_share > (drum ? 0.05 : 0.12))) return false;
-  return !(s.wall_slip > hardly_lifted) || s.airborne_share > many;
+  return !passes_under(s) || s.airborne_share > many;
 }
 
-/// The wall passes under the charge.
-bool slips(const RegimeSigns& s) {
+/// A charge that slides back between its stops is fast at times.
+bool slips(const RegimeSigns& s, bool stops) {
   const bool stays = s.flight_share < 0.02 && s.carrier_motion < 0.1 && s.wall_slip > 0.1;
-  return stays || s.wall_slip > 0.5;
+  return stays || passes_under(s) || (stops && s.wall_slip > 0.5);
 }
 
 }  // namespace
@@ -36,7 +43,7 @@ std::string_view regime_word(const RegimeSigns& s, bool drum) {
   if (carried_round(s)) return drum ? "centrifuging" : "rolling";
   if (s.jar_lag < 0.2) return "rigid";
   if (thrown(s, drum)) return "cataracting";
-  if (slips(s)) return stops ? "surging" : "sliding";
+  if (slips(s, stops)) return stops ? "surging" : "sliding";
   if (s.wall_share > 0.95) return "rolling on the wall";
   return stops ? "slumping" : "cascading";
 }
