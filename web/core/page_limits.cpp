@@ -33,15 +33,16 @@ std::vector<Fault> page_faults(const cases::Case& mill_case) {
   return found;
 }
 
-Notices ignored_sections(const cases::Case& mill_case) {
+Notices left_to_program(const cases::Case& mill_case) {
   std::string names;
   const auto add = [&](bool there, std::string_view name) {
-    if (there) names += fmt::format("{}[{}]", names.empty() ? "" : ", ", name);
+    if (there) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
   };
-  add(!mill_case.sweep.empty(), "sweep");
-  add(mill_case.optimise.has_value(), "optimise");
-  add(mill_case.match.has_value(), "match");
-  add(!mill_case.fit.empty(), "fit");
+  add(!mill_case.sweep.empty(), "[sweep]");
+  add(mill_case.optimise.has_value(), "[optimise]");
+  add(mill_case.match.has_value(), "[match]");
+  add(!mill_case.fit.empty(), "[fit]");
+  add(mill_case.run.sensitivity == cases::SensitivityMode::on, "run.sensitivity");
   if (names.empty()) return {};
   names +=
       " is left to the program: the page computes one setting, or varies a key in the tab Sweep.";

@@ -129,7 +129,7 @@ Json description(const cases::Case& mill_case) {
   made["origins"] = origins_json(mill_case.origins);
   Notices notices = cases::jar_warnings(mill_case);
   append(notices, cases::unusual_values(mill_case));
-  append(notices, ignored_sections(mill_case));
+  append(notices, left_to_program(mill_case));
   made["notices"] = notices_json(notices);
   return made;
 }

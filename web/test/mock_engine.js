@@ -61,7 +61,7 @@ function settingsOf(text) {
     title: String(value("title") ?? "case"),
     engine: value("run.engine") ?? "auto",
     replicates: Number(value("run.replicates") ?? 5),
-    time: factor(value("run.time")), settle: factor(value("run.settle"), "0 s"),
+    time: factor(value("run.time")), settle: factor(value("run.settle"), "0 s") || 0, // 0: "auto" too
     counts, radii: sets.map(({ keys }) => factor(keys.get("diameter")?.value, "10 mm") / 2),
     drive: factor(value("mill.frequency") ?? value("mill.speed"), 10),
     planetary: /fritsch|planetary/.test(`${value("mill.model")} ${value("mill.kind")}`),

@@ -40,6 +40,20 @@ async function a_changed_value_reaches_the_text_and_keeps_comments({ page, url }
   expect("another unit", (await caseText(page)).includes('frequency = "3600 rpm"'));
 }
 
+async function settling_is_automatic_without_a_time({ page, url }) {
+  await open(page, url);
+  const number = page.locator('.field[data-address="run.settle"] input[type="number"]');
+  const shown = async () => [await number.inputValue(), await number.getAttribute("placeholder")];
+  expect("a case without the key", await shown(), ["", "auto"]);
+  expect("the text of such a case", (await caseText(page)).includes("settle"), false);
+  await number.fill("0.5");
+  expect("a time", (await caseText(page)).includes('settle = "0.5 s"'));
+  await number.fill("");
+  expect("no time", (await caseText(page)).includes('settle = "auto"'));
+  expect("the word in the form", await shown(), ["", "auto"]);
+  expect("no fault", await number.evaluate((input) => input.checkValidity()));
+}
+
 async function a_changed_text_reaches_the_form({ page, url }) {
   await open(page, url);
   const text = (await caseText(page)).replace('"10 Hz"', '"12.5 Hz"');
@@ -176,7 +190,11 @@ async function what_the_page_lacks_is_said({ page, url, engine }) {
   expect("a file", (await fault()).includes("the page reads no files"));
   await writeCase(page, `${text}\n[sweep]\n"mill.frequency" = ["8 Hz", "12 Hz"]\n`);
   await tab(page, "about");
-  expect("a section", (await page.textContent(".panel-about")).includes("[sweep] is left to the program"));
+  const left = () => page.textContent(".panel-about");
+  expect("a section", (await left()).includes("[sweep] is left to the program"));
+  await writeCase(page, text.replace("[run]\n", '[run]\nsensitivity = "on"\n'));
+  await tab(page, "about");
+  expect("runs with other assumed values", (await left()).includes("run.sensitivity is left to the program"));
 }
 
 async function a_damaged_link_is_no_fault({ page, url }) {
@@ -187,7 +205,7 @@ async function a_damaged_link_is_no_fault({ page, url }) {
 
 export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn),
   drawn(runs_the_first_example_at_once), without_webgl_the_numbers_are_shown,
-  a_changed_value_reaches_the_text_and_keeps_comments, a_changed_text_reaches_the_form,
-  faults_are_shown_at_their_line, broken_text_does_no_harm, a_title_with_markup_does_no_harm,
-  mills_and_jars_can_be_chosen, a_link_holds_the_whole_case, a_damaged_link_is_no_fault,
-  other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];
+  a_changed_value_reaches_the_text_and_keeps_comments, settling_is_automatic_without_a_time,
+  a_changed_text_reaches_the_form, faults_are_shown_at_their_line, broken_text_does_no_harm,
+  a_title_with_markup_does_no_harm, mills_and_jars_can_be_chosen, a_link_holds_the_whole_case,
+  a_damaged_link_is_no_fault, other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];

@@ -42,15 +42,26 @@ export function millOf(sections, catalogue) {
   return catalogue.mills.find(({ name }) => name === model);
 }
 
+/// A quantity that the program determines, by the word "auto" or because the case leaves it out. Its
+/// unit is that of the example.
+function automatic({ key, about, example }, address, value) {
+  const { unit } = split(example);
+  return { address, key, about, value, fallback: null, kind: "quantity", quantity: { number: 0, unit },
+    stated: false, automatic: true };
+}
+
 function fieldOf(known, section, entry, key) {
   const address = section.address ? `${section.address}.${key}` : key;
   const value = entry?.value ?? null;
+  const number = ["number", "integer"].includes(known?.type);
+  if (number && known.default_source?.startsWith('"auto"') && [null, "auto"].includes(value))
+    return automatic(known, address, value);
   const quantity = split(value ?? known?.default ?? known?.example);
   const words = known?.words?.length > 0 ? known.words : null;
   const base = { address, key, about: known?.about ?? "", value, fallback: known?.default ?? null };
   if (words && known.type === "word") return { ...base, kind: "word", words,
     meanings: known.meanings ?? [] };
-  if (["number", "integer"].includes(known?.type) && quantity && (value === null || split(value)))
+  if (number && quantity && (value === null || split(value)))
     return { ...base, kind: "quantity", quantity, stated: value !== null };
   if (key === "material" && typeof value === "string") return { ...base, kind: "material" };
   return null;

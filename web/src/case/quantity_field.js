@@ -34,6 +34,9 @@ export class QuantityField {
     this.mill = mill;
     const { number, unit } = field.quantity;
     this.current = { number, unit };
+    this.optional ||= field.automatic;
+    this.number.required = !this.optional;
+    this.number.placeholder = this.optional ? text.automatic : "";
     this.root.classList.toggle("unstated", !field.stated);
     const units = unitsFor(unit);
     if ([...this.unit.options].map((option) => option.value).join() !== units.join())
@@ -55,17 +58,19 @@ export class QuantityField {
 
   say() {
     const { number, unit } = this.current;
-    this.slider.setAttribute("aria-valuetext", `${number} ${unit}`.trim());
+    this.slider.setAttribute("aria-valuetext",
+      this.field.automatic ? text.automatic : `${number} ${unit}`.trim());
   }
 
   set(number, unit = this.current.unit) {
     this.current = { number, unit };
-    this.say();
     this.change(join(number, unit));
+    this.say();
   }
 
   typed() {
-    const number = this.number.valueAsNumber;
+    const { value, validity, valueAsNumber: number } = this.number;
+    if (this.optional && value === "" && !validity.badInput) return this.change("auto");
     this.number.setAttribute("aria-invalid", String(!Number.isFinite(number)));
     if (!Number.isFinite(number)) return;
     this.set(number);
@@ -80,6 +85,10 @@ export class QuantityField {
 
   convert() {
     const unit = this.unit.value;
+    if (this.field.automatic) {
+      this.current = { number: this.current.number, unit };
+      return this.fitSlider();
+    }
     const number = convert(this.current.number, this.current.unit, unit) ?? this.current.number;
     this.number.value = number;
     this.set(number, unit);

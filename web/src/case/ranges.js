@@ -15,6 +15,7 @@ const usual = {
   "mill.arm": { least: 50, most: 400, unit: "mm" },
   "mill.orbit_radius": { least: 20, most: 300, unit: "mm" },
   "mill.ratio": { least: -4, most: 2, unit: "" },
+  "mill.tilt": { least: 0, most: 90, unit: "deg" },
   "jar.diameter": { least: 5, most: 500, unit: "mm", log: true },
   "jar.height": { least: 2, most: 500, unit: "mm", log: true },
   "jar.volume": { least: 1, most: 1000, unit: "ml", log: true },

@@ -69,6 +69,7 @@ export const text = {
   containsUnverified: "contains unverified values",
   unitOf: (label) => `Unit: ${label}`,
   sliderOf: (label) => `Slider: ${label}`,
+  automatic: "auto",
   lineNumber: (line) => `Line ${line}`,
   remedy: (remedy) => `Remedy: ${remedy}`,
   faultsFirst: "The case has a fault; mend it first.",
