@@ -6,7 +6,7 @@ words of a mill, engine and settling left out), runs each with the defaults and 
 the soft engine (settled, stiff contacts, longer), and compares power, rate of hits
 above the threshold and their mean energy:
 
-    first_answers.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--reference FILE] [--out FILE]
+    first_answers.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--reference FILE] [--careful PROGRAM]
 
 A quantity is right if it is within 10 %, or within its interval and that of the careful run. A case
 is fine if all three are right or a warning is given; it is bad if one is off by more than 20 %,
@@ -99,11 +99,11 @@ def run(program, text, folder, limit):
 
 
 def careful(program, text, period, balls, folder):
-    """A settled run with stiff contacts: three turns of a drum, 10 of a planetary mill's disc, 25
+    """A settled run with stiff contacts: three turns of a drum, 8 of a planetary mill's disc, 25
     oscillations of other mills, more for few balls."""
     turning = "rpm" in text or "tumbling" in text
     settle = (2 if turning else 12) * period
-    counted = (3 if "tumbling" in text else max(10 if turning else 25, 120 / balls)) * period
+    counted = (3 if "tumbling" in text else max(8 if turning else 25, 120 / balls)) * period
     return run(program, text + f'softening = 1\n[run]\nengine = "soft"\nsettle = "{settle:.4g} s"\n'
                f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 600)
 
@@ -119,10 +119,12 @@ def off(found, right):
 
 def examine(options, known, index):
     text, period, balls = case(options.seed, index)
-    counted = max(0.5, 20 * period)
+    counted = max(0.3, 8 * period)
     with tempfile.TemporaryDirectory() as folder:
-        right = known.get(str(index)) or careful(options.program, text, period, balls, folder)
-        plain = run(options.program, text + f'[run]\ntime = "{counted:.3g} s"\n', folder, 300)
+        right = known.get(str(index)) or careful(options.careful or options.program, text, period,
+                                                 balls, folder)
+        plain = run(options.program, text + f'[run]\ntime = "{counted:.3g} s"\nreplicates = 3\n',
+                    folder, 300)
     if right is None:
         return index, "no-reference", "", right
     if plain is None:
@@ -147,6 +149,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reference", type=pathlib.Path)
+    parser.add_argument("--careful", help="the program of the careful runs, if another")
     options = parser.parse_args()
     known = {}
     if options.reference and options.reference.exists():
