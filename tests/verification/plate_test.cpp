@@ -113,7 +113,8 @@ TEST(VibratingPlate, a_ball_at_rest_is_lifted_where_the_plate_falls_faster) {
     const std::string at = ", Gamma = " + std::to_string(gamma);
     states("time of the first touch over a period" + at, first->time / period, before / period,
            1e-5, "parabola and sine; the ball is released to within 1e-6 of a period");
-    // After a quarter of a period the plate is at its top; after whole periods it has given nothing.
+    // After a quarter of a period the plate is at its top; after whole periods it has given
+    // nothing.
     const scene::EnergyBalance b = engine->energy_balance();
     stays_below("residual over what the plate gives" + at, std::abs(b.residual() / b.wall_work),
                 1e-6, "energy of the plate, bounces and contact");
