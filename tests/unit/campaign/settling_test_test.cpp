@@ -19,10 +19,10 @@ namespace mahlwerk::campaign::settling_test_test {
 namespace {
 
 /// Power of a block, from its number.
-using Course = std::function<double(int)>;
+using PowerOfBlock = std::function<double(int)>;
 
 /// The first number of blocks after which the test finds no trend; `most` if there is none.
-int settles_after(const Course& lost, const Course& drawn, int most = 200) {
+int settles_after(const PowerOfBlock& lost, const PowerOfBlock& drawn, int most = 200) {
   SettlingTest test;
   scene::EnergyBalance balance;
   test.add(balance, 0);
@@ -38,12 +38,12 @@ int settles_after(const Course& lost, const Course& drawn, int most = 200) {
 }
 
 TEST(SettlingTest, a_constant_power_has_settled_after_the_least_number_of_blocks) {
-  const Course one = [](int) { return 1.0; };
+  const PowerOfBlock one = [](int) { return 1.0; };
   EXPECT_EQ(settles_after(one, one), cases::SettlingBlocks::least);
 }
 
 TEST(SettlingTest, a_mill_in_which_nothing_happens_has_settled) {
-  const Course none = [](int) { return 0.0; };
+  const PowerOfBlock none = [](int) { return 0.0; };
   EXPECT_EQ(settles_after(none, none), cases::SettlingBlocks::least);
 }
 
@@ -58,7 +58,7 @@ TEST(SettlingTest, a_power_that_decays_settles_once_its_change_is_small) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0, 0.02);
   for (const double tau : {3.0, 6.0, 10.0}) {
-    const Course power = [&](int n) { return 1 + 3 * std::exp(-n / tau) + noise(random); };
+    const PowerOfBlock power = [&](int n) { return 1 + 3 * std::exp(-n / tau) + noise(random); };
     const int after = settles_after(power, power);
     EXPECT_GE(after, 4 * tau) << tau;
     EXPECT_LE(after, 1.3 * 6.8 * tau) << tau;
@@ -70,7 +70,7 @@ TEST(SettlingTest, noise_alone_seldom_delays_counting) {
   std::exponential_distribution<double> power(1);
   int late = 0;
   for (int run = 0; run < 200; ++run) {
-    const Course noise = [&](int) { return power(random); };
+    const PowerOfBlock noise = [&](int) { return power(random); };
     const double mean = 1;
     late += settles_after(noise, [&](int) { return mean; }) > 15 ? 1 : 0;
   }

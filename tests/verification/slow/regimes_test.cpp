@@ -41,6 +41,7 @@ cases::Case drum(double share, double friction, double counted) {
 
 std::string word(const cases::Case& mill_case) {
   const results::Outcome outcome = campaign::run(mill_case);
+  std::printf("STOP '%s' t=%g\n", outcome.replicates[0].stop_reason.c_str(), outcome.replicates[0].time());
   std::printf("    %s: %s\n", results::regime(outcome).c_str(),
               results::regime_reason(outcome).c_str());
   return results::regime(outcome);
