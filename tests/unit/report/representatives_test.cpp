@@ -11,8 +11,8 @@
 namespace mahlwerk::report::representatives_test {
 namespace {
 
-/// Replicates of one ball in a drum with F = 1.2, of whose mass these shares fly outside the bed, with
-/// these powers.
+/// Replicates of one ball in a drum with F = 1.2, of whose mass these shares fly outside the bed,
+/// with these powers.
 results::Outcome drum(const std::vector<double>& flights, const std::vector<int>& powers) {
   results::Outcome o = results::fake_outcome(powers);
   kinematics::Tumbling motion;
