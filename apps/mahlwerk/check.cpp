@@ -38,7 +38,7 @@ namespace {
 
 /// [s] Time of computing one replicate of a run.
 struct RunTime {
-  double each = 0;       ///< [s] of a thread, where replicates run beside each other
+  double each = 0;         ///< [s] of a thread, where replicates run beside each other
   std::int64_t share = 1;  ///< replicates of the thread that has most
 };
 
@@ -56,7 +56,8 @@ RunTime run_time(const cases::Case& decided) {
   pilot.run.time = 1e3;  // never reached
   pilot.run.until.reset();
   const auto most = static_cast<std::int64_t>(campaign::replicates_together(decided));
-  const std::int64_t batches = (share + most - 1) / most, together = (share + batches - 1) / batches;
+  const std::int64_t batches = (share + most - 1) / most,
+                     together = (share + batches - 1) / batches;
   const int threads = static_cast<int>(std::max<std::int64_t>(1, cores / replicates));
   std::vector<std::unique_ptr<campaign::ReplicateRun>> runs;
   std::vector<campaign::ReplicateRun*> all;
@@ -71,8 +72,8 @@ RunTime run_time(const cases::Case& decided) {
   double simulated = 0;
   for (const auto* run : all) simulated += run->energy_balance().time;
   if (!(simulated > 0)) return {};
-  const double settling = settled && cases::settles(decided) ? settled->settling
-                                                             : cases::least_settling(decided);
+  const double settling =
+      settled && cases::settles(decided) ? settled->settling : cases::least_settling(decided);
   return {spent / simulated * (settling + decided.run.time), share};
 }
 
@@ -133,10 +134,9 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   }
   const RunTime time = run_time(decided);
   const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
-  const double seconds =
-      sweeps ? time.each * static_cast<double>(first.run.replicates) *
-                   static_cast<double>(points.size()) / threads
-             : time.each * static_cast<double>(time.share);
+  const double seconds = sweeps ? time.each * static_cast<double>(first.run.replicates) *
+                                      static_cast<double>(points.size()) / threads
+                                : time.each * static_cast<double>(time.share);
   if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
     c.notes.push_back(std::move(lines));
   c.follows.push_back(

@@ -12,8 +12,8 @@
 
 #include "listener.hpp"
 #include "mahlwerk/base/number_text.hpp"
-#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/base/printable.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "messages.hpp"
 #include "terminal.hpp"
 

@@ -44,8 +44,8 @@ class ResumableSearch {
 campaign::Optimum run_search(const Request& request, const campaign::SearchJob& job,
                              const ResumableSearch& kept);
 
-/// Runs the best setting with the soft engine if the event engine ran it, unless that takes too long.
-/// Throws Interrupted.
+/// Runs the best setting with the soft engine if the event engine ran it, unless that takes too
+/// long. Throws Interrupted.
 std::optional<report::OptimumCheck> check_best(const Request& request,
                                                const campaign::SearchJob& job,
                                                const campaign::Optimum& found,

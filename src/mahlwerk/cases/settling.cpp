@@ -35,9 +35,8 @@ double mill_period(const Case& c) {
 }
 
 bool settles(const Case& c) {
-  const bool given = std::ranges::any_of(c.balls, [](const BallSet& set) {
-    return !set.velocities.empty() || !set.spins.empty();
-  });
+  const bool given = std::ranges::any_of(
+      c.balls, [](const BallSet& set) { return !set.velocities.empty() || !set.spins.empty(); });
   return !c.run.settle && !given && std::isfinite(mill_period(c));
 }
 

@@ -7,8 +7,8 @@
 // Times that follow from run.settle = "auto" (docs/theory/statistics.md, "Settling").
 namespace mahlwerk::cases {
 
-/// [s] One turn of a drum, of the disc of a planetary mill or of a rotor; one oscillation of another
-/// mill. Infinite for a jar at rest.
+/// [s] One turn of a drum, of the disc of a planetary mill or of a rotor; one oscillation of
+/// another mill. Infinite for a jar at rest.
 double mill_period(const Case& c);
 
 /// Blocks of time in which run.settle = "auto" looks for a trend.

@@ -21,8 +21,8 @@ class ImpactRecord : public scene::Observer {
 
   void collisions(std::span<const scene::Collision> finished) override;
   void begin(double time) { begin_ = time; }  ///< [s] where the record begins
-  double step() const { return step_; }    ///< [s]
-  double begin() const { return begin_; }  ///< [s]
+  double step() const { return step_; }       ///< [s]
+  double begin() const { return begin_; }     ///< [s]
   const Vec3& axis() const { return axis_; }
   /// [N s] Impulse of the balls on the jar along the axis, by interval.
   const std::vector<double>& impulses() const { return impulses_; }

@@ -217,8 +217,8 @@ std::string methods(const results::Outcome& outcome, std::string_view version) {
   text += say.mill() + say.charge() + say.contact(outcome.engine) + say.liquid() + say.powder() +
           say.kinetics();
   const auto mean = [&](const auto& of) { return results::mean_over(chosen, of); };
-  const double time = mean([](const results::Replicate& r) { return r.time(); }),
-               settling = mean([](const results::Replicate& r) { return r.at_settled.time; });
+  const double time = mean([](const results::Replicate&r) { return r.time(); }),
+               settling = mean([](const results::Replicate&r) { return r.at_settled.time; });
   text += fmt::format(
       "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
       "confidence, by Student's t over replicates{}.",

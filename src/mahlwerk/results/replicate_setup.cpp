@@ -74,7 +74,8 @@ SensorRecords sensor_records(const cases::Case& mill_case) {
                                                 : Vec3{0, 0, 1};
     const double duration = std::min(sensor->duration, mill_case.run.time);
     const double count = std::max(1.0, std::round(duration * sensor->sample_rate));
-    made.accelerometer.emplace(axis, mill_case.run.settle.value_or(0), 1 / (finer * sensor->sample_rate),
+    made.accelerometer.emplace(axis, mill_case.run.settle.value_or(0),
+                               1 / (finer * sensor->sample_rate),
                                static_cast<std::size_t>(finer * count));
   }
   return made;

@@ -39,9 +39,9 @@ TEST(EngineChoice, takes_the_soft_engine_where_balls_stick_together) {
 
 /// The planetary sample with so many balls.
 cases::Case with_balls(int count, const std::string& time = "1 s") {
-  return read_sample(planetary, {{"run.engine", "auto"},
-                                 {"run.time", time},
-                                 {"balls.count", std::to_string(count)}});
+  return read_sample(
+      planetary,
+      {{"run.engine", "auto"}, {"run.time", time}, {"balls.count", std::to_string(count)}});
 }
 
 TEST(EngineChoice, takes_the_event_engine_for_one_ball_and_the_soft_one_for_two) {

@@ -27,8 +27,8 @@ namespace {
 /// "auto" softens contacts (docs/theory/engine-choice.md).
 constexpr double softened_overlap = 0.1;
 
-/// [1] Share of the hits above the threshold that several balls keep at a softening, at least: softer
-/// contacts last longer, so that more hits join into one (eng.1).
+/// [1] Share of the hits above the threshold that several balls keep at a softening, at least:
+/// softer contacts last longer, so that more hits join into one (eng.1).
 double hits_kept(double softening) {
   return 1 / (1 + 0.07 * (math::pow(softening, -0.4) - 1));
 }
@@ -244,14 +244,15 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
   if (work <= max_soft_work) return choice;
   const std::string against = against_event(soft, stop);
   if (against.empty())
-    return {EngineName::event,
-            {fmt::format("Engine: event, chosen by auto. The soft engine would take about {} of one "
-                         "core, and a settled pilot run shows that the event engine is valid.",
-                         core_time(work))}};
-  choice.reason.push_back(fmt::format(
-      "The run takes about {} of one core: less time, fewer replicates or a smaller "
-      "contact.softening shorten it. The event engine is not valid here. {}",
-      core_time(work), against));
+    return {
+        EngineName::event,
+        {fmt::format("Engine: event, chosen by auto. The soft engine would take about {} of one "
+                     "core, and a settled pilot run shows that the event engine is valid.",
+                     core_time(work))}};
+  choice.reason.push_back(
+      fmt::format("The run takes about {} of one core: less time, fewer replicates or a smaller "
+                  "contact.softening shorten it. The event engine is not valid here. {}",
+                  core_time(work), against));
   return choice;
 }
 
@@ -342,12 +343,13 @@ Notices softening_notices(const cases::Case& mill_case) {
   if (balls(mill_case) == 1 || !(joined > few)) return {};
   return {warning(
       "softened-hits",
-      fmt::format("Contacts are softened (contact.softening = {:.2g}) and last longer, so that hits "
-                  "of several balls join: the rate of hits is up to {} % too low and their mean "
-                  "energy up to {} % too high. Power and the sum of the energies change by some "
-                  "per cent at most.",
-                  mill_case.contact.softening, two_digits(100 * joined),
-                  two_digits(100 * joined / (1 - joined))))};
+      fmt::format(
+          "Contacts are softened (contact.softening = {:.2g}) and last longer, so that hits "
+          "of several balls join: the rate of hits is up to {} % too low and their mean "
+          "energy up to {} % too high. Power and the sum of the energies change by some "
+          "per cent at most.",
+          mill_case.contact.softening, two_digits(100 * joined),
+          two_digits(100 * joined / (1 - joined))))};
 }
 
 }  // namespace

@@ -42,9 +42,9 @@ struct EngineChoice {
 
 /// The engine that the case names. For "auto": the event engine for one ball; for several the soft
 /// engine, with softened contacts where the run would take long, and the event engine only if the
-/// soft engine cannot run the case, or if it would take too long and a pilot run of the settled mill
-/// shows that the event engine is valid (docs/theory/engine-choice.md). The same on any machine.
-/// Setting `stop` ends a pilot run.
+/// soft engine cannot run the case, or if it would take too long and a pilot run of the settled
+/// mill shows that the event engine is valid (docs/theory/engine-choice.md). The same on any
+/// machine. Setting `stop` ends a pilot run.
 EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop = nullptr);
 
 /// The case as it is run: with the chosen engine and softening, and with the counted time that

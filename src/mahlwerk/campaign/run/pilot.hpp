@@ -15,7 +15,7 @@ struct Pilot {
   double time = 0;            ///< [s] simulated
   double contact_share = 0;   ///< [1] of the balls' time in contact
   double withheld_share = 0;  ///< [1] power that the TC rule withheld, over the dissipated power
-  double hits_within = 0;  ///< [1] of the hits above the threshold, within t_c of another
+  double hits_within = 0;     ///< [1] of the hits above the threshold, within t_c of another
   observe::Estimate power;    ///< [W] dissipated
   observe::Estimate hits;     ///< [1/s] collisions above the threshold
   bool stopped = false;       ///< a RunError ended it

@@ -51,8 +51,11 @@ bool is_point_failure(const std::exception& why) {
 /// An active point: its case, engine and replicates.
 struct ActivePoint {
   ActivePoint(std::size_t point, const cases::Case& made, const std::atomic<bool>* stop)
-      : index(point), choice(choose_engine(made, stop)), decided(decided_case(made, choice)),
-        outcome(begun_outcome(made, choice)), left(outcome.replicates.size()) {
+      : index(point),
+        choice(choose_engine(made, stop)),
+        decided(decided_case(made, choice)),
+        outcome(begun_outcome(made, choice)),
+        left(outcome.replicates.size()) {
     const std::size_t count = left;
     if (decided.uncertainty)
       for (std::size_t draw = 0; draw < std::min(count, decided.uncertainty->count()); ++draw)
@@ -66,9 +69,9 @@ struct ActivePoint {
 
   std::size_t index;
   EngineChoice choice;
-  cases::Case decided;             // the case with the chosen engine
+  cases::Case decided;  // the case with the chosen engine
   results::Outcome outcome;
-  std::vector<cases::Case> drawn;  // its replicates, with [uncertainty]
+  std::vector<cases::Case> drawn;     // its replicates, with [uncertainty]
   std::size_t next = 0;               // next replicate to begin
   std::size_t left = 0;               // replicates that have not ended
   std::exception_ptr failure;         // of the first failed replicate: no further one is begun

@@ -332,7 +332,8 @@ void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
   read_power_meter();
   take_samples();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
-  slice_ = std::min(std::max(slice_, 1e-15), cases::least_settling(*mill_case_) + mill_case_->run.time);
+  slice_ =
+      std::min(std::max(slice_, 1e-15), cases::least_settling(*mill_case_) + mill_case_->run.time);
   if (result_.energy_balance.time >= end || !result_.stop_reason.empty()) end_window();
 }
 
@@ -410,7 +411,8 @@ void ReplicateRun::serialize(Archive& archive) {
   r.stream.serialize(archive);
   r.sensors.serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
-  archive(last_)(all_)(above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
+  archive(last_)(all_)(
+      above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
   engine_->serialize(archive);
 }
 

@@ -33,8 +33,7 @@ Load load_of(const std::vector<cases::Case>& points) {
     for (Fault& fault : run_faults(mill_case)) load.wrong.push_back(std::move(fault));
     load.first_job.push_back(load.jobs);
     load.jobs += static_cast<std::size_t>(mill_case.run.replicates);
-    load.total +=
-        cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates);
+    load.total += cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates);
   }
   return load;
 }

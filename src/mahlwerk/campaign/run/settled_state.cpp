@@ -20,10 +20,10 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
   for (const scene::Ball& b : seen_from_carrier(mill_case, run.balls(), run.energy_balance().time))
     states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
   std::vector<std::vector<cases::BallState>> all(replicates_together(mill_case), states);
-  return {.file = "",
-          .folder = true,
-          .states = std::make_shared<const std::vector<std::vector<cases::BallState>>>(
-              std::move(all))};
+  return {
+      .file = "",
+      .folder = true,
+      .states = std::make_shared<const std::vector<std::vector<cases::BallState>>>(std::move(all))};
 }
 
 }  // namespace

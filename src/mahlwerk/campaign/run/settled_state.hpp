@@ -18,9 +18,10 @@ struct SettledState {
   double settling = 0;    ///< [s] it took
 };
 
-/// The case `mill_case`, for any engine, from a state that the soft engine computes with contacts of
-/// least_softening until the mill has settled. No value if the soft engine cannot run the case, if
-/// that takes more than `most_work` balls times steps, or if `stop` is set. The same on any machine.
+/// The case `mill_case`, for any engine, from a state that the soft engine computes with contacts
+/// of least_softening until the mill has settled. No value if the soft engine cannot run the case,
+/// if that takes more than `most_work` balls times steps, or if `stop` is set. The same on any
+/// machine.
 std::optional<SettledState> settled_state(const cases::Case& mill_case, double most_work,
                                           const std::atomic<bool>* stop = nullptr);
 

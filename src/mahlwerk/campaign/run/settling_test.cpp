@@ -43,8 +43,8 @@ bool SettlingTest::settled() const {
   }
   const observe::Trend of_lost = observe::trend(lost), of_drawn = observe::trend(drawn),
                        of_hits = observe::trend(hits);
-  const double turned_over = static_cast<double>(half) *
-                             std::max(std::abs(of_lost.mean), std::abs(of_drawn.mean));
+  const double turned_over =
+      static_cast<double>(half) * std::max(std::abs(of_lost.mean), std::abs(of_drawn.mean));
   return !certain(of_lost, most * std::abs(of_lost.mean)) &&
          !certain(of_drawn, most * std::abs(of_drawn.mean)) &&
          !certain(of_hits, most * of_hits.mean) &&

@@ -69,9 +69,8 @@ struct PendingRun {
   /// engine that is invalid. No value where this takes too long. So the best setting of a search is
   /// the best by an engine that is valid there.
   std::optional<cases::Case> by_soft_engine() const {
-    const bool invalid =
-        std::ranges::find(result->notices, Severity::invalid, &Notice::severity) !=
-        result->notices.end();
+    const bool invalid = std::ranges::find(result->notices, Severity::invalid, &Notice::severity) !=
+                         result->notices.end();
     if (mill_case.run.engine != cases::EngineName::event || !invalid ||
         cases::balls_count(mill_case.balls) == 1)
       return std::nullopt;

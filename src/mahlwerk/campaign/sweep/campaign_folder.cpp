@@ -135,9 +135,8 @@ std::vector<cases::Override> CampaignFolder::settings(std::size_t point) const {
 
 CampaignFolder::Run CampaignFolder::read_run(std::size_t point) const {
   const cases::Case mill_case = file_.read(settings_.catalogue, settings(point));
-  return {
-      run_hash(mill_case, settings_.version), work_estimate(mill_case),
-      cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates)};
+  return {run_hash(mill_case, settings_.version), work_estimate(mill_case),
+          cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates)};
 }
 
 void CampaignFolder::plan(Plan plan) {

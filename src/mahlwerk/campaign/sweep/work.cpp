@@ -21,8 +21,7 @@ double work_estimate(const cases::Case& mill_case) {
     const double dt = soft_settings(mill_case).rules.time_step;
     each = (dt > 0 ? 1 / dt : 0) * std::max(step, ball_step * balls);
   }
-  return each * cases::simulated_time(mill_case) *
-         static_cast<double>(mill_case.run.replicates);
+  return each * cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates);
 }
 
 }  // namespace mahlwerk::campaign

@@ -41,7 +41,9 @@ Json notice_list(const Notices& notices) {
 Json about(const Outcome& outcome, std::string_view version) {
   Json runs = Json::array();
   for (const Replicate& r : outcome.replicates) {
-    Json run = Json::object({{"complete", r.complete && r.time() > 0}, {"time", r.time()}, {"settling", r.at_settled.time}});
+    Json run = Json::object({{"complete", r.complete && r.time() > 0},
+                             {"time", r.time()},
+                             {"settling", r.at_settled.time}});
     if (!r.stop_reason.empty()) run["stopped"] = r.stop_reason;
     runs.push_back(std::move(run));
   }

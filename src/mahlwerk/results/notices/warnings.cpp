@@ -94,20 +94,21 @@ void automatic_settling(const Outcome& outcome, Notices& list) {
   const auto trending = std::ranges::count(chosen, false, &Replicate::settled);
   const std::string after =
       range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
-  const double periods =
-      value(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
+  const double periods = value(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
   if (trending > 0)
     list.push_back(warning(
         "not-settled",
-        fmt::format("The mill had not settled after {}, when counting began: in {} of {} replicates "
-                    "power, hits or stored energy still had a trend. A longer run.time allows a "
-                    "longer settling; run.settle gives its time.",
-                    after, trending, chosen.size())));
+        fmt::format(
+            "The mill had not settled after {}, when counting began: in {} of {} replicates "
+            "power, hits or stored energy still had a trend. A longer run.time allows a "
+            "longer settling; run.settle gives its time.",
+            after, trending, chosen.size())));
   else
-    list.push_back(note(
-        "settled", fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
-                               "stored energy had no trend. {:.4g} periods of the mill are counted.",
-                               after, periods)));
+    list.push_back(
+        note("settled",
+             fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
+                         "stored energy had no trend. {:.4g} periods of the mill are counted.",
+                         after, periods)));
 }
 
 /// Warns if less than one period of the mill was counted.
@@ -123,7 +124,8 @@ void part_of_a_period(const Outcome& outcome, Notices& list) {
                   show_rounded(period, "s"), show_rounded(period, "s"))));
 }
 
-/// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy: then energy is stored, or given back, all the time (sta.11).
+/// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy:
+/// then energy is stored, or given back, all the time (sta.11).
 void powers_apart(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.1, far = 3;
   constexpr std::size_t fewest = 10;
@@ -139,14 +141,15 @@ void powers_apart(const Outcome& outcome, Notices& list) {
   if (!(std::abs(trend.change) > far * trend.scatter)) return;
   list.push_back(warning(
       "powers-apart",
-      fmt::format("Drawn and dissipated power differ by {} % of the larger one, {} was drawn, although "
-                  "in a settled mill both are equal: {} A longer run.settle, or run.settle = \"auto\", and a longer run.time "
-                  "help.",
-                  two_digits(100 * apart), drawn > lost ? "more" : "less",
-                  drawn > lost
-                      ? "the charge still gained energy when counting ended, for instance a bed "
-                        "that is lifted and does not yet flow."
-                      : "the charge still lost energy that it had when counting began.")));
+      fmt::format(
+          "Drawn and dissipated power differ by {} % of the larger one, {} was drawn, although "
+          "in a settled mill both are equal: {} A longer run.settle, or run.settle = \"auto\", and "
+          "a longer run.time "
+          "help.",
+          two_digits(100 * apart), drawn > lost ? "more" : "less",
+          drawn > lost ? "the charge still gained energy when counting ended, for instance a bed "
+                         "that is lifted and does not yet flow."
+                       : "the charge still lost energy that it had when counting began.")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
