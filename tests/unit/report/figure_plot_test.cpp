@@ -86,7 +86,7 @@ TEST(FigurePlot, no_interval_leaves_the_range_of_its_quantity) {
   const auto share = ends("flight_share", "1");
   EXPECT_EQ(share[0][2], 0);
   EXPECT_EQ(share[1][3], 1);
-  const auto torque = ends("shaft_torque", "N m");  // on average the shaft drives the charge
+  const auto torque = ends("shaft_torque", "m/s");  // on average the shaft drives the charge
   EXPECT_EQ(torque[0][2], 0);
   const auto imbalance = ends("power_imbalance", "1");  // signed
   EXPECT_DOUBLE_EQ(imbalance[0][2], 0.23 - 0.25);

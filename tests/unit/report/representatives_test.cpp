@@ -11,15 +11,22 @@
 namespace mahlwerk::report::representatives_test {
 namespace {
 
-/// Replicates of one ball in a drum that fly for these shares of their 10 s, with these powers.
+/// Replicates of one ball in a drum with F = 1.2, of whose mass these shares fly outside the bed,
+/// with these powers.
 results::Outcome drum(const std::vector<double>& flights, const std::vector<int>& powers) {
   results::Outcome o = results::fake_outcome(powers);
   kinematics::Tumbling motion;
-  motion.speed = 5;
+  motion.speed = 15;
   o.mill_case.mill.motion = motion;
-  for (std::size_t i = 0; i < flights.size(); ++i)
-    o.replicates[i].energy_balance.contact_time =
-        o.replicates[i].at_settled.contact_time + 10 * (1 - flights[i]);
+  o.mill_case.mill.jar_axis = kinematics::Tumbling::jar_axis;
+  o.mill_case.jar.shape = geometry::Cylinder{0.116, 0.1};
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    results::Replicate& r = o.replicates[i];
+    r.energy_balance.contact_time = r.at_settled.contact_time + 10 * (1 - flights[i]);
+    r.tally.wall_map = observe::WallMap({.radius = 0.058, .bottom = -0.05, .top = 0.05});
+    r.charge.mass_sought = 1;
+    r.charge.mass_outside = flights[i];
+  }
   o.summary = results::summarise(o);
   return o;
 }
@@ -33,7 +40,7 @@ TEST(Representatives, of_one_state_are_the_median_replicate) {
 }
 
 TEST(Representatives, of_two_regimes_are_one_of_each_the_frequent_one_first) {
-  const auto shown = representatives(drum({0.1, 0.5, 0.1, 0.5, 0.5}, {100, 300, 101, 100, 200}));
+  const auto shown = representatives(drum({0.01, 0.5, 0.01, 0.5, 0.5}, {100, 300, 101, 100, 200}));
   ASSERT_EQ(shown.size(), 2U);
   EXPECT_EQ(shown[0].words, "cataracting, 3 of 5 replicates");
   EXPECT_EQ(shown[0].replicate, 4U);  // 200 of 100, 200, 300

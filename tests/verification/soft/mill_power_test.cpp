@@ -61,9 +61,14 @@ double named(const results::Outcome& outcome, const std::string& name) {
   return std::ranges::find(list, name, &results::Quantity::name)->value;
 }
 
+/// What the charge stores meanwhile is the difference. The energy of the eight balls in the
+/// planetary jar varies by 2.8 mJ, the dissipation is 0.28 W * 8 s. The ratio then varies by
+/// sqrt(2) * 2.8 mJ / 2.2 J = 0.002 (measured in six runs of 2 s: 0.007), a fifth of the tolerance.
 TEST(MillPower, drawn_is_dissipated) {
   for (const auto& [name, what] : {std::pair("drum", drum(0.7, 24)), {"planetary", planetary()}}) {
-    const results::Outcome outcome = campaign::run(what);
+    cases::Case longer = what;
+    longer.run.time *= 4;
+    const results::Outcome outcome = campaign::run(longer);
     const double drawn = named(outcome, "drawn_power");
     states(std::string(name) + ": drawn over dissipated power",
            drawn / named(outcome, "dissipated_power"), 1, 0.01, "energy balance after settling");
