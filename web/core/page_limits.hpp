@@ -14,7 +14,8 @@ namespace mahlwerk::web {
 /// Faults of a case that is too large for the memory of a page.
 std::vector<Fault> page_faults(const cases::Case& mill_case);
 
-/// A warning that names the sections and keys that only the program follows; empty if there are none.
+/// A warning that names the sections and keys that only the program follows; empty if there are
+/// none.
 Notices left_to_program(const cases::Case& mill_case);
 
 }  // namespace mahlwerk::web

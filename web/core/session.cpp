@@ -154,13 +154,14 @@ Json Session::advance(double milliseconds) {
   }
   replica_.cpu_seconds() += 1e-3 * spent();
   const scene::EnergyBalance& now = replica_.energy_balance();
-  return Json::object({{"done", replica_.done()},
-                       {"simulated", now.time},
-                       {"total", replica_.counting_begins().value_or(cases::least_settling(decided_)) +
-                                     decided_.run.time},
-                       {"collisions", now.collisions},
-                       {"residual", now.worst_collision},
-                       {"stop_reason", replica_.stop_reason()}});
+  return Json::object(
+      {{"done", replica_.done()},
+       {"simulated", now.time},
+       {"total",
+        replica_.counting_begins().value_or(cases::least_settling(decided_)) + decided_.run.time},
+       {"collisions", now.collisions},
+       {"residual", now.worst_collision},
+       {"stop_reason", replica_.stop_reason()}});
 }
 
 const results::Outcome& Session::outcome_so_far() {
