@@ -297,6 +297,7 @@ Notices hit_notices(const Contacts& contacts) {
 /// Effect of sustained contacts on a run of the event engine, from its shares of contact and two
 /// pilot runs.
 Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>* stop) {
+  constexpr double mostly_in_contact = 0.25;  // an effect that is not known is then likely
   const Contacts contacts = contacts_of(outcome);
   Notices notes = hit_notices(contacts);
   if (contacts.share > contact_share_limit)
@@ -330,7 +331,7 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
   else
     notes.push_back(
         {"contact-time",
-         contacts.share > contact_share_limit ? Severity::invalid : Severity::warning,
+         contacts.share > mostly_in_contact ? Severity::invalid : Severity::warning,
          fmt::format("It is uncertain whether the result depends on contact.contact_time. {}",
                      words)});
   return notes;
