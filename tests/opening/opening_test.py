@@ -218,6 +218,7 @@ friction = 0.3
 [run]
 engine = "soft"
 time = "{time} ms"
+settle = "0 s"
 replicates = 1
 [observe]
 frames = "10 ms"

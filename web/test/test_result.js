@@ -60,7 +60,7 @@ async function a_result_says_why_it_ended_early({ page, url }) {
   await open(page, url);
   const box = page.locator(".result-notices");
   const early = (await caseText(page)).replace(/^restitution = 0.9/m, 'restitution = 0.3\nlasting = "none"')
-    .replace("replicates = 5", "replicates = 2");
+    .replace("replicates = 5", 'replicates = 2\nsettle = "0 s"');
   await writeCase(page, early);
   await runAgain(page);
   expect("the status", (await page.textContent("#status")).startsWith("Ended early:"));
