@@ -69,6 +69,7 @@ restitution = 0.9
 tangential_restitution = 0.9
 [run]
 engine = "event"
+settle = "0 s"
 time = "10 s"
 replicates = 3
 )";

@@ -55,7 +55,7 @@ TEST_F(SurrogateCommand, writes_a_file_that_ask_answers_from_without_the_campaig
   const ProgramResult json = mahlwerk("ask mill.json --json --quantity dissipated_power" + setting);
   EXPECT_EQ(json.code, 0) << json.output;
   EXPECT_NE(json.output.find("\"low\":"), std::string::npos) << json.output;
-  EXPECT_EQ(json.output.find("collision_rate"), std::string::npos) << json.output;
+  EXPECT_EQ(json.output.find("\"collision_rate\":"), std::string::npos) << json.output;
   const ProgramResult knows = mahlwerk("ask mill.json");
   EXPECT_EQ(knows.code, 0);
   EXPECT_NE(knows.output.find("15 Hz"), std::string::npos) << knows.output;
