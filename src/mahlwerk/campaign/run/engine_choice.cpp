@@ -330,8 +330,7 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
     notes.push_back(note("contact-time", words));
   else
     notes.push_back(
-        {"contact-time",
-         contacts.share > mostly_in_contact ? Severity::invalid : Severity::warning,
+        {"contact-time", contacts.share > mostly_in_contact ? Severity::invalid : Severity::warning,
          fmt::format("It is uncertain whether the result depends on contact.contact_time. {}",
                      words)});
   return notes;
