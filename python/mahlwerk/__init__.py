@@ -34,7 +34,7 @@ Fault = _core.Fault
 atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
-__all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "InputError", "Interrupted",
+__all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "Influence", "InputError", "Interrupted",
            "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction", "Quantity", "Result",
            "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "open", "record_columns"]
 

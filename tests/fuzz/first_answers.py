@@ -6,7 +6,8 @@ words of a mill, engine and settling left out), runs each with the defaults and 
 the soft engine (settled, stiff contacts, longer), and compares power, rate of hits
 above the threshold and their mean energy:
 
-    first_answers.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--reference FILE] [--careful PROGRAM]
+    first_answers.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--limit SECONDS]
+                     [--reference FILE] [--careful PROGRAM] [--warned]
 
 A quantity is right if it is within 10 %, or within its interval and that of the careful run. A case
 is fine if all three are right or a warning is given; it is bad if one is off by more than 20 %,
@@ -54,7 +55,7 @@ def mill(rng):
         amplitude = 1e3 * rng.uniform(2, 12) * 9.81 / (2 * math.pi * frequency) ** 2
         return (f'kind = "vibration"\nfrequency = "{frequency:.4g} Hz"\n'
                 f'amplitude = "{amplitude:.4g} mm"'), rng.uniform(15, 40), 1 / frequency
-    size = rng.uniform(60, 150)
+    size = rng.uniform(60, 120)
     share = rng.uniform(30, 90)
     critical = math.sqrt(2 * 9.81 / (0.85e-3 * size))
     return (f'kind = "tumbling"\nspeed = "{share:.3g} %"'), size, \
@@ -67,11 +68,11 @@ def case(seed, index):
     words, size, period = mill(rng)
     drum = "tumbling" in words
     height = size * (rng.uniform(0.3, 0.6) if drum else rng.uniform(0.8, 1.6))
-    ball = size * (rng.uniform(0.1, 0.2) if drum else rng.uniform(0.15, 0.42))
+    ball = size * (rng.uniform(0.14, 0.22) if drum else rng.uniform(0.15, 0.42))
     most = 0.3 * (math.pi / 4 * size ** 2 * height) / (math.pi / 6 * ball ** 3)
-    count = max(1, min(60, round(decades(rng, 1, max(1.1, most)))))
+    count = max(1, min(30, round(decades(rng, 1, max(1.1, most)))))
     if drum:
-        count = max(8, min(40, round(most * rng.uniform(0.3, 0.8))))
+        count = max(8, min(25, round(most * rng.uniform(0.3, 0.8))))
     density, = rng.choices([7850, 6050, 14900, 3900], [5, 3, 1, 1])
     return (f'title = "plain case {index}"\nseed = {index + 1}\n[mill]\n{words}\n'
             f'[jar]\nkind = "cylinder"\ndiameter = "{size:.4g} mm"\nheight = "{height:.4g} mm"\n'
@@ -99,11 +100,12 @@ def run(program, text, folder, limit):
 
 
 def careful(program, text, period, balls, folder):
-    """A settled run with stiff contacts: three turns of a drum, 8 of a planetary mill's disc, 25
-    oscillations of other mills, more for few balls."""
+    """A settled run with stiff contacts: three turns of a drum, 6 to 20 of a planetary mill's disc,
+    25 to 100 oscillations of other mills, more for fewer balls."""
     turning = "rpm" in text or "tumbling" in text
     settle = (2 if turning else 12) * period
-    counted = (3 if "tumbling" in text else max(8 if turning else 25, 120 / balls)) * period
+    least, most = (3, 3) if "tumbling" in text else (6, 20) if turning else (25, 100)
+    counted = min(most, max(least, 120 / balls)) * period
     return run(program, text + f'softening = 1\n[run]\nengine = "soft"\nsettle = "{settle:.4g} s"\n'
                f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 600)
 
@@ -119,16 +121,16 @@ def off(found, right):
 
 def examine(options, known, index):
     text, period, balls = case(options.seed, index)
-    counted = max(0.3, 8 * period)
+    counted = max(0.3, 5 * period)
     with tempfile.TemporaryDirectory() as folder:
         right = known.get(str(index)) or careful(options.careful or options.program, text, period,
                                                  balls, folder)
         plain = run(options.program, text + f'[run]\ntime = "{counted:.3g} s"\nreplicates = 3\n',
-                    folder, 300)
+                    folder, options.limit)
     if right is None:
         return index, "no-reference", "", right
     if plain is None:
-        return index, "bad", "does not end in 300 s", right
+        return index, "bad", f"does not end in {options.limit} s", right
     values, codes = plain
     errors = {name: off(values[name], right[0][name]) for name in QUANTITIES}
     wrong = {n: e for n, (e, sure) in errors.items() if abs(e) > NEAR and sure}
@@ -149,6 +151,8 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reference", type=pathlib.Path)
+    parser.add_argument("--limit", type=float, default=300, help="seconds that a run may take")
+    parser.add_argument("--warned", action="store_true", help="print the cases with warnings too")
     parser.add_argument("--careful", help="the program of the careful runs, if another")
     options = parser.parse_args()
     known = {}
@@ -161,7 +165,7 @@ def main():
                 lambda i: examine(options, known, i), indices):
             tally[verdict] = tally.get(verdict, 0) + 1
             kept[str(index)] = right
-            if verdict not in ("right", "warned"):
+            if verdict not in ("right", "warned") or options.warned and verdict == "warned":
                 print(f"case {index}: {verdict}: {words}", flush=True)
             if options.reference:
                 options.reference.write_text(json.dumps(kept))

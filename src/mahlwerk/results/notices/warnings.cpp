@@ -10,8 +10,6 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/settling.hpp"
-#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
@@ -30,127 +28,6 @@ constexpr double sunk = 0.2;
 
 double value(const Outcome& outcome, std::string_view name) {
   return named(outcome.summary.quantities, name).value;
-}
-
-/// [J] Energy that the charges of all replicates have stored since counting began, at the end of
-/// each window.
-std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
-  std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
-  for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
-  std::vector<double> sums(windows, 0);
-  for (std::size_t i = 0; i < windows; ++i) {
-    if (i > 0) sums[i] = sums[i - 1];
-    for (const Replicate* r : chosen) sums[i] += r->windows[i].wall_work - r->windows[i].lost;
-  }
-  return sums;
-}
-
-/// Whether the stored energy when counting began, zero here, differs from that after the first
-/// windows by more than its scatter (sta.8).
-bool start_differs(const std::vector<double>& stored, std::size_t first) {
-  constexpr double far = 3;  // standard deviations
-  if (first == 0 || first + 1 >= stored.size()) return false;
-  const std::vector<double> rest(stored.begin() + static_cast<std::ptrdiff_t>(first), stored.end());
-  const double mean = observe::estimate(rest).mean;
-  double squares = 0;
-  for (const double s : rest) squares += (s - mean) * (s - mean);
-  return std::abs(mean) > far * std::sqrt(squares / static_cast<double>(rest.size() - 1));
-}
-
-/// Warns if the means contain an initial transient: a long transient of the power, an imbalance of
-/// drawn and dissipated power, and a stored energy that changes. Short series show none of them.
-void not_steady(const Outcome& outcome, Notices& list) {
-  constexpr double much = 0.1, balanced = 0.01;
-  constexpr std::size_t fewest = 50;  // windows: ten batches
-  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  const std::vector<double> energy = stored(chosen);
-  if (energy.size() < fewest) return;
-  const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
-               imbalance = value(outcome, "power_imbalance");
-  const double windows = settling / chosen.front()->windows.front().length;
-  if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
-      !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
-    return;
-  list.push_back(
-      warning("not-settled",
-              fmt::format("The charge had not settled when counting began: the first {} of {} "
-                          "counted are an initial transient, and {} % {} power was drawn than "
-                          "dissipated. A longer run.settle helps.",
-                          show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
-                          two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
-}
-
-/// Mean, least and greatest of a time over the replicates, in words: "0.4 s", "0.35 s to 0.5 s".
-std::string range_in_words(const std::vector<const Replicate*>& chosen, const auto& of) {
-  const auto [least, most] = std::ranges::minmax(chosen, {}, of);
-  const std::string from = show_rounded(of(least), "s"), to = show_rounded(of(most), "s");
-  return from == to ? from : fmt::format("{} to {}", from, to);
-}
-
-/// Says what run.settle = "auto" did, and warns where it found a trend until the end.
-void automatic_settling(const Outcome& outcome, Notices& list) {
-  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  if (chosen.empty() || !cases::settles(outcome.mill_case)) return;
-  const auto trending = std::ranges::count(chosen, false, &Replicate::settled);
-  const std::string after =
-      range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
-  const double periods = value(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
-  if (trending > 0)
-    list.push_back(warning(
-        "not-settled",
-        fmt::format(
-            "The mill had not settled after {}, when counting began: in {} of {} replicates "
-            "power, hits or stored energy still had a trend. A longer run.time allows a "
-            "longer settling; run.settle gives its time.",
-            after, trending, chosen.size())));
-  else
-    list.push_back(
-        note("settled",
-             fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
-                         "stored energy had no trend. {:.4g} periods of the mill are counted.",
-                         after, periods)));
-}
-
-/// Warns if less than one period of the mill was counted.
-void part_of_a_period(const Outcome& outcome, Notices& list) {
-  const double counted = value(outcome, "simulated_time"),
-               period = cases::mill_period(outcome.mill_case);
-  if (!complete(outcome) || !std::isfinite(period) || !(counted < 0.999 * period)) return;
-  list.push_back(warning(
-      "part-of-a-period",
-      fmt::format("{} were counted, {} of a period of the mill ({}). Means over less than a period "
-                  "depend on its phase; a drum may not yet flow. Write run.time = \"{}\" or more.",
-                  show_rounded(counted, "s"), two_digits(counted / period),
-                  show_rounded(period, "s"), show_rounded(period, "s"))));
-}
-
-/// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy:
-/// then energy is stored, or given back, all the time (sta.11).
-void powers_apart(const Outcome& outcome, Notices& list) {
-  constexpr double much = 0.1, far = 3, rounding = 1e-9;
-  constexpr std::size_t fewest = 10;
-  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  double lost = 0, drawn = 0, kinetic = 0;
-  for (const Replicate* r : chosen)
-    for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work, kinetic += w.kinetic;
-  if (!(std::abs(drawn - lost) > rounding * kinetic)) return;
-  const std::vector<double> energy = stored(chosen);
-  const double apart = std::abs(drawn - lost) / std::max(std::abs(drawn), std::abs(lost));
-  if (energy.size() < fewest || !(apart > much)) return;
-  if (std::ranges::any_of(list, [](const Notice& n) { return n.code == "not-settled"; })) return;
-  const observe::Trend trend = observe::trend(energy);
-  if (!(std::abs(trend.change) > far * trend.scatter)) return;
-  list.push_back(warning(
-      "powers-apart",
-      fmt::format(
-          "Drawn and dissipated power differ by {} % of the larger one, {} was drawn, although "
-          "in a settled mill both are equal: {} A longer run.settle, or run.settle = \"auto\", and "
-          "a longer run.time "
-          "help.",
-          two_digits(100 * apart), drawn > lost ? "more" : "less",
-          drawn > lost ? "the charge still gained energy when counting ended, for instance a bed "
-                         "that is lifted and does not yet flow."
-                       : "the charge still lost energy that it had when counting began.")));
 }
 
 void cut_short(const Outcome& outcome, Notices& list) {
@@ -297,10 +174,7 @@ Notices warnings(const Outcome& outcome) {
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
-  automatic_settling(outcome, list);
-  not_steady(outcome, list);
-  powers_apart(outcome, list);
-  part_of_a_period(outcome, list);
+  append(list, settling_warnings(outcome));
   append(list, grinding_warnings(outcome));
   append(list, kinetics_warnings(outcome));
   append(list, sensor_warnings(outcome));

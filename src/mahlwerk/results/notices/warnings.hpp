@@ -21,6 +21,10 @@ std::string overlap_advice(const cases::Case& mill_case);
 /// `Outcome::notices`.
 Notices warnings(const Outcome& outcome);
 
+/// Says when counting began, and warns if the counted part of the run is not that of a settled
+/// mill, not a whole period, or holds few hits.
+Notices settling_warnings(const Outcome& outcome);
+
 /// Names the quantities that contact.softening changes, with the size of the change.
 Notices softened_quantities(const Outcome& outcome);
 
