@@ -18,7 +18,7 @@
 namespace mahlwerk::results {
 namespace {
 
-double value(const Outcome& outcome, std::string_view name) {
+double quantity(const Outcome& outcome, std::string_view name) {
   return named(outcome.summary.quantities, name).value;
 }
 
@@ -59,8 +59,9 @@ void not_steady(const Outcome& outcome, Notices& list) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   const std::vector<double> energy = stored(chosen);
   if (energy.size() < fewest) return;
-  const double settling = value(outcome, "settling_time"), time = value(outcome, "simulated_time"),
-               imbalance = value(outcome, "power_imbalance");
+  const double settling = quantity(outcome, "settling_time"),
+               time = quantity(outcome, "simulated_time"),
+               imbalance = quantity(outcome, "power_imbalance");
   const double windows = settling / chosen.front()->windows.front().length;
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
       !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
@@ -88,7 +89,8 @@ void automatic_settling(const Outcome& outcome, Notices& list) {
   const auto trending = std::ranges::count(chosen, false, &Replicate::settled);
   const std::string after =
       range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
-  const double periods = value(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
+  const double periods =
+      quantity(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
   if (trending > 0)
     list.push_back(warning(
         "not-settled",
@@ -107,7 +109,7 @@ void automatic_settling(const Outcome& outcome, Notices& list) {
 
 /// Warns if less than one period of the mill was counted.
 void part_of_a_period(const Outcome& outcome, Notices& list) {
-  const double counted = value(outcome, "simulated_time"),
+  const double counted = quantity(outcome, "simulated_time"),
                period = cases::mill_period(outcome.mill_case);
   if (!complete(outcome) || !std::isfinite(period) || !(counted < 0.999 * period)) return;
   list.push_back(warning(
@@ -127,15 +129,15 @@ void counted_trend(const Outcome& outcome, Notices& list) {
   std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
   for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
   if (windows < fewest || says(list, "not-settled")) return;
-  const auto trend_of = [&](double Window::*quantity) {
+  const auto trend_of = [&](double Window::*member) {
     std::vector<double> sums(batches, 0);
     for (std::size_t i = 0; i < windows / batches * batches; ++i)
-      for (const Replicate* r : chosen) sums[i / (windows / batches)] += r->windows[i].*quantity;
+      for (const Replicate* r : chosen) sums[i / (windows / batches)] += r->windows[i].*member;
     return observe::trend(sums);
   };
-  for (const auto& [name, quantity] :
+  for (const auto& [name, member] :
        {std::pair("the dissipated power", &Window::lost), {"the rate of hits", &Window::above}}) {
-    const observe::Trend trend = trend_of(quantity);
+    const observe::Trend trend = trend_of(member);
     if (!(std::abs(trend.change) > std::max(much * trend.mean, certain * trend.ci95))) continue;
     list.push_back(warning(
         "not-settled",
