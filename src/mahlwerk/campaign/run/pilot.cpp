@@ -22,12 +22,14 @@ struct HitCounter final : scene::Observer {
   HitCounter(double least, std::int64_t collisions, const std::atomic<bool>* user)
       : threshold(least), left(collisions), stop(user) {}
   void collisions(std::span<const scene::Collision> finished) override {
-    hits += std::ranges::count_if(finished, [&](const auto& c) { return c.approach >= threshold; });
+    for (const scene::Collision& c : finished)
+      if (c.approach >= threshold) ++hits, energy += c.energy_normal();
     left -= std::ssize(finished);
     if (left <= 0 || (stop != nullptr && *stop)) enough = true;
   }
   double threshold;
   std::int64_t left, hits = 0;
+  double energy = 0;  // [J] of the hits
   const std::atomic<bool>* stop;
   std::atomic<bool> enough = false;
 };
@@ -36,6 +38,7 @@ struct HitCounter final : scene::Observer {
 struct Sample {
   scene::EnergyBalance energy_balance;
   std::int64_t hits = 0;
+  double energy = 0;  // [J] of the hits
 };
 
 template <class Value>
@@ -53,6 +56,13 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
   return {ratio - 1, ratio * math::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
 }
 
+/// Change of a ratio from the changes of its parts.
+ContactTimeEffect::Change quotient(const ContactTimeEffect::Change& of,
+                                   const ContactTimeEffect::Change& over) {
+  const double ratio = (1 + of.share) / (1 + over.share);
+  return {ratio - 1, ratio * math::hypot(of.ci95 / (1 + of.share), over.ci95 / (1 + over.share))};
+}
+
 }  // namespace
 
 Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::int64_t most,
@@ -62,13 +72,14 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
   const auto trial = engine(mill_case, 0, 1, stop);
   HitCounter counter(mill_case.observe.threshold, most, stop);
   trial->stop_on(&counter.enough);
-  std::vector<Sample> samples{{trial->energy_balance(), 0}};
+  std::vector<Sample> samples{{trial->energy_balance(), 0, 0}};
   Pilot seen;
   try {
     for (int i = 1; i <= parts && !counter.enough; ++i) {
       trial->advance(whole * i / parts, counter);
       const scene::EnergyBalance now = trial->energy_balance();
-      if (now.time > samples.back().energy_balance.time) samples.push_back({now, counter.hits});
+      if (now.time > samples.back().energy_balance.time)
+        samples.push_back({now, counter.hits, counter.energy});
       if (now.collisions >= most) break;  // many bounces may be one record (man.9)
     }
   } catch (const RunError&) {  // the samples so far are used
@@ -88,6 +99,7 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::in
         static_cast<double>(end.hits_within - middle.hits_within) / static_cast<double>(hits);
   seen.power = estimate(samples, [](const Sample& s) { return s.energy_balance.lost(); });
   seen.hits = estimate(samples, [](const Sample& s) { return static_cast<double>(s.hits); });
+  seen.hit_power = estimate(samples, [](const Sample& s) { return s.energy; });
   return seen;
 } catch (const Interrupted&) {  // while balls were placed: no result
   return {};
@@ -99,7 +111,9 @@ ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::a
   shorter.contact.contact_time *= ContactTimeEffect::shorter;
   const Pilot first = pilot(mill_case, stop, most),
               second = pilot(shorter, stop, 4 * most, first.time);
-  return {change(first.power, second.power), change(first.hits, second.hits)};
+  const ContactTimeEffect::Change hits = change(first.hits, second.hits);
+  return {change(first.power, second.power), hits,
+          quotient(change(first.hit_power, second.hit_power), hits)};
 }
 
 }  // namespace mahlwerk::campaign

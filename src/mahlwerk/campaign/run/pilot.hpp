@@ -12,13 +12,14 @@ namespace mahlwerk::campaign {
 
 /// Results of a short run with the event engine, from its second half.
 struct Pilot {
-  double time = 0;            ///< [s] simulated
-  double contact_share = 0;   ///< [1] of the balls' time in contact
-  double withheld_share = 0;  ///< [1] power that the TC rule withheld, over the dissipated power
-  double hits_within = 0;     ///< [1] of the hits above the threshold, within t_c of another
-  observe::Estimate power;    ///< [W] dissipated
-  observe::Estimate hits;     ///< [1/s] collisions above the threshold
-  bool stopped = false;       ///< a RunError ended it
+  double time = 0;              ///< [s] simulated
+  double contact_share = 0;     ///< [1] of the balls' time in contact
+  double withheld_share = 0;    ///< [1] power that the TC rule withheld, over the dissipated power
+  double hits_within = 0;       ///< [1] of the hits above the threshold, within t_c of another
+  observe::Estimate power;      ///< [W] dissipated
+  observe::Estimate hits;       ///< [1/s] collisions above the threshold
+  observe::Estimate hit_power;  ///< [W] their normal energy per time
+  bool stopped = false;         ///< a RunError ended it
 };
 
 /// Most collisions of a pilot run: about half a second of computing.
@@ -40,10 +41,13 @@ struct ContactTimeEffect {
     bool known(double limit) const { return ci95 <= limit; }
   };
   Change power, hits;
+  Change energy;  ///< of the mean normal energy of hits above the threshold
 
   static constexpr double shorter = 0.25;  ///< the shorter t_c, relative to the case's
   static constexpr double most = 0.05;     ///< [1] the largest acceptable change
-  bool matters() const { return power.significant(most) || hits.significant(2 * most); }
+  bool matters() const {
+    return power.significant(most) || hits.significant(2 * most) || energy.significant(2 * most);
+  }
   bool known() const { return power.known(2 * most); }
 };
 
