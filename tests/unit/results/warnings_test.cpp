@@ -78,6 +78,44 @@ TEST(NotSettled, is_not_told_where_the_stored_energy_goes_up_and_down) {
   EXPECT_EQ(told, 0) << "of 40 runs";
 }
 
+/// Three replicates of 200 windows whose hits scatter about `rate(share of the time)` per window.
+template <class Rate>
+Outcome run_with_hits(std::uint32_t seed, const Rate& rate) {
+  Random random(17, seed);
+  Outcome o = fake_outcome({100, 100, 100});
+  for (Replicate& r : o.replicates) {
+    r.windows.clear();
+    for (int i = 0; i < 200; ++i) {
+      double hits = 0;  // binomial of 20 draws
+      for (int draw = 0; draw < 20; ++draw) hits += random.uniform(0, 20) < rate(i / 199.0) ? 1 : 0;
+      r.windows.push_back(
+          {.time = 0.05 * (i + 1), .length = 0.05, .above = hits, .lost = 1, .wall_work = 1});
+    }
+  }
+  return o;
+}
+
+TEST(NotSettled, is_told_of_hits_that_fall_in_the_sum_of_the_replicates) {  // (sta.12)
+  int falling = 0, steady = 0;
+  constexpr int runs = 400;
+  for (std::uint32_t seed = 0; seed < runs; ++seed) {
+    const auto fall = [](double share) { return 0.3 - 0.2 * share; };  // 120 hits, by 100 %
+    falling += has(warnings(ended(run_with_hits(seed, fall))), "not-settled") ? 1 : 0;
+    const auto same = [](double) { return 0.2; };
+    steady += has(warnings(ended(run_with_hits(seed, same))), "not-settled") ? 1 : 0;
+  }
+  // The change is 100 +- 33 % of the mean for 120 hits (Poisson): 3.2 errors are met in half.
+  EXPECT_GT(falling, runs / 3) << "of " << runs;
+  // 1.5 ci95 of 18 degrees of freedom: 0.55 % of 400 runs are 2.2, with a binomial scatter of 1.5.
+  EXPECT_LE(steady, 2.2 + 4 * 1.5) << "of " << runs;
+}
+
+TEST(FewHits, are_told_below_a_hundred_and_not_where_there_is_none) {
+  EXPECT_TRUE(has(warnings(ended(fake_outcome({60, 60, 60}))), "few-hits"));   // 90 above
+  EXPECT_FALSE(has(warnings(ended(fake_outcome({80, 80, 80}))), "few-hits"));  // 120 above
+  EXPECT_FALSE(has(warnings(ended(fake_outcome({0, 0, 0}))), "few-hits"));
+}
+
 TEST(Overlap, is_warned_of_by_what_was_reached) {
   Outcome o = fake_outcome();
   o.engine = cases::EngineName::soft;
