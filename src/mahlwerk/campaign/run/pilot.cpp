@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/run/pilot.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,6 +55,11 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
   return {ratio - 1, ratio * math::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
 }
 
+std::string change_in_words(const ContactTimeEffect::Change& change) {
+  if (!std::isfinite(change.share) || !std::isfinite(change.ci95)) return "an unknown amount";
+  return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.share, 100 * change.ci95);
+}
+
 }  // namespace
 
 Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop, std::int64_t most,
@@ -100,6 +107,15 @@ ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::a
   const Pilot first = pilot(mill_case, stop, most),
               second = pilot(shorter, stop, 4 * most, first.time);
   return {change(first.power, second.power), change(first.hits, second.hits)};
+}
+
+std::string in_words(const ContactTimeEffect& effect, const cases::Case& mill_case) {
+  return fmt::format(
+      "With a contact.contact_time of {:.3g} us instead of {:.3g} us the power of a pilot run "
+      "changes by {}, the number of its hits above the threshold by {}.",
+      1e6 * mill_case.contact.contact_time * ContactTimeEffect::shorter,
+      1e6 * mill_case.contact.contact_time, change_in_words(effect.power),
+      change_in_words(effect.hits));
 }
 
 }  // namespace mahlwerk::campaign
