@@ -70,7 +70,8 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
 std::size_t replicates_together(const cases::Case& mill_case) {
   const auto balls = static_cast<std::size_t>(cases::balls_count(mill_case.balls));
   const bool in_soft_engine = mill_case.run.engine == cases::EngineName::soft;
-  const bool same = !mill_case.uncertainty;  // contact and motion of all replicates
+  // Contact and motion of all replicates.
+  const bool same = cases::distinct_replicates(mill_case) == 1;
   return in_soft_engine && same && balls <= soft::side_by_side_limit ? 8 : 1;
 }
 

@@ -297,6 +297,7 @@ Notices warnings(const Outcome& outcome) {
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
+  append(list, reversal_notices(outcome));
   automatic_settling(outcome, list);
   not_steady(outcome, list);
   powers_apart(outcome, list);
