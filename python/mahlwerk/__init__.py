@@ -24,8 +24,9 @@ from .case import Case
 from .check import Check, Origin
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
+from .quantities import Influence, Notice, Quantity
 from .records import record_columns
-from .result import Influence, Notice, Quantity, Result
+from .result import Result
 from .searches import Comparison, Fit, Match, Optimum
 from .surrogate import Prediction, Surrogate
 

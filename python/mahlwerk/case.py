@@ -160,7 +160,7 @@ class Case:
 
     def check(self) -> Check:
         """What follows from the case, as `mahlwerk check`. Raises InputError if no engine can run it."""
-        from .result import Quantity
+        from .quantities import Quantity
 
         with self._source.as_file() as target:
             said = command(["check"], target=target, changes=self._source.changes,

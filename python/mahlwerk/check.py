@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from .pages import table_html
 
 if TYPE_CHECKING:
-    from .result import Quantity
+    from .quantities import Quantity
 
 __all__ = ["Check", "Origin"]
 

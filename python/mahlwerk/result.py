@@ -11,12 +11,13 @@ import os
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _core
 from .errors import InputError
 from .files import named_folder
 from .pages import framed, table_html
+from .quantities import Influence, Notice, Quantity, nan_if_none
 from .records import array_of_records
 from .tables import frame_of, of_columns, read_csv
 
@@ -27,71 +28,7 @@ if TYPE_CHECKING:
     from .case import Case
     from .plots import ResultPlots
 
-__all__ = ["Influence", "Notice", "Quantity", "Result"]
-
-
-class Notice(NamedTuple):
-    """A note or warning that accompanies a result."""
-
-    code: str  #: heading on the documentation's page of warnings
-    severity: str  #: "note", "warning" or "invalid"
-    text: str
-
-    @property
-    def warns(self) -> bool:
-        return self.severity != "note"
-
-
-class Influence(NamedTuple):
-    """What an assumed value of a case does to the key quantities."""
-
-    key: str  #: "contact.restitution"
-    value: str  #: that was assumed
-    range: tuple[str, str]  #: ends of the range in which it may lie
-    source: str
-    at_ends: dict[str, tuple[float, float]]  #: values of the key quantities there, in SI units
-
-
-class Quantity:
-    """A number of a result. `float(quantity)` is its value."""
-
-    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time")
-
-    def __init__(self, name: str, value: Optional[float], ci95: Optional[float], unit: str,
-                 about: str, ci95_time: Optional[float] = None):
-        self.name = name
-        self.value = nan_if_none(value)  #: mean over replicates; NaN if the run does not give one
-        self.ci95 = nan_if_none(ci95)  #: half-width of the 95 % confidence interval over replicates
-        self.unit = unit  #: "1" for a number without unit
-        self.about = about
-        self.ci95_time = nan_if_none(ci95_time)  #: the same from the scatter over time
-
-    @property
-    def half_width(self) -> float:
-        """Half-width to show: over replicates, else over time, else NaN."""
-        return self.ci95 if math.isfinite(self.ci95) else self.ci95_time
-
-    def __float__(self) -> float:
-        return self.value
-
-    def text(self) -> str:
-        """Value, half-width and unit: "136.2 ± 15 /s"."""
-        unit = "" if self.unit in ("", "1") else f" {self.unit.removeprefix('1')}"
-        if not math.isfinite(self.half_width):
-            return f"{self.value:.4g}{unit}"
-        return f"{self.value:.4g} ± {self.half_width:.2g}{unit}"
-
-    def __str__(self) -> str:
-        return self.text()
-
-    def __repr__(self) -> str:
-        return f"<{self.name} {self.text()}>"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Quantity) and all(
-            same(getattr(self, part), getattr(other, part)) for part in self.__slots__)
-
-    __hash__ = None  # type: ignore[assignment]
+__all__ = ["Result"]
 
 
 class Result:
@@ -367,12 +304,3 @@ def restored(state: dict[str, Any]) -> Result:
     made = Result.__new__(Result)
     made.folder, made._ran, made._state = None, None, state
     return made
-
-
-def nan_if_none(value: Optional[float]) -> float:
-    return math.nan if value is None else float(value)
-
-
-def same(one: Any, other: Any) -> bool:
-    return one == other or (isinstance(one, float) and isinstance(other, float)
-                            and math.isnan(one) and math.isnan(other))

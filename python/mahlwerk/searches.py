@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any, Union
 from . import _core
 from .errors import InputError
 from .pages import framed
-from .result import Notice, Result
+from .quantities import Notice
+from .result import Result
 from .tables import frame_of, read_csv
 
 if TYPE_CHECKING:

@@ -113,6 +113,14 @@ TYPED_TEST(Shapes, gap_is_a_distance_whose_gradient_is_the_inward_normal) {
   stays_below("points whose gradient is not 1", across, 5, "geo.1");
 }
 
+// A drive that is reversed relies on it (cases/reversal.hpp).
+TYPED_TEST(Shapes, is_its_own_mirror_image_at_the_plane_of_x_and_z) {
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p = this->anywhere();
+    EXPECT_EQ(this->nearest({p.x, -p.y, p.z}), this->nearest(p));
+  }
+}
+
 /// Compares each lane of gaps() with gap(), bit by bit.
 template <class V, class S>
 void expect_gaps_of_lanes(const S& shape, std::span<const Vec3> points) {

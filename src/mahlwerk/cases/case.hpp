@@ -257,6 +257,7 @@ struct Observe {
 struct MillingTime {
   std::optional<double> time = std::nullopt;  ///< [s] without pauses; none: see milling_time()
   double dose = 1e6;                          ///< [J/kg] of powder, whose milling time is computed
+  bool reverse = false;  ///< whether the sense of rotation changes after each cycle
   bool operator==(const MillingTime&) const = default;
 };
 

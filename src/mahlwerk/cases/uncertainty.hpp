@@ -35,8 +35,11 @@ struct Uncertainty {
   }
 };
 
-/// The case of a replicate, from 0: with the values of its draw, and without [uncertainty]. The
-/// same case without [uncertainty].
+/// Number of cases that differ from replicate to replicate; 1: all replicates have the same.
+std::size_t distinct_replicates(const Case& c);
+
+/// The case of a replicate, from 0: with the values of its draw and without [uncertainty], and in
+/// its sense of rotation (reversal.hpp). Else the same case.
 Case case_of_replicate(const Case& c, std::size_t replicate);
 
 }  // namespace mahlwerk::cases

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
@@ -47,8 +48,9 @@ Summary summarise(const Outcome& outcome) {
   std::vector<std::size_t> numbers;
   for (const Replicate* r : chosen) numbers.push_back(number_of(outcome, *r));
   Summary made;
-  for (const Replicate& r : outcome.replicates)
-    made.by_replicate.push_back(values_of(all, outcome.mill_case, r));
+  const cases::CaseBySense by_sense(outcome.mill_case);
+  for (std::size_t k = 0; k < outcome.replicates.size(); ++k)
+    made.by_replicate.push_back(values_of(all, by_sense.of(k), outcome.replicates[k]));
   made.quantities = means(all, made.by_replicate, numbers, interval_of(outcome.mill_case));
   for (std::size_t i = 0; i < all.size(); ++i) {
     Quantity& q = made.quantities[i];
@@ -64,7 +66,7 @@ Summary summarise(const Outcome& outcome) {
   made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), undefined, "1",
                              "number of independent replicates in the means"});
   made.pairs = by_pair(outcome);
-  if (!outcome.mill_case.uncertainty)  // whose replicates differ by their parameters
+  if (cases::distinct_replicates(outcome.mill_case) == 1)  // they differ by their starts only
     made.two_states = two_states(outcome, all, made.by_replicate);
   made.regime = regime(outcome);
   if (!made.regime.empty()) made.regime_reason = regime_reason(outcome);

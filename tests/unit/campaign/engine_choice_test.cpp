@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mahlwerk/campaign/run/engine_notices.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"
 #include "unit/cases/sample.hpp"
 

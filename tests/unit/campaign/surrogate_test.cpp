@@ -155,6 +155,16 @@ TEST(Surrogate, is_read_back_with_the_same_bits) {
   EXPECT_EQ(back.notices.front().runs, 15U);
 }
 
+TEST(Surrogate, has_the_warnings_of_its_runs_and_not_their_notes) {
+  const Campaign campaign(settings(15, 0.3, 3, 1), {},
+                          {note("settled", "It had."), warning("not-settled", "It had not."),
+                           invalid("contact-time", "It depends.")});
+  const results::NoticeCounts said = campaign.surrogate().notices;
+  ASSERT_EQ(said.size(), 2U);
+  EXPECT_EQ(said[0].first.code, "contact-time");
+  EXPECT_EQ(said[1].first.code, "not-settled");
+}
+
 TEST(Surrogate, has_a_digest_of_its_numbers) {
   std::vector<Setting> all = settings(15, 0.3, 3, 1);
   const std::string before = Campaign(all).surrogate().digest;

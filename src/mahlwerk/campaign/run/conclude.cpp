@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/campaign/run/engine_notices.hpp"
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/results/replicate_setup.hpp"

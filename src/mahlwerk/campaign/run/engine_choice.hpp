@@ -5,6 +5,7 @@
 #include <atomic>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/results/outcome.hpp"
@@ -47,13 +48,11 @@ struct EngineChoice {
 /// machine. Setting `stop` ends a pilot run.
 EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop = nullptr);
 
+/// The name of the contact law if it is adhesive; the event engine does not model adhesion.
+std::optional<std::string_view> adhesive_law(const cases::Case& mill_case);
+
 /// The case as it is run: with the chosen engine and softening, and with the counted time that
 /// follows from run.settle = "auto" (cases::counted_time()). The origins of the values say so.
 cases::Case decided_case(const cases::Case& mill_case, const EngineChoice& choice);
-
-/// Notices on the engine that ran and on the validity of its results. Where sustained contacts may
-/// matter, two pilot runs measure their effect; setting `stop` ends them.
-Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choice,
-                       const std::atomic<bool>* stop = nullptr);
 
 }  // namespace mahlwerk::campaign

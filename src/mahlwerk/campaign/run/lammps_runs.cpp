@@ -10,6 +10,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/lammps/engine.hpp"
 
 namespace mahlwerk::campaign {
@@ -37,10 +38,12 @@ std::vector<std::filesystem::path> write_lammps_folders(
     const cases::Case& mill_case, const lammps::Launch& launch, bool slurm,
     const std::vector<std::string>& slurm_options) {
   std::vector<std::filesystem::path> folders;
+  const cases::CaseBySense by_sense(mill_case);
   for (int replicate = 0; replicate < mill_case.run.replicates; ++replicate) {
+    const cases::Case& own = by_sense.of(static_cast<std::size_t>(replicate));
     folders.push_back(lammps_folder(launch.folder, 0, 1, replicate));
-    lammps::write_folder(folders.back(), mill_case, cases::chamber(mill_case),
-                         start_of(mill_case, replicate), lammps_steps(mill_case), launch.ranks);
+    lammps::write_folder(folders.back(), own, cases::chamber(own), start_of(own, replicate),
+                         lammps_steps(own), launch.ranks);
     if (slurm) lammps::write_slurm_script(folders.back(), launch.ranks, slurm_options);
   }
   return folders;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -55,5 +56,9 @@ struct ContactTimeEffect {
 /// most `most` collisions, the second four times as many.
 ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::atomic<bool>* stop,
                                       std::int64_t most = pilot_collisions);
+
+/// "With a contact.contact_time of 25 us instead of 100 us the power of a pilot run changes by
+/// ...".
+std::string in_words(const ContactTimeEffect& effect, const cases::Case& mill_case);
 
 }  // namespace mahlwerk::campaign

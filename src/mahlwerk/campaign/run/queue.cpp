@@ -55,23 +55,25 @@ struct ActivePoint {
         choice(choose_engine(made, stop)),
         decided(decided_case(made, choice)),
         outcome(begun_outcome(made, choice)),
+        distinct(cases::distinct_replicates(decided)),
         left(outcome.replicates.size()) {
     const std::size_t count = left;
-    if (decided.uncertainty)
-      for (std::size_t draw = 0; draw < std::min(count, decided.uncertainty->count()); ++draw)
-        drawn.push_back(cases::case_of_replicate(decided, draw));
+    if (distinct > 1)
+      for (std::size_t k = 0; k < std::min(count, distinct); ++k)
+        drawn.push_back(cases::case_of_replicate(decided, k));
     for (cases::Case& one : drawn) one.contact.softening = decided.contact.softening;
   }
 
   const cases::Case& case_of(std::size_t replicate) const {
-    return drawn.empty() ? decided : drawn[replicate % decided.uncertainty->count()];
+    return drawn.empty() ? decided : drawn[replicate % distinct];
   }
 
   std::size_t index;
   EngineChoice choice;
   cases::Case decided;  // the case with the chosen engine
   results::Outcome outcome;
-  std::vector<cases::Case> drawn;     // its replicates, with [uncertainty]
+  std::size_t distinct;               // replicates that have different cases
+  std::vector<cases::Case> drawn;     // their cases, if there is more than one
   std::size_t next = 0;               // next replicate to begin
   std::size_t left = 0;               // replicates that have not ended
   std::exception_ptr failure;         // of the first failed replicate: no further one is begun

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 
+#include "mahlwerk/campaign/run/replicate_engine.hpp"
 #include "mahlwerk/campaign/run/settling_test.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -103,18 +104,5 @@ class ReplicateRun {
 /// Number of replicates that one thread should run together (ReplicateRun::run_slice_together), if
 /// there are as many: several for few balls in the soft engine.
 std::size_t replicates_together(const cases::Case& mill_case);
-
-/// The balls of a replicate when its mill starts (balls_at_start()), by the engine that run.engine
-/// names.
-std::vector<scene::Ball> start_of(const cases::Case& mill_case, int index, int threads = 1,
-                                  const std::atomic<bool>* stop = nullptr);
-
-/// The engine of one replicate at its start: run.engine, where "auto" counts as "event". `threads`
-/// threads share its work; the result does not depend on their number. `stop` takes effect from the
-/// placement of the balls on (scene::Engine::stop_on), where it throws Interrupted. `launch` is for
-/// "lammps".
-std::unique_ptr<scene::Engine> engine(const cases::Case& mill_case, int index, int threads = 1,
-                                      const std::atomic<bool>* stop = nullptr,
-                                      const lammps::Launch& launch = {});
 
 }  // namespace mahlwerk::campaign

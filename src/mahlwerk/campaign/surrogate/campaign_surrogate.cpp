@@ -290,6 +290,9 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
   const bool of_draws = std::ranges::any_of(made.notices, [](const results::NoticeCount& n) {
     return n.first.code == "uncertain-parameters";
   });
+  std::erase_if(made.notices, [](const results::NoticeCount& n) {  // of single runs
+    return !n.first.warns();
+  });
   std::string exact;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     made.quantities.push_back(

@@ -293,6 +293,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   too_many_sets(c, found);
   too_many_frames(c, found);
   bad_grinding(c, found);
+  bad_reversal(c, found);
   bad_sensors(c, found);
   return found;
 }

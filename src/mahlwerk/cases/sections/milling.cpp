@@ -76,6 +76,9 @@ void describe(KeyVisitor& v, MillingTime& milling) {
   v.number({"dose", "J/kg", positive, "energy per mass of powder, whose milling time is computed",
             MillingTime().dose, "a round number"},
            milling.dose);
+  v.flag({"reverse", false, "the mill always turns the same way",
+          "whether the sense of rotation changes after each cycle of milling"},
+         milling.reverse);
 }
 
 void find_milling_time(const Node& root, Findings& findings) {

@@ -174,6 +174,7 @@ Notices warnings(const Outcome& outcome) {
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
   drawn_parameters(outcome, list);
+  append(list, reversal_notices(outcome));
   append(list, settling_warnings(outcome));
   append(list, grinding_warnings(outcome));
   append(list, kinetics_warnings(outcome));

@@ -27,5 +27,7 @@ Notices settling_warnings(const Outcome& outcome);
 
 /// Names the quantities that contact.softening changes, with the size of the change.
 Notices softened_quantities(const Outcome& outcome);
+/// What a drive whose sense of rotation changes ([milling] reverse) means for the result.
+Notices reversal_notices(const Outcome& outcome);
 
 }  // namespace mahlwerk::results

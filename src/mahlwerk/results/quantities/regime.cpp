@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/quantities/regime_rule.hpp"
@@ -49,7 +50,7 @@ struct Reference {
 Reference reference(const Case& c) {
   if (const Tumbling* drum = cases::drum_motion(c))
     return {-0.5 * std::numbers::pi, drum->speed < 0 ? -1.0 : 1.0};
-  return {0, planetary(c).ratio < 0 ? -1.0 : 1.0};
+  return {0, planetary(c).ratio * planetary(c).speed < 0 ? -1.0 : 1.0};
 }
 
 /// Toe and shoulder [deg]: the 5 % and 95 % quantiles of the charge's mass by angle. Counting
@@ -199,7 +200,7 @@ bool rests(const Case& c, double speed_seen_from_jar) {
   if (spin_on_carrier(c) != 0) return false;
   constexpr double little = 0.01;  // of the disc's speed at the jar
   const Planetary& mill = planetary(c);
-  return speed_seen_from_jar < little * mill.speed * mill.orbit_radius;
+  return speed_seen_from_jar < little * std::abs(mill.speed) * mill.orbit_radius;
 }
 
 using Sign = double (*)(const Case&, const Replicate&);
@@ -224,7 +225,8 @@ std::string named(const Case& c, const ValueOf& value_of) {
 double mean_of(const Outcome& outcome, Sign of) {
   double sum = 0;
   const auto chosen = averaged_replicates(outcome);
-  for (const Replicate* r : chosen) sum += of(outcome.mill_case, *r);
+  const cases::CaseBySense by_sense(outcome.mill_case);
+  for (const Replicate* r : chosen) sum += of(by_sense.of(number_of(outcome, *r) - 1), *r);
   return chosen.empty() ? undefined : sum / static_cast<double>(chosen.size());
 }
 
