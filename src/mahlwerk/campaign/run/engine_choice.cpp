@@ -15,6 +15,7 @@
 #include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/settled_state.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/run/step_check.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -363,6 +364,7 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
+    append(notes, speed_warnings(outcome.mill_case, largest_collision_speed(outcome)));
     append(notes, softening_notices(outcome.mill_case));
     return notes;
   }
