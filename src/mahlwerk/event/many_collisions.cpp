@@ -198,11 +198,11 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                        const contact::EffectivePair& pair) {
   const double t = mill_time(), time = t - start_;
   const double approach = bounce.touch_speed(touch.mass, touch.approach);
-  const contact::Loss& loss = bounce.loss;
+  const double lost_tangential = bounce.loss.tangential + bounce.twisting_loss;
   if (rules_.elastic) {
     contacts_.finish_before(time, finished_);
     if (contacts_.join({time, collision_data(ball).id, other, approach, bounce.impulse.normal,
-                        loss.normal, loss.tangential},
+                        bounce.loss.normal, lost_tangential},
                        pair))
       return;
   }
@@ -220,8 +220,8 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                                .slip = touch.slip,
                                .glide = norm(touch.tangential_velocity),
                                .impulse = bounce.impulse.normal,
-                               .lost_normal = loss.normal,
-                               .lost_tangential = loss.tangential};
+                               .lost_normal = bounce.loss.normal,
+                               .lost_tangential = lost_tangential};
   if (rules_.elastic)
     contacts_.begin(first);
   else

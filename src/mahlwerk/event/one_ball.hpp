@@ -187,7 +187,8 @@ class OneBall final : public scene::Engine {
     energy_balance_.lost_rolling += twisting_loss;
     energy_balance_.elastic += stored_change;
     ++energy_balance_.collisions;
-    record(face, wall, n, touch, slip, norm(tangential_velocity), j.normal, loss);
+    record(face, wall, n, touch, slip, norm(tangential_velocity), j.normal,
+           {loss.normal, loss.tangential + twisting_loss});
     rebound_ = j.normal / m - touch;
     last_contact_time_ = mill_time();
     start_flight(after);

@@ -82,14 +82,15 @@ TEST(SoftSettings,
      collisions_faster_than_expected_are_warned_of_where_the_stated_error_is_exceeded) {
   const cases::Case mill_case = soft_case("restitution = 0.5");
   const double expected = soft_settings(mill_case).speed;
-  EXPECT_TRUE(speed_warnings(mill_case, 0).empty());
-  EXPECT_TRUE(speed_warnings(mill_case, expected).empty());
+  EXPECT_TRUE(speed_notices(mill_case, 0).empty());
+  EXPECT_TRUE(speed_notices(mill_case, expected).empty());
   // The duration of a collision falls with u^(1/5), the error grows with the square of the step:
   // 1.1 is reached at 1.1^(5/2) = 1.27 times the speed.
-  EXPECT_TRUE(speed_warnings(mill_case, 1.25 * expected).empty());
-  const Notices found = speed_warnings(mill_case, 3 * expected);
+  EXPECT_TRUE(speed_notices(mill_case, 1.25 * expected).empty());
+  const Notices found = speed_notices(mill_case, 3 * expected);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "faster-than-expected");
+  EXPECT_EQ(found[0].severity, Severity::note) << "errors stay below 2 %";
   const soft::StepError e = step_error(mill_case, 3 * expected);
   EXPECT_NEAR(e.tangential / step_error(mill_case, expected).tangential, std::pow(3, 0.4), 1e-9);
   EXPECT_NE(found[0].text.find(
@@ -122,7 +123,7 @@ TEST(SoftSettings, the_speeds_of_a_run_are_compared_with_the_expected_one) {
 
 TEST(SoftSettings, a_linear_spring_is_as_long_at_any_speed) {
   const cases::Case mill_case = soft_case("restitution = 0.5\nlaw = \"linear-spring\"");
-  EXPECT_TRUE(speed_warnings(mill_case, 10 * soft_settings(mill_case).speed).empty());
+  EXPECT_TRUE(speed_notices(mill_case, 10 * soft_settings(mill_case).speed).empty());
 }
 
 TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {

@@ -117,6 +117,8 @@ double event_spin(double e, double spin, bool many) {
   states("dissipated by twisting [J]", a.lost_rolling,
          0.5 * ball.inertia() * (spin * spin - after * after), 1e-12 * ball.inertia() * spin * spin,
          "what the spin lost");
+  states("dissipated by its record [J]", recorder.all[0].lost_tangential, a.lost_rolling, 0,
+         "it includes twisting");
   stays_below("balance of the collision", a.worst_collision, 1e-12, "energy");
   return after;
 }

@@ -364,7 +364,7 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
-    append(notes, speed_warnings(outcome.mill_case, largest_collision_speed(outcome)));
+    append(notes, speed_notices(outcome.mill_case, largest_collision_speed(outcome)));
     append(notes, softening_notices(outcome.mill_case));
     return notes;
   }
