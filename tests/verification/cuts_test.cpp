@@ -97,13 +97,18 @@ std::vector<scene::Ball> charge(int n, double radius) {
   return balls;
 }
 
-/// With `joined`, bounces of one contact are joined to one record.
+/// Moduli of steel, for every pair of `kinds` ball sets and the faces of `chamber`.
+contact::PairTable steel(int kinds, const scene::Chamber& chamber) {
+  return {kinds, geometry::faces(*chamber.shape), {.modulus = 1.1e11, .shear_modulus = 2.3e10}};
+}
+
+/// With `joined`, bounces of one contact are joined to one record, and twisting friction acts.
 Make many(const scene::Chamber& chamber, int n, double radius, bool joined = false) {
   return [=] {
     event::Rules rules;
     rules.sustained_mode = event::SustainedContactMode::tc;
     const int faces = geometry::faces(*chamber.shape);
-    if (joined) rules.elastic = contact::PairTable(2, faces, {.modulus = 1.1e11});
+    if (joined) rules.elastic = rules.twisting = steel(2, chamber);
     contact::BounceTable table(2, faces, {0.8, 0.3, 0.3});
     table.set_balls(0, 1, {0.6, 0, 0.1});
     return event::many_balls(chamber, charge(n, radius), rules, table, 0.37);
@@ -123,10 +128,12 @@ scene::Chamber planet() {
           {},
           down};
 }
-/// A ball that is still falling at the first stop and later rolls in the vial.
+/// A ball that is still falling at the first stop and later rolls in the vial; twisting friction
+/// acts.
 std::unique_ptr<scene::Engine> roller() {
   event::Rules rules = rules_a(0.5);
   rules.bounce.friction = 0.3;
+  rules.twisting = steel(1, mill_a());
   return event::one_ball(mill_a(5, 0.002), ball_a({0.0005, 0, 0}, {0.05, 0.02, 0}), rules, 0.1);
 }
 

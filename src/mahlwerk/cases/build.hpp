@@ -61,7 +61,7 @@ Notices jar_warnings(const Case& c);
 /// Clears the mark `assumed` of values that the engine does not read, and `assumed` and
 /// `unverified` of values that only wear or heat would need.
 void drop_irrelevant_assumptions(Case& c);
-/// A note on keys that the case gives and `engine` does not read.
+/// Notes on keys that the case gives and `engine` does not read, or only in part.
 Notices ignored_keys(const Case& c, EngineName engine);
 
 /// Warnings about values that are allowed but probably a mistake: a metal as light as air, a

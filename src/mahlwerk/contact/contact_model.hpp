@@ -9,7 +9,7 @@
 namespace mahlwerk::contact {
 
 /// The contact model of the soft engine: a law with its parameters, rolling resistance, and
-/// switches that apply to every law.
+/// switches that apply to every law. The event engine reads `twisting`.
 struct ContactModel {
   Indirect<AnyLaw> law;
   Rolling rolling = Rolling::cdt;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -120,8 +121,11 @@ class ManyBalls final : public scene::Engine {
   void add_contact_time(CollisionData& ball, bool slow);
   void update_energy_balance(const CollisionKinematics& touch, const Bounce& bounce, double gained,
                              double work, double before);
-  contact::EffectivePair wall_pair(const Species& ball, int face) const;
-  contact::EffectivePair ball_pair(const Species& a, const Species& b) const;
+  bool twists(const Bounce& bounce) const { return rules_.twisting && !bounce.raised; }
+  contact::EffectivePair wall_pair(const std::optional<contact::PairTable>& moduli,
+                                   const Species& ball, int face) const;
+  contact::EffectivePair ball_pair(const std::optional<contact::PairTable>& moduli,
+                                   const Species& a, const Species& b) const;
   double longest_joining_time() const;
   void record(std::int32_t ball, std::int32_t other, const CollisionKinematics& touch,
               const Vec3& point, const Bounce& bounce, double since,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/contact/twisting_impulse.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/many_balls.hpp"
 
@@ -25,18 +26,28 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
                                   pressing_acceleration_ + centripetal_acceleration);
 
   const double since = now_ - data.last_collision;
-  const Bounce b =
-      bounce(bounces_.wall(s.kind, face), touch, s.radius, since,
+  const contact::BounceRule& rule = bounces_.wall(s.kind, face);
+  Bounce b =
+      bounce(rule, touch, s.radius, since,
              {data.stored_energy, tc_rule_.storage_capacity(s.mass, pressing_acceleration_)});
   const Vec3 impulse = touch.impulse(b.total_impulse());
   const double before = kinetic(ball, now_);
   apply_impulse(ball, impulse, s.radius * n);
-  const double work =
+  double work =
       dot(impulse, epoch_.velocity + now_ * gravity_ + jar_offset().velocity + wall.velocity);
+  if (twists(b)) {
+    const double jar_spin = dot(jar_->spin(t), n), spin = dot(data.spin, n) - jar_spin;
+    const contact::Twist twist =
+        contact::twist(wall_pair(rules_.twisting, s, face), rule, s.inertia,
+                       b.touch_speed(s.mass, touch.approach), b.impulse.normal, spin);
+    data.spin -= twist.impulse / s.inertia * n;
+    work -= twist.impulse * jar_spin;
+    b.twisting_loss = twist.loss;
+  }
   energy_balance_.wall_work += work;
   update_energy_balance(touch, b, kinetic(ball, now_) - before, work, before);
   add_contact_time(data, slow(touch));
-  record(ball, ~face, touch, wall.point, b, since, wall_pair(s, face));
+  record(ball, ~face, touch, wall.point, b, since, wall_pair(rules_.elastic, s, face));
   predict_and_schedule(ball, candidates(ball));
 }
 
@@ -63,20 +74,31 @@ void ManyBalls::hit_wall(std::int32_t ball, int face) {
       relative_velocity, sa.radius * data_a.spin + sb.radius * data_b.spin, pressing_acceleration_);
 
   const double since = now_ - std::max(data_a.last_collision, data_b.last_collision);
-  const Bounce bounced =
-      bounce(bounces_.balls(sa.kind, sb.kind), touch, sa.radius * sb.radius / reach, since,
+  const contact::BounceRule& rule = bounces_.balls(sa.kind, sb.kind);
+  Bounce bounced =
+      bounce(rule, touch, sa.radius * sb.radius / reach, since,
              {data_a.stored_energy, tc_rule_.storage_capacity(sa.mass, pressing_acceleration_),
               data_b.stored_energy, tc_rule_.storage_capacity(sb.mass, pressing_acceleration_)});
   const Vec3 impulse = touch.impulse(bounced.total_impulse());
   const double before = kinetic(ball, now_) + kinetic(other, now_);
   apply_impulse(ball, impulse, sa.radius * n);
   apply_impulse(other, -impulse, -sb.radius * n);
+  if (twists(bounced)) {
+    const double spin = dot(data_a.spin - data_b.spin, n);
+    const contact::Twist twist = contact::twist(ball_pair(rules_.twisting, sa, sb), rule,
+                                                sa.inertia * sb.inertia / (sa.inertia + sb.inertia),
+                                                bounced.touch_speed(touch.mass, touch.approach),
+                                                bounced.impulse.normal, spin);
+    data_a.spin -= twist.impulse / sa.inertia * n;
+    data_b.spin += twist.impulse / sb.inertia * n;
+    bounced.twisting_loss = twist.loss;
+  }
   update_energy_balance(touch, bounced, kinetic(ball, now_) + kinetic(other, now_) - before, 0,
                         before);
   add_contact_time(data_a, slow(touch));
   add_contact_time(data_b, slow(touch));
   record(ball, data_b.id, touch, ball_state(ball).position + sa.radius * n, bounced, since,
-         ball_pair(sa, sb));
+         ball_pair(rules_.elastic, sa, sb));
   predict_and_schedule(ball, near_ball);
   predict_and_schedule(other, near_other);
 }
@@ -135,18 +157,23 @@ void ManyBalls::update_energy_balance(const CollisionKinematics& touch, const Bo
   energy_balance_.lost_normal += loss.normal;
   energy_balance_.lost_tangential += loss.tangential;
   energy_balance_.lost_liquid += bounce.liquid_loss;
-  const double lost = loss.normal + loss.tangential + bounce.stored_change + bounce.liquid_loss;
+  energy_balance_.lost_rolling += bounce.twisting_loss;
+  const double lost = loss.normal + loss.tangential + bounce.stored_change + bounce.liquid_loss +
+                      bounce.twisting_loss;
   check_balance(energy_balance_, gained, work, lost, before);
 }
 
-contact::EffectivePair ManyBalls::wall_pair(const Species& ball, int face) const {
-  return {.pair = rules_.elastic ? rules_.elastic->wall(ball.kind, face) : contact::Pair{},
+/// A ball and a face; `moduli` may be none where the record joins no bounces.
+contact::EffectivePair ManyBalls::wall_pair(const std::optional<contact::PairTable>& moduli,
+                                            const Species& ball, int face) const {
+  return {.pair = moduli ? moduli->wall(ball.kind, face) : contact::Pair{},
           .radius = ball.radius,
           .mass = ball.mass};
 }
 
-contact::EffectivePair ManyBalls::ball_pair(const Species& a, const Species& b) const {
-  return {.pair = rules_.elastic ? rules_.elastic->balls(a.kind, b.kind) : contact::Pair{},
+contact::EffectivePair ManyBalls::ball_pair(const std::optional<contact::PairTable>& moduli,
+                                            const Species& a, const Species& b) const {
+  return {.pair = moduli ? moduli->balls(a.kind, b.kind) : contact::Pair{},
           .radius = a.radius * b.radius / (a.radius + b.radius),
           .mass = a.mass * b.mass / (a.mass + b.mass)};
 }
@@ -157,9 +184,9 @@ double ManyBalls::longest_joining_time() const {
   if (!rules_.elastic) return longest;
   for (const Species& a : species_) {
     for (int face = 0; face < jar_->faces(); ++face)
-      longest = std::max(longest, joining_time(wall_pair(a, face), 0, 0));
+      longest = std::max(longest, joining_time(wall_pair(rules_.elastic, a, face), 0, 0));
     for (const Species& b : species_)
-      longest = std::max(longest, joining_time(ball_pair(a, b), 0, 0));
+      longest = std::max(longest, joining_time(ball_pair(rules_.elastic, a, b), 0, 0));
   }
   return longest;
 }
@@ -171,11 +198,11 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                        const contact::EffectivePair& pair) {
   const double t = mill_time(), time = t - start_;
   const double approach = bounce.touch_speed(touch.mass, touch.approach);
-  const contact::Loss& loss = bounce.loss;
+  const double lost_tangential = bounce.loss.tangential + bounce.twisting_loss;
   if (rules_.elastic) {
     contacts_.finish_before(time, finished_);
     if (contacts_.join({time, collision_data(ball).id, other, approach, bounce.impulse.normal,
-                        loss.normal, loss.tangential},
+                        bounce.loss.normal, lost_tangential},
                        pair))
       return;
   }
@@ -193,8 +220,8 @@ void ManyBalls::record(std::int32_t ball, std::int32_t other, const CollisionKin
                                .slip = touch.slip,
                                .glide = norm(touch.tangential_velocity),
                                .impulse = bounce.impulse.normal,
-                               .lost_normal = loss.normal,
-                               .lost_tangential = loss.tangential};
+                               .lost_normal = bounce.loss.normal,
+                               .lost_tangential = lost_tangential};
   if (rules_.elastic)
     contacts_.begin(first);
   else

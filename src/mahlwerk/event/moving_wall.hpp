@@ -28,6 +28,7 @@ class MovingWall {
                                        const TouchTolerance& tolerance) const = 0;
   virtual Wall wall(int face, const Vec3& position, double t, double radius) const = 0;
   virtual Vec3 to_jar_axes(const Vec3& a, double t) const = 0;
+  virtual Vec3 spin(double t) const = 0;  ///< [rad/s] angular velocity of the jar
 
   const kinematics::Bounds& motion_bounds() const { return motion_bounds_; }
   const Vec3& gravity() const { return gravity_; }
@@ -82,6 +83,7 @@ class ChamberWall final : public MovingWall {
     return jar_.wall(face, position, t, radius);
   }
   Vec3 to_jar_axes(const Vec3& a, double t) const override { return jar_.to_jar_axes(a, t); }
+  Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
  private:
   TypedChamber<S, M> jar_;

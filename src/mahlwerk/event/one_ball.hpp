@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/contact/twisting_impulse.hpp"
 #include "mahlwerk/event/collapse.hpp"
 #include "mahlwerk/event/guard.hpp"
 #include "mahlwerk/event/search.hpp"
@@ -162,7 +163,7 @@ class OneBall final : public scene::Engine {
     const double slip = norm(slip_velocity);
 
     const double touch = touch_speed(wall, approach);
-    const auto [j, loss, stored_change] = bounce(face, wall, touch, slip);
+    const auto [j, loss, stored_change, raised] = bounce(face, wall, touch, slip);
     const double liquid_impulse = m * (approach - touch);
     const double liquid_loss = 0.5 * liquid_impulse * (approach + touch);
     reject_energy_gain(loss, m, approach, slip, mill_time() - start_);
@@ -171,27 +172,45 @@ class OneBall final : public scene::Engine {
 
     BallState after = now_.ball;
     const double before = kinetic(after.velocity + now_.frame.velocity, spin_);
-    const double work = apply_impulse(impulse, wall, after);
+    double work = apply_impulse(impulse, wall, after), twisting_loss = 0;
+    if (rules_.twisting && !raised) [[unlikely]]
+      twisting_loss = twist(face, n, touch, j.normal, work);
     const double gained = kinetic(after.velocity + now_.frame.velocity, spin_) - before;
     check_balance(energy_balance_, gained, work,
-                  loss.normal + loss.tangential + stored_change + liquid_loss, before);
+                  loss.normal + loss.tangential + stored_change + liquid_loss + twisting_loss,
+                  before);
 
     energy_balance_.wall_work += work;
     energy_balance_.lost_normal += loss.normal;
     energy_balance_.lost_tangential += loss.tangential;
     energy_balance_.lost_liquid += liquid_loss;
+    energy_balance_.lost_rolling += twisting_loss;
     energy_balance_.elastic += stored_change;
     ++energy_balance_.collisions;
-    record(face, wall, n, touch, slip, norm(tangential_velocity), j.normal, loss);
+    record(face, wall, n, touch, slip, norm(tangential_velocity), j.normal,
+           {loss.normal, loss.tangential + twisting_loss});
     rebound_ = j.normal / m - touch;
     last_contact_time_ = mill_time();
     start_flight(after);
+  }
+
+  /// Changes the spin about `n` by the twisting friction of a collision, and `work` [J] by that of
+  /// the wall. Returns the loss [J].
+  double twist(int face, const Vec3& n, double approach, double normal, double& work) {
+    const double jar_spin = dot(jar_.motion().spin(now_.time), n);
+    const contact::Twist twist =
+        contact::twist(body_.twisting_pair(rules_, face), rules_.wall(face), body_.inertia,
+                       approach, normal, dot(spin_, n) - jar_spin);
+    spin_ -= twist.impulse / body_.inertia * n;
+    work -= twist.impulse * jar_spin;
+    return twist.loss;
   }
 
   struct Bounce {
     contact::Impulse impulse;
     contact::Loss loss;
     double stored_change = 0;  ///< [J] change of the stored energy (man.6)
+    bool raised = false;       ///< more elastic than the wall's rule, by the TC rule (man.4)
   };
   /// Largest acceleration that presses the ball to the wall [m/s2].
   double pressing_acceleration(const Wall& wall) const {
@@ -225,7 +244,7 @@ class OneBall final : public scene::Engine {
       energy_balance_.lost_within += b.loss.normal + b.loss.tangential;
       if (approach >= rules_.threshold) ++energy_balance_.hits_within;
     }
-    return {b.impulse, b.loss, b.stored_change};
+    return {b.impulse, b.loss, b.stored_change, b.raised};
   }
 
   void record(int face, const Wall& wall, const Vec3& n, double approach, double slip, double glide,

@@ -34,6 +34,9 @@ struct Rules {
   /// Moduli of the pairs of many balls: bounces of one contact are joined to one record (man.9).
   /// None: each bounce is a record.
   std::optional<contact::PairTable> elastic = std::nullopt;
+  /// Moduli of the pairs, for twisting friction (evt.24 to evt.27). None: bodies turn freely about
+  /// the normal.
+  std::optional<contact::PairTable> twisting = std::nullopt;
 
   /// Films on the bodies, which slow them down before they touch (liq.3); none: dry. The engine
   /// takes films that cavitate on rebound; it has no liquid around the balls.

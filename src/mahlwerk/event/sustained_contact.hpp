@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/contact/law.hpp"
 #include "mahlwerk/event/rules.hpp"
 #include "mahlwerk/scene/typed_chamber.hpp"
 
@@ -54,6 +56,10 @@ struct BallBody {
   double radius = 0, mass = 0, inertia = 0;
   double inertia_ratio = contact::solid_inertia_ratio;  ///< inertia / (mass radius^2)
   double slip_factor() const { return contact::slip_factor(inertia_ratio); }
+  /// The ball and a face, for twisting friction.
+  contact::EffectivePair twisting_pair(const Rules& rules, int face) const {
+    return {rules.twisting->wall(0, face), radius, mass, slip_factor()};
+  }
 };
 
 /// Forces at an instant.
@@ -174,13 +180,29 @@ class SustainedContact {
     return slip / std::sqrt(squared(slip) + slow * slow);
   }
 
-  /// Rolling resistance by a constant directional torque (type A), torque over mass [m2/s2];
-  /// regularised where the ball hardly turns (evt.16).
-  Vec3 rolling_torque(const Vec3& turning, const Vec3& inward, double normal_force) const {
+  /// Torque over mass [m2/s2] of a face against the relative spin `turning` [rad/s]: rolling
+  /// resistance by a constant directional torque (type A), and twisting friction; regularised where
+  /// the ball hardly turns (evt.16, evt.27).
+  Vec3 resisting_torque(int face, const Vec3& turning, const Vec3& inward,
+                        double normal_force) const {
     constexpr double spin_regularisation = 0.1;  // [rad/s]
     const Vec3 w = tangential_part(turning, inward);
     const double limit = rules_.rolling_friction * ball_.radius * std::max(normal_force, 0.0);
-    return -(limit / std::sqrt(squared(w) + spin_regularisation * spin_regularisation)) * w;
+    const Vec3 rolling =
+        -(limit / std::sqrt(squared(w) + spin_regularisation * spin_regularisation)) * w;
+    if (!rules_.twisting || !(normal_force > 0)) return rolling;
+    const double spin = dot(turning, inward);
+    const double most =
+        2.0 / 3 * rules_.sustained_friction * contact_radius(face, normal_force) * normal_force;
+    return rolling - most * spin /
+                         std::sqrt(spin * spin + spin_regularisation * spin_regularisation) *
+                         inward;
+  }
+
+  /// Hertz's contact radius [m] under a normal force over mass [m/s2] (evt.27).
+  double contact_radius(int face, double normal_force) const {
+    const contact::EffectivePair pair = ball_.twisting_pair(rules_, face);
+    return math::cbrt(0.75 * ball_.mass * normal_force * pair.radius / pair.pair.modulus);
   }
 
   ContactState on_face(const SupportFaces& support, double t, const ContactState& y,
@@ -193,7 +215,7 @@ class SustainedContact {
     const double normal_force =
         constraint.inward_acceleration - dot(body_acceleration, n);  // (evt.12)
     const Vec3 slip = tangential_part(y.velocity - wall - r * cross(y.spin, n), n);
-    const Vec3 torque = rolling_torque(y.spin - w, n, normal_force);
+    const Vec3 torque = resisting_torque(support.face[0], y.spin - w, n, normal_force);
 
     // Friction per mass that keeps the slip constant: d(slip)/dt = 0 (evt.13).
     const Vec3 wall_rate = cross(jar_->motion().angular_acceleration(t), point) +
@@ -251,7 +273,7 @@ class SustainedContact {
     for (std::size_t i = 0; i < support.count; ++i) {
       const double normal_force = forces.normal_force[i];
       const Vec3 friction = std::max(normal_force, 0.0) * friction_ratio[i];
-      const Vec3 torque = rolling_torque(y.spin - w, n[i], normal_force),
+      const Vec3 torque = resisting_torque(support.face[i], y.spin - w, n[i], normal_force),
                  wall_force = normal_force * n[i] + friction;
       d.velocity += wall_force;
       d.spin += spin_gain / (r * r) * (torque - r * cross(n[i], friction));

@@ -34,6 +34,7 @@ struct TcRule {
     bool raised = false;        ///< more elastic than the pair's restitution
     double liquid_impulse = 0;  ///< [N s] normal, of a liquid before the bodies touch
     double liquid_loss = 0;     ///< [J] dissipated by it
+    double twisting_loss = 0;   ///< [J] dissipated by twisting friction (evt.26)
 
     /// A liquid slows bodies of effective mass `mass` [kg] down from `approach` to `touch` [m/s].
     void slow_down(double mass, double approach, double touch) {

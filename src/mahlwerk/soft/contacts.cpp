@@ -106,6 +106,23 @@ StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, d
       *model.law);
 }
 
+double energy_at_start(const PairParameters& parameters, double overlap,
+                       const contact::AnyLaw& law) {
+  if (!(overlap > 0)) return 0;
+  const contact::LawCoefficients coefficients = coefficients_of(parameters, 0);
+  double history[contact::law_history_size] = {};
+  return std::visit(
+      [&]<class L>(const L& l) {
+        l.begin(coefficients, history, 0.0);
+        L::evaluate(coefficients.data(), history, overlap, 0.0);
+        double energy = l.elastic_energy(coefficients, history, overlap);
+        if constexpr (requires { L::plastic_energy(coefficients.data(), history); })
+          energy += L::plastic_energy(coefficients.data(), history);
+        return energy;
+      },
+      law);
+}
+
 double separation_energy(const PairParameters& parameters, std::size_t lane,
                          const contact::AnyLaw& law) {
   const double distance = parameters.pull_off_distance[lane];

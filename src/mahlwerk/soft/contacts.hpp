@@ -43,6 +43,10 @@ struct StoredEnergy {
 StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
                            const double* law_history, const Vec3& spring, double twist,
                            const contact::ContactModel& model);
+/// Energy [J] of a contact of lane 0 that the starting positions press to `overlap` [m]. A law with
+/// plastic deformation dissipates its part of it in the first step.
+double energy_at_start(const PairParameters& parameters, double overlap,
+                       const contact::AnyLaw& law);
 /// Elastic energy [J] that a contact loses as it breaks at its pull-off distance; 0 without
 /// adhesion.
 double separation_energy(const PairParameters& parameters, std::size_t lane,

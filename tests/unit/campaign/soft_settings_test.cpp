@@ -5,9 +5,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/step_check.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/step_error.hpp"
 #include "unit/cases/sample.hpp"
+#include "unit/results/fake.hpp"
 
 namespace mahlwerk::campaign::soft_settings_test {
 namespace {
@@ -70,6 +76,54 @@ TEST(SoftSettings, what_the_step_leaves_a_collision_off_by_is_said_and_is_less_i
     return error.rebound;
   };
   EXPECT_LE(rebound("0.5 us"), rebound("1 us") / 2);
+}
+
+TEST(SoftSettings,
+     collisions_faster_than_expected_are_warned_of_where_the_stated_error_is_exceeded) {
+  const cases::Case mill_case = soft_case("restitution = 0.5");
+  const double expected = soft_settings(mill_case).speed;
+  EXPECT_TRUE(speed_notices(mill_case, 0).empty());
+  EXPECT_TRUE(speed_notices(mill_case, expected).empty());
+  // The duration of a collision falls with u^(1/5), the error grows with the square of the step:
+  // 1.1 is reached at 1.1^(5/2) = 1.27 times the speed.
+  EXPECT_TRUE(speed_notices(mill_case, 1.25 * expected).empty());
+  const Notices found = speed_notices(mill_case, 3 * expected);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "faster-than-expected");
+  EXPECT_EQ(found[0].severity, Severity::note) << "errors stay below 2 %";
+  const soft::StepError e = step_error(mill_case, 3 * expected);
+  EXPECT_NEAR(e.tangential / step_error(mill_case, expected).tangential, std::pow(3, 0.4), 1e-9);
+  EXPECT_NE(found[0].text.find(
+                fmt::format("off by up to {:.2g} % of its rebound speed", 100 * e.rebound)),
+            std::string::npos)
+      << found[0].text;
+  // Its remedy is a step with which it is silent, and with which the error is that of fifty steps.
+  const double step = recommended_step(mill_case, 3 * expected);
+  EXPECT_LT(step, soft_settings(mill_case).rules.time_step);
+  const cases::Case finer =
+      soft_case("restitution = 0.5", {{"run.time_step", fmt::format("{} s", step)}});
+  EXPECT_LE(step_error(finer, 3 * expected).tangential,
+            1.0001 * step_error(mill_case, expected).tangential);
+}
+
+TEST(SoftSettings, the_speeds_of_a_run_are_compared_with_the_expected_one) {
+  results::Outcome outcome = results::fake_outcome();
+  EXPECT_DOUBLE_EQ(largest_collision_speed(outcome), 2);  // m/s, of every second collision
+  EXPECT_EQ(largest_collision_speed(results::Outcome{}), 0);
+  const auto warned_at = [&](const char* speed) {
+    outcome.mill_case =
+        soft_case("restitution = 0.5", {{"gravity", "0 m/s2"}, {"mill.speed", speed}});
+    const Notices notes = engine_notices(outcome, {.engine = cases::EngineName::soft}, nullptr);
+    return std::ranges::any_of(notes,
+                               [](const Notice& n) { return n.code == "faster-than-expected"; });
+  };
+  EXPECT_TRUE(warned_at("50 rpm"));    // wall at 0.5 m/s
+  EXPECT_FALSE(warned_at("400 rpm"));  // 4 m/s
+}
+
+TEST(SoftSettings, a_linear_spring_is_as_long_at_any_speed) {
+  const cases::Case mill_case = soft_case("restitution = 0.5\nlaw = \"linear-spring\"");
+  EXPECT_TRUE(speed_notices(mill_case, 10 * soft_settings(mill_case).speed).empty());
 }
 
 TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {

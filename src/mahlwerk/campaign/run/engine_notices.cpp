@@ -10,6 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/campaign/run/step_check.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/notices.hpp"
@@ -134,6 +135,7 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
+    append(notes, speed_notices(outcome.mill_case, largest_collision_speed(outcome)));
     append(notes, softening_notices(outcome.mill_case));
     return notes;
   }

@@ -58,17 +58,16 @@ ContactTimeEffect::Change change(const observe::Estimate& with, const observe::E
   return {ratio - 1, ratio * math::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
 }
 
-<<<<<<< HEAD
 /// Change of a ratio from the changes of its parts.
 ContactTimeEffect::Change quotient(const ContactTimeEffect::Change& of,
                                    const ContactTimeEffect::Change& over) {
   const double ratio = (1 + of.share) / (1 + over.share);
   return {ratio - 1, ratio * math::hypot(of.ci95 / (1 + of.share), over.ci95 / (1 + over.share))};
-=======
+}
+
 std::string change_in_words(const ContactTimeEffect::Change& change) {
   if (!std::isfinite(change.share) || !std::isfinite(change.ci95)) return "an unknown amount";
   return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.share, 100 * change.ci95);
->>>>>>> e47c859c15f03abd7934090c3529adf3bb150306
 }
 
 }  // namespace
@@ -127,10 +126,10 @@ ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::a
 std::string in_words(const ContactTimeEffect& effect, const cases::Case& mill_case) {
   return fmt::format(
       "With a contact.contact_time of {:.3g} us instead of {:.3g} us the power of a pilot run "
-      "changes by {}, the number of its hits above the threshold by {}.",
+      "changes by {}, the number of its hits above the threshold by {}, their mean energy by {}.",
       1e6 * mill_case.contact.contact_time * ContactTimeEffect::shorter,
       1e6 * mill_case.contact.contact_time, change_in_words(effect.power),
-      change_in_words(effect.hits));
+      change_in_words(effect.hits), change_in_words(effect.energy));
 }
 
 }  // namespace mahlwerk::campaign

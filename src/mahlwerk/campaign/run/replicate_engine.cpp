@@ -43,9 +43,11 @@ std::unique_ptr<scene::Engine> make_engine(const cases::Case& mill_case, const s
   event::Rules treatment = rules(mill_case.contact);
   treatment.threshold = mill_case.observe.threshold;
   if (mill_case.liquid) treatment.liquid = mill_case.liquid->model;
+  cases::Case hard = mill_case;  // as the material is: its balls do not deform
+  hard.contact.softening = 1;
+  if (mill_case.contact.model.twisting != contact::Twisting::none)
+    treatment.twisting = cases::pair_table(hard);
   if (balls.size() > 1) {
-    cases::Case hard = mill_case;  // as the material is: its balls do not deform
-    hard.contact.softening = 1;
     if (mill_case.contact.lasting == cases::SustainedContactModel::tc)
       treatment.elastic = cases::pair_table(hard);
     return event::many_balls(mill, balls, treatment, bounces);

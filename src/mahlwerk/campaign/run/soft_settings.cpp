@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -16,7 +17,6 @@
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
-#include "mahlwerk/soft/step_error.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -69,30 +69,19 @@ std::string reason(const cases::Case& mill_case, const soft::TimeSteps& steps) {
   return fmt::format("a fiftieth of {}", contact::shortest_time_name(*mill_case.contact.model.law));
 }
 
-/// The largest error of a collision due to the time step, over all pairs of the case.
-soft::StepError step_error_of(const cases::Case& mill_case, const SoftSettings& s) {
-  const contact::PairTable pairs = cases::pair_table(mill_case);
-  soft::StepError worst;
-  const auto include = [&](const contact::Pair& pair) {
-    const soft::StepError e =
-        soft::step_error(*s.rules.model.law, pair.restitution, s.steps.contact / s.rules.time_step);
-    worst = {std::max(worst.rebound, e.rebound), std::max(worst.tangential, e.tangential),
-             std::max(worst.spin, e.spin)};
-  };
-  for (int a = 0; a < pairs.kinds(); ++a) {
-    for (int b = 0; b < pairs.kinds(); ++b) include(pairs.balls(a, b));
-    for (int face = 0; face < pairs.faces(); ++face) include(pairs.wall(a, face));
-  }
-  return worst;
-}
-
 /// Error of the shortest collision due to the time step, in words.
 std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
-  const soft::StepError e = step_error_of(mill_case, s);
+  const soft::StepError e = step_error(mill_case, s.speed);
   return fmt::format(
       "With this step, the shortest collision is off by at most about {} % of its rebound "
       "speed, {} % of its tangential speed and {} % of its spin.",
       two_digits(100 * e.rebound), two_digits(100 * e.tangential), two_digits(100 * e.spin));
+}
+
+soft::TimeSteps time_steps(const cases::Case& mill_case, double speed) {
+  return soft::time_steps(one_of_each(mill_case), *mill_case.contact.model.law,
+                          cases::pair_table(mill_case), speed,
+                          mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt);
 }
 
 /// Rounded down to two digits.
@@ -113,12 +102,32 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   if (mill_case.run.start_from.states || mill_case.run.settle_at_rest > 0)
     s.rules.max_initial_overlap = pressed;
   s.speed = meeting_speed(mill_case);
-  s.steps = soft::time_steps(one_of_each(mill_case), *s.rules.model.law,
-                             cases::pair_table(mill_case), s.speed, s.rules.liquid);
-  s.rules.time_step = mill_case.run.time_step
-                          ? *mill_case.run.time_step
-                          : rounded_down(s.steps.recommended(mill_case.run.time_step_fraction));
+  s.steps = time_steps(mill_case, s.speed);
+  s.rules.time_step =
+      mill_case.run.time_step ? *mill_case.run.time_step : recommended_step(mill_case, s.speed);
   return s;
+}
+
+double recommended_step(const cases::Case& mill_case, double speed) {
+  return rounded_down(time_steps(mill_case, speed).recommended(mill_case.run.time_step_fraction));
+}
+
+soft::StepError step_error(const cases::Case& mill_case, double speed) {
+  const contact::PairTable pairs = cases::pair_table(mill_case);
+  const double steps =
+      time_steps(mill_case, speed).contact / soft_settings(mill_case).rules.time_step;
+  soft::StepError worst;
+  const auto include = [&](const contact::Pair& pair) {
+    const soft::StepError e =
+        soft::step_error(*mill_case.contact.model.law, pair.restitution, steps);
+    worst = {std::max(worst.rebound, e.rebound), std::max(worst.tangential, e.tangential),
+             std::max(worst.spin, e.spin)};
+  };
+  for (int a = 0; a < pairs.kinds(); ++a) {
+    for (int b = 0; b < pairs.kinds(); ++b) include(pairs.balls(a, b));
+    for (int face = 0; face < pairs.faces(); ++face) include(pairs.wall(a, face));
+  }
+  return worst;
 }
 
 double soft_work(const cases::Case& mill_case) {
@@ -192,9 +201,8 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
              "a time step of {} is unstable: at most {} for balls that may collide at {:.2g} "
              "m/s",
              show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"), s.speed),
-         fmt::format(
-             "write time_step = \"{}\" or less, or leave it out",
-             show(rounded_down(s.steps.recommended(mill_case.run.time_step_fraction)), "s")),
+         fmt::format("write time_step = \"{}\" or less, or leave it out",
+                     show(recommended_step(mill_case, s.speed), "s")),
          "time-step-too-large"});
   return found;
 }

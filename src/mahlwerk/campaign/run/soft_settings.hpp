@@ -9,6 +9,7 @@
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/soft/engine.hpp"
+#include "mahlwerk/soft/step_error.hpp"
 
 namespace mahlwerk::campaign {
 
@@ -20,6 +21,11 @@ struct SoftSettings {
   double speed = 0;  ///< [m/s] highest expected: peak wall speed and a fall through the jar
 };
 SoftSettings soft_settings(const cases::Case& mill_case);
+
+/// Error of the case's time step in collisions at up to `speed` [m/s], the largest over all pairs.
+soft::StepError step_error(const cases::Case& mill_case, double speed);
+/// The time step [s] that such collisions need.
+double recommended_step(const cases::Case& mill_case, double speed);
 
 /// [1] Balls times steps of one replicate by the soft engine.
 double soft_work(const cases::Case& mill_case);

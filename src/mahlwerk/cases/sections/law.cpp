@@ -152,7 +152,7 @@ bool describe(KeyVisitor& v, ContactModel& model) {
   if (v.reader() != nullptr && model.partial_slip && model.rescaled_unloading)
     refuse_meaningless(*v.reader(), "rescaled_unloading", "partial_slip", "true");
   v.word({"twisting", twisting_words(), "none", "small against rolling resistance",
-          "friction of the soft engine against rotation about the normal", twisting_meanings()},
+          "friction against rotation about the normal", twisting_meanings()},
          model.twisting);
   return known != nullptr;
 }

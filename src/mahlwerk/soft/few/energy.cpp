@@ -62,7 +62,8 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
     a.potential -= of.mass * dot(jar_->gravity(), x);
   }
   const StoredEnergy kept = elastic_energy();
-  a.elastic = kept.total();
+  // Contacts begin in the first step; those of the starting positions are pressed before it.
+  a.elastic = particles_.step == 0 ? energy_at_start() : kept.total();
   for (const PairPacket& p : particles_.packets)
     for (std::size_t l = 0; l < lanes; ++l) {
       if (!p.used[l]) continue;

@@ -69,27 +69,53 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   watch_.begin(now);
 }
 
+/// Calls `f` with each listed pair and its overlap [m].
+template <class F>
+void FewBodySolver::each_overlap(const F& f) const {
+  const double t = mill_time(particles_.step);
+  for (const NearPair& c : listed_pairs_) {
+    const auto i = static_cast<std::size_t>(c.i), j = static_cast<std::size_t>(c.j);
+    const double radius = initial_balls_[i].radius;
+    const Vec3 x = particles_.position(i);
+    if (c.face >= 0)
+      f(c, radius - jar_->gap(c.face, x, t, radius).distance);
+    else
+      f(c, radius + initial_balls_[j].radius - norm(nearest(particles_.position(j) - x)));
+  }
+}
+
 /// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
 /// high speed.
 void FewBodySolver::refuse_overlaps() const {
-  const double t = mill_time(particles_.step);
-  for (const NearPair& c : listed_pairs_) {
-    const auto i = static_cast<std::size_t>(c.i);
+  each_overlap([&](const NearPair& c, double depth) {
+    const auto i = static_cast<std::size_t>(c.i), j = static_cast<std::size_t>(c.j);
     const double radius = initial_balls_[i].radius;
-    const Vec3 x = particles_.position(i);
-    if (c.face >= 0) {
-      const double overlap = (radius - jar_->gap(c.face, x, t, radius).distance) / radius;
-      if (overlap > settings_.max_initial_overlap)
-        throw overlap_error(i, "the jar", overlap, "its radius");
-      continue;
-    }
-    const auto j = static_cast<std::size_t>(c.j);
-    const double other_radius = initial_balls_[j].radius;
-    const double overlap = (radius + other_radius - norm(nearest(particles_.position(j) - x))) /
-                           std::min(radius, other_radius);
+    const double smaller = c.face >= 0 ? radius : std::min(radius, initial_balls_[j].radius);
+    const double overlap = depth / smaller;
     if (overlap > settings_.max_initial_overlap)
-      throw overlap_error(i, fmt::format("ball {}", j + 1), overlap, "the smaller radius");
-  }
+      throw overlap_error(i, c.face >= 0 ? "the jar" : fmt::format("ball {}", j + 1), overlap,
+                          c.face >= 0 ? "its radius" : "the smaller radius");
+  });
+}
+
+double FewBodySolver::energy_at_start() const {
+  double energy = 0;
+  each_overlap([&](const NearPair& c, double overlap) {
+    if (!(overlap > 0)) return;
+    const auto i = static_cast<std::size_t>(c.i);
+    const bool wall = c.face >= 0;
+    const std::int32_t mine = pairs_.species_index(i),
+                       other = wall ? 0 : pairs_.species_index(static_cast<std::size_t>(c.j));
+    const SpeciesPair& pair =
+        pairs_[wall ? pairs_.wall_pair_index(mine, c.face) : pairs_.ball_pair_index(mine, other)];
+    PairParameters parameters = pair_parameters(pair, pairs_.species(mine),
+                                                wall ? nullptr : &pairs_.species(other), settings_);
+    if (wall && settings_.model.curved_walls)
+      apply_wall_curvature(parameters, 0, *jar_, c.face, particles_.position(i),
+                           mill_time(particles_.step), pair, settings_.model);
+    energy += soft::energy_at_start(parameters, overlap, *settings_.model.law);
+  });
+  return energy;
 }
 
 double FewBodySolver::time_of(std::int64_t step) const {

@@ -48,6 +48,8 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   bool pause() override { return false; }
   double mill_time(std::int64_t step) const;  // [s] of the mill
   double time_of(std::int64_t step) const;    // [s] since the start of the run
+  template <class F>
+  void each_overlap(const F& f) const;
   void refuse_overlaps() const;
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
 
@@ -60,6 +62,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   // Energy (energy.cpp).
   StoredEnergy elastic_energy(const PairPacket& packet, std::size_t lane) const;
   StoredEnergy elastic_energy() const;  // of open contacts
+  double energy_at_start() const;       // [J] of the overlaps of the starting positions
   void check_energy();
 
   // Neighbour list (neighbours.cpp).

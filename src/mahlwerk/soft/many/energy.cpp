@@ -102,6 +102,8 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
     a.lost_tangential -= stored.tangential;  // stored, not dissipated
     a.lost_rolling -= stored.twisting;
   }
+  // Contacts begin in the first step; those of the starting positions are pressed before it.
+  if (step_ == 0) a.elastic = energy_at_start();
   return a;
 }
 

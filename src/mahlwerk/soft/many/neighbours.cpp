@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
@@ -240,30 +241,58 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   return {};
 }
 
-/// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
-/// high speed.
-void ManyBodySolver::refuse_overlaps() const {
-  for (const Chunk& chunk : chunks_) {
+/// Calls `f` with each listed pair of a chunk, its overlap [m], and its weight: 1/2 where another
+/// chunk lists it, too.
+template <class F>
+void ManyBodySolver::each_overlap(const F& f) const {
+  for (const Chunk& chunk : chunks_)
     for (const VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs})
       for (const NeighbourPair& pair : w->pairs) {
         const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
-        const auto ball = static_cast<std::size_t>(id_[static_cast<std::size_t>(pair.ball)]);
         if (pair.other < 0) {
-          const double gap = jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance;
-          const double overlap = (a.radius - gap) / a.radius;
-          if (overlap > settings_.max_initial_overlap)
-            throw overlap_error(ball, "the jar", overlap, "its radius");
+          f(pair, a.radius - jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance,
+            1.0);
           continue;
         }
         const BallRecord& b = rows_[static_cast<std::size_t>(pair.other)];
-        const double distance = norm(nearest(b.position() - a.position()));
-        const double overlap = (a.radius + b.radius - distance) / std::min(a.radius, b.radius);
-        if (overlap > settings_.max_initial_overlap)
-          throw overlap_error(ball,
-                              fmt::format("ball {}", id_[static_cast<std::size_t>(pair.other)] + 1),
-                              overlap, "the smaller radius");
+        const bool halo = pair.other < chunk.first || pair.other >= chunk.last;
+        f(pair, a.radius + b.radius - norm(nearest(b.position() - a.position())), halo ? 0.5 : 1.0);
       }
-  }
+}
+
+/// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
+/// high speed.
+void ManyBodySolver::refuse_overlaps() const {
+  each_overlap([&](const NeighbourPair& pair, double depth, double) {
+    const auto row = static_cast<std::size_t>(pair.ball),
+               other = static_cast<std::size_t>(std::max(pair.other, 0));
+    const bool wall = pair.other < 0;
+    const double radius = rows_[row].radius;
+    const double overlap = depth / (wall ? radius : std::min(radius, rows_[other].radius));
+    if (overlap > settings_.max_initial_overlap)
+      throw overlap_error(static_cast<std::size_t>(id_[row]),
+                          wall ? "the jar" : fmt::format("ball {}", id_[other] + 1), overlap,
+                          wall ? "its radius" : "the smaller radius");
+  });
+}
+
+double ManyBodySolver::energy_at_start() const {
+  double energy = 0;
+  each_overlap([&](const NeighbourPair& pair, double overlap, double weight) {
+    if (!(overlap > 0)) return;
+    const auto row = static_cast<std::size_t>(pair.ball);
+    const bool wall = pair.other < 0;
+    const std::int32_t mine = species_[row],
+                       of_pair = wall ? pairs_.wall_pair_index(mine, ~pair.other)
+                                      : pairs_.ball_pair_index(
+                                            mine, species_[static_cast<std::size_t>(pair.other)]);
+    PairParameters parameters = parameters_[static_cast<std::size_t>(of_pair)];
+    if (wall && settings_.model.curved_walls)
+      apply_wall_curvature(parameters, 0, *jar_, ~pair.other, rows_[row].position(), mill_time(0),
+                           pairs_[of_pair], settings_.model);
+    energy += weight * soft::energy_at_start(parameters, overlap, *settings_.model.law);
+  });
+  return energy;
 }
 
 }  // namespace mahlwerk::soft

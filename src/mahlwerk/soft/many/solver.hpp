@@ -112,7 +112,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   Vec3 nearest(const Vec3& separation) const {
     return periodic_ ? nearest_image(separation, jar_->periods()) : separation;
   }
+  template <class F>
+  void each_overlap(const F& f) const;
   void refuse_overlaps() const;
+  double energy_at_start() const;  // [J] of the overlaps of the starting positions
 
   // Contacts that begin and end (contacts.cpp).
   void test_walls(Chunk& chunk) override;

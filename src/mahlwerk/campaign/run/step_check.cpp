@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/step_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+
+namespace mahlwerk::campaign {
+
+double largest_collision_speed(const results::Outcome& outcome) {
+  double most = 0;
+  for (const results::Replicate& r : outcome.replicates) {
+    const observe::LogHistogram speeds = r.tally.total_spectra().approach;
+    const int last = speeds.occupied_range()[1] - 1;
+    if (last >= 0)
+      most = std::max(most, speeds.sum(last) / static_cast<double>(speeds.count(last)));
+  }
+  return most;
+}
+
+Notices speed_notices(const cases::Case& mill_case, double speed) {
+  constexpr double much = 1.1, large = 0.02;
+  const SoftSettings s = soft_settings(mill_case);
+  if (!(speed > s.speed)) return {};
+  const soft::StepError stated = step_error(mill_case, s.speed), e = step_error(mill_case, speed);
+  if (!(e.tangential > much * stated.tangential)) return {};
+  const bool matters = std::max({e.rebound, e.tangential, e.spin}) > large;
+  std::string text = fmt::format(
+      "Bodies collided at up to {}, faster than {}, for which the errors of the time step are "
+      "stated. The shortest collision is off by up to {} % of its rebound speed, {} % of its "
+      "tangential speed and {} % of its spin, instead of {} %, {} % and {} %. Write "
+      "run.time_step = \"{}\" or less.",
+      show_rounded(speed, "m/s", 2), show_rounded(s.speed, "m/s", 2), two_digits(100 * e.rebound),
+      two_digits(100 * e.tangential), two_digits(100 * e.spin), two_digits(100 * stated.rebound),
+      two_digits(100 * stated.tangential), two_digits(100 * stated.spin),
+      show(recommended_step(mill_case, speed), "s"));
+  return {matters ? warning("faster-than-expected", std::move(text))
+                  : note("faster-than-expected", std::move(text))};
+}
+
+}  // namespace mahlwerk::campaign
