@@ -68,11 +68,11 @@ def case(seed, index):
     words, size, period = mill(rng)
     drum = "tumbling" in words
     height = size * (rng.uniform(0.3, 0.6) if drum else rng.uniform(0.8, 1.6))
-    ball = size * (rng.uniform(0.14, 0.22) if drum else rng.uniform(0.15, 0.42))
+    ball = size * (rng.uniform(0.16, 0.24) if drum else rng.uniform(0.15, 0.42))
     most = 0.3 * (math.pi / 4 * size ** 2 * height) / (math.pi / 6 * ball ** 3)
-    count = max(1, min(30, round(decades(rng, 1, max(1.1, most)))))
+    count = max(1, min(15, round(decades(rng, 1, max(1.1, most)))))
     if drum:
-        count = max(8, min(25, round(most * rng.uniform(0.3, 0.8))))
+        count = max(6, min(14, round(most * rng.uniform(0.3, 0.8))))
     density, = rng.choices([7850, 6050, 14900, 3900], [5, 3, 1, 1])
     return (f'title = "plain case {index}"\nseed = {index + 1}\n[mill]\n{words}\n'
             f'[jar]\nkind = "cylinder"\ndiameter = "{size:.4g} mm"\nheight = "{height:.4g} mm"\n'
