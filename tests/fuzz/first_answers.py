@@ -34,7 +34,7 @@ def decades(rng, low, high):
 
 def mill(rng):
     """Lines of [mill], inner diameter of a usual jar [mm], a period of the mill [s]."""
-    kind = rng.choice(["planetary", "planetary", "mixer", "shaker", "vibration", "drum"])
+    kind, = rng.choices(["planetary", "mixer", "shaker", "vibration", "drum"], [3, 2, 2, 2, 1])
     if kind == "planetary":
         name, low, high, jars = rng.choice([
             ("retsch-pm100", 150, 600, (38, 64)), ("retsch-pm400", 100, 400, (64, 100)),
@@ -100,12 +100,12 @@ def run(program, text, folder, limit):
 
 
 def careful(program, text, period, balls, folder):
-    """A settled run with stiff contacts: three turns of a drum, 6 to 20 of a planetary mill's disc,
-    25 to 100 oscillations of other mills, more for fewer balls."""
+    """A settled run with stiff contacts: three turns of a drum, 6 to 12 of a planetary mill's disc,
+    25 to 60 oscillations of other mills, more for fewer balls."""
     turning = "rpm" in text or "tumbling" in text
     settle = (2 if turning else 12) * period
-    least, most = (3, 3) if "tumbling" in text else (6, 20) if turning else (25, 100)
-    counted = min(most, max(least, 120 / balls)) * period
+    least, most = (3, 3) if "tumbling" in text else (6, 12) if turning else (25, 60)
+    counted = min(most, max(least, 60 / balls)) * period
     return run(program, text + f'softening = 1\n[run]\nengine = "soft"\nsettle = "{settle:.4g} s"\n'
                f'time = "{counted:.4g} s"\nreplicates = 3\n', folder, 600)
 
