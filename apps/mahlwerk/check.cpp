@@ -18,6 +18,7 @@
 #include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
@@ -40,7 +41,11 @@ namespace {
 struct RunTime {
   double each = 0;         ///< [s] of a thread, where replicates run beside each other
   std::int64_t share = 1;  ///< replicates of the thread that has most
+  double assumed = 0;      ///< time of the runs with other assumed values, over that of the run
 };
+
+/// [s] Reading a case and writing results and report.
+constexpr double around_a_run = 0.1;
 
 /// Estimates the time from a short pilot run, of a settled mill where the soft engine settles it
 /// quickly: a bed takes more time than balls that fall.
@@ -75,7 +80,8 @@ RunTime run_time(const cases::Case& decided) {
   if (!(simulated > 0)) return {};
   const double settling =
       settled && cases::settles(decided) ? settled->settling : cases::least_settling(decided);
-  return {spent / simulated * (settling + decided.run.time), share};
+  return {spent / simulated * (settling + decided.run.time), share,
+          campaign::assumed_values_cost(decided, settling)};
 }
 
 struct CheckResult {
@@ -135,9 +141,10 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   }
   const RunTime time = run_time(decided);
   const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
-  const double seconds = sweeps ? time.each * static_cast<double>(first.run.replicates) *
-                                      static_cast<double>(points.size()) / threads
-                                : time.each * static_cast<double>(time.share);
+  const double seconds =
+      sweeps ? time.each * static_cast<double>(first.run.replicates) *
+                   static_cast<double>(points.size()) / threads
+             : time.each * static_cast<double>(time.share) * (1 + time.assumed) + around_a_run;
   if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
     c.notes.push_back(std::move(lines));
   c.follows.push_back(

@@ -68,11 +68,9 @@ double influence(const results::AssumedInfluence& one) {
 }
 
 /// The assumed values with a known range that the engine of the run reads.
-std::vector<cases::Origin> assumed_with_range(const results::Outcome& outcome) {
-  cases::Case decided = outcome.mill_case;
-  decided.run.engine = outcome.engine;
+std::vector<cases::Origin> assumed_with_range(cases::Case decided) {
   cases::drop_irrelevant_assumptions(decided);
-  const bool rolls = outcome.engine != cases::EngineName::event ||
+  const bool rolls = decided.run.engine != cases::EngineName::event ||
                      decided.contact.lasting == cases::SustainedContactModel::roll;
   std::erase_if(decided.origins, [&](const cases::Origin& origin) {
     return !origin.assumed || origin.range[0].empty() ||
@@ -81,18 +79,29 @@ std::vector<cases::Origin> assumed_with_range(const results::Outcome& outcome) {
   return decided.origins;
 }
 
-bool wanted(const results::Outcome& outcome) {
-  const cases::Case& c = outcome.mill_case;
-  return c.run.sensitivity != cases::SensitivityMode::off && !c.uncertainty &&
-         outcome.engine != cases::EngineName::lammps && results::complete(outcome);
+bool wanted(const cases::Case& decided) {
+  return decided.run.sensitivity != cases::SensitivityMode::off && !decided.uncertainty &&
+         decided.run.engine != cases::EngineName::lammps;
 }
 
 }  // namespace
 
+double assumed_values_cost(const cases::Case& decided, double settling) {
+  if (!wanted(decided)) return 0;
+  const double whole = static_cast<double>(decided.run.replicates) * (settling + decided.run.time);
+  const double key = 2 * (settling + time_share * decided.run.time);
+  auto keys = static_cast<double>(assumed_with_range(decided).size());
+  if (decided.run.sensitivity == cases::SensitivityMode::automatic)
+    keys = std::min(keys, std::floor(whole / key));
+  return keys * key / whole;
+}
+
 std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcome& outcome,
                                                            const ReadWithValue& read,
                                                            const RunOptions& options) {
-  if (!wanted(outcome)) return std::nullopt;
+  cases::Case decided = outcome.mill_case;
+  decided.run.engine = outcome.engine;
+  if (!wanted(decided) || !results::complete(outcome)) return std::nullopt;
   std::size_t most = affordable(outcome);
   if (outcome.mill_case.run.sensitivity == cases::SensitivityMode::on)
     most = outcome.mill_case.origins.size();
@@ -100,7 +109,7 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   found.time = time_share * outcome.replicates.front().time();
   found.quantities = results::key_quantities(outcome.summary.quantities);
   std::vector<cases::Case> ends;
-  for (const cases::Origin& origin : assumed_with_range(outcome)) {
+  for (const cases::Origin& origin : assumed_with_range(decided)) {
     if (found.keys.size() == most) {
       found.left_out.push_back(origin.key);
       continue;

@@ -22,4 +22,8 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
                                                            const ReadWithValue& read,
                                                            const RunOptions& options);
 
+/// Time that these runs simulate over that of the run itself, for a case whose engine is decided
+/// and whose replicates settle in `settling` [s].
+double assumed_values_cost(const cases::Case& decided, double settling);
+
 }  // namespace mahlwerk::campaign

@@ -56,14 +56,17 @@ double hits_kept(double softening) {
 /// Effect of hits of bodies that touch others on a run of the event engine.
 Notices hit_notices(const Contacts& contacts) {
   if (contacts.hits_within <= hits_within_limit) return {};
+  const bool much = contacts.hits_within > many_hits_within;
   return {warning(
       "simultaneous-hits",
       fmt::format("{} of the hits above the threshold begin within contact.contact_time of another "
                   "hit of the same body. Bodies that touch several others at the same time share "
                   "an impact; the event engine resolves it into impacts of two. Above {} the rate "
                   "of hits and their mean energy differ from those of engine = \"soft\" by up to "
-                  "30 %; the power does not.",
-                  in_percent(contacts.hits_within), in_percent(hits_within_limit)))};
+                  "{}; the power does not.",
+                  in_percent(contacts.hits_within),
+                  in_percent(much ? many_hits_within : hits_within_limit),
+                  much ? "40 %" : "20 %"))};
 }
 
 /// Effect of sustained contacts on a run of the event engine, from its shares of contact and two
@@ -79,11 +82,11 @@ Notices contact_notices(const results::Outcome& outcome, const std::atomic<bool>
             "Balls were in contact {} of the time. The event engine resolves such "
             "contacts into many small bounces: the total number of collisions and the "
             "forces inside the bed are not those of sustained contacts. Above {} the rate "
-            "of hits differs from that of engine = \"soft\" by up to 15 %, their mean energy "
+            "of hits differs from that of engine = \"soft\" by up to 40 %, their mean energy "
             "by up to 30 %, and the power by up to 10 %.",
             in_percent(contacts.share), in_percent(contact_share_limit))));
   if (contacts.share <= contact_share_limit && contacts.withheld <= withheld_share_limit &&
-      contacts.hits_within <= hits_within_limit)
+      contacts.hits_within <= many_hits_within)
     return notes;
   if (stop != nullptr && *stop) return notes;
   // A twentieth of the run's own collisions, but enough for an estimate.
