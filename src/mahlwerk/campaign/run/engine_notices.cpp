@@ -10,6 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/notices.hpp"
