@@ -10,6 +10,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 
 namespace mahlwerk::app {
@@ -53,7 +54,9 @@ std::string softenings(const cases::Case& mill_case, double now) {
 std::string fewer_replicates(const cases::Case& mill_case, double now) {
   std::string lines;
   const std::int64_t given = mill_case.run.replicates;
-  for (const std::int64_t count : {std::int64_t{3}, std::int64_t{1}})
+  // Half of the replicates in each sense of rotation, where both senses are run.
+  using Counts = std::array<std::int64_t, 2>;
+  for (const std::int64_t count : cases::needs_both_senses(mill_case) ? Counts{4, 2} : Counts{3, 1})
     if (count < given)
       lines += fmt::format("  run.replicates = {:<9} {:<8} {}\n", count,
                            duration(now * static_cast<double>(count) / static_cast<double>(given)),

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::campaign {
@@ -29,7 +30,8 @@ std::size_t affordable(const results::Outcome& outcome) {
   return static_cast<std::size_t>(budget / (2 * simulated(outcome.replicates.front())));
 }
 
-/// The case for one end: one replicate, shorter, without what the key quantities do not need.
+/// The case for one end: one replicate in each sense of rotation, shorter, without what the key
+/// quantities do not need.
 cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   const results::Replicate& whole = outcome.replicates.front();
   cases::MillingTime milling = made.milling.value_or(cases::MillingTime());
@@ -39,7 +41,7 @@ cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   made.run.until.reset();
   made.run.settle = whole.at_settled.time;
   made.run.time = time_share * whole.time();
-  made.run.replicates = 1;
+  made.run.replicates = cases::needs_both_senses(made) ? 2 : 1;
   made.contact.softening = outcome.mill_case.contact.softening;
   made.observe.collisions = made.observe.final_state = false;
   made.observe.frames.reset();

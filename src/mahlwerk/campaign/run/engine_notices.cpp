@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/step_check.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/notices.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/reversal.hpp"
 
 namespace mahlwerk::cases {
