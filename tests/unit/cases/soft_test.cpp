@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "unit/cases/sample.hpp"
@@ -201,6 +202,23 @@ TEST(ReadStep, a_time_or_a_share) {
   const Case c = read_sample(with(planetary, "settle", "time_step_fraction = 0.1"),
                              {{"run.time_step", "2 us"}});
   EXPECT_EQ(c.run.time_step, 2e-6);
+}
+
+TEST(Twisting, makes_the_event_engine_read_the_moduli_and_says_where_it_does_not_act) {
+  const auto codes = [](const Case& c) {
+    std::string all;
+    for (const Notice& one : ignored_keys(c, c.run.engine)) all += one.code + " ";
+    return all;
+  };
+  const Override marshall{"contact.twisting", "marshall"};
+  EXPECT_FALSE(assumed(read_sample(vial), "balls.1.youngs_modulus"));
+  EXPECT_TRUE(assumed(read_sample(vial, {marshall}), "balls.1.youngs_modulus"));
+  EXPECT_EQ(codes(read_sample(vial, {marshall})), "") << "one ball rolls: lasting = roll";
+  EXPECT_EQ(codes(read_sample(vial, {marshall, {"contact.lasting", "tc"}})),
+            "twisting-in-impacts ");
+  EXPECT_EQ(codes(read_sample(vial, {marshall, {"contact.lasting", "tc"}, {"run.engine", "soft"}})),
+            "ignored-keys ")
+      << "the soft engine has it everywhere";
 }
 
 }  // namespace

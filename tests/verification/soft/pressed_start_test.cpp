@@ -54,7 +54,7 @@ TEST(PressedStart, stores_its_energy_from_the_start_on) {
     engine->advance(0.02, none);
     const scene::EnergyBalance end = engine->energy_balance();
     EXPECT_GT(end.kinetic + end.potential - start.potential, 0.1 * stored) << "it pushes them up";
-    stays_below("residual after 20 ms over it" + what, std::abs(end.residual()) / stored, 1e-2,
+    stays_below("residual after 20 ms over it" + what, std::abs(end.residual()) / stored, 1e-4,
                 "the balance closes");
   }
 }
@@ -72,7 +72,7 @@ TEST(PressedStart, is_no_sign_of_an_unstable_run_under_any_law_that_presses) {
       Recorder none;
       EXPECT_NO_THROW(engine->advance(0.02, none)) << what;
       stays_below(what + ": residual after 20 ms over the energy of the start",
-                  std::abs(engine->energy_balance().residual()) / stored, 1e-2, "it closes");
+                  std::abs(engine->energy_balance().residual()) / stored, 1e-4, "it closes");
     }
 }
 

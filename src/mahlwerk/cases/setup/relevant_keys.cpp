@@ -68,7 +68,7 @@ namespace {
 /// Where the event engine has no twisting friction although the case asks for it.
 Notices free_twisting(const Case& c, EngineName engine) {
   if (engine != EngineName::event || c.contact.model.twisting == contact::Twisting::none ||
-      c.contact.lasting == SustainedContactModel::roll)
+      c.contact.lasting != SustainedContactModel::tc)
     return {};
   return {note("twisting-in-impacts",
                "The event engine has twisting friction in impacts only: bodies in a sustained "
