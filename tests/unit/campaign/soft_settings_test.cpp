@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/engine_notices.hpp"
 #include "mahlwerk/campaign/run/step_check.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/step_error.hpp"

@@ -56,7 +56,8 @@ TEST(Reversal, jars_with_bars_or_arms_are_their_own_mirror_image) {
                                 .lifters = 5,
                                 .lifter_height = 0.02,
                                 .lifter_width = 0.03,
-                                .lifter_face_angle = 1.2};
+                                .lifter_face_angle = 1.2,
+                                .bars = {}};
   drum.complete();
   geometry::Attritor vessel{.diameter = 0.1,
                             .height = 0.12,
