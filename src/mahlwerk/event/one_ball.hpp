@@ -195,8 +195,9 @@ class OneBall final : public scene::Engine {
   }
 
   /// Changes the spin about `n` by the twisting friction of a collision, and `work` [J] by that of
-  /// the wall. Returns the loss [J].
-  double twist(int face, const Vec3& n, double approach, double normal, double& work) {
+  /// the wall. Returns the loss [J]. Not inlined: few cases have it, and collide() is short.
+  [[gnu::noinline]] double twist(int face, const Vec3& n, double approach, double normal,
+                                 double& work) {
     const double jar_spin = dot(jar_.motion().spin(now_.time), n);
     const contact::Twist twist =
         contact::twist(body_.twisting_pair(rules_, face), rules_.wall(face), body_.inertia,
