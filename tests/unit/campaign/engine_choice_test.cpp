@@ -96,11 +96,15 @@ TEST(EngineChoice, event_engine_says_how_many_hits_share_a_body) {
       if (one.code == "simultaneous-hits") found.push_back(one);
     return found;
   };
-  EXPECT_TRUE(notes(300).empty()) << "30 % is the limit";
+  EXPECT_TRUE(notes(100).empty()) << "10 % is the limit";
+  const Notices some = notes(200);
+  ASSERT_EQ(some.size(), 1U);
+  EXPECT_NE(some.front().text.find("Above 10 %"), std::string::npos) << some.front().text;
   const Notices many = notes(420);
   ASSERT_EQ(many.size(), 1U);
   EXPECT_EQ(many.front().severity, Severity::warning);
   EXPECT_EQ(many.front().text.rfind("42 % of the hits", 0), 0U) << many.front().text;
+  EXPECT_NE(many.front().text.find("Above 30 %"), std::string::npos) << many.front().text;
 }
 
 }  // namespace
