@@ -79,10 +79,10 @@ void ProgressLine::show(const campaign::Progress& p) {
 
 /// Warns once if the run, at the rate of the last seconds, takes hours.
 void ProgressLine::warn_if_endless(const campaign::Progress& p) {
-  constexpr std::chrono::seconds recent{3};
+  constexpr std::chrono::seconds recent{3}, standstill{20};  // a slice may take more than `recent`
   constexpr double hour = 3600, most = 2 * hour;
   const Clock::time_point now = Clock::now();
-  if (warned_ || now - rated_ < recent) return;
+  if (warned_ || now - rated_ < (p.simulated > simulated_ ? recent : standstill)) return;
   const double took = std::chrono::duration<double>(now - rated_).count();
   const double rate = (p.simulated - simulated_) / took;
   const double left = std::max(0.0, p.total - p.simulated) / rate;  // infinite at a standstill

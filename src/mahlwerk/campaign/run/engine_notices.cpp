@@ -122,7 +122,8 @@ Notices softening_notices(const cases::Case& mill_case) {
       fmt::format(
           "Contacts are softened (contact.softening = {:.2g}) and last longer, so that hits "
           "of several balls join: the rate of hits is up to {} % too low and their mean "
-          "energy up to {} % too high. Power and the sum of the energies change by some "
+          "energy up to {} % too high. Weak hits join more often: the number of all collisions, "
+          "and means over them, change more. Power and the sum of the energies change by some "
           "per cent at most.",
           mill_case.contact.softening, two_digits(100 * joined),
           two_digits(100 * joined / (1 - joined))))};
