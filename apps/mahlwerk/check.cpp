@@ -147,6 +147,13 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
              : time.each * static_cast<double>(time.share) * (1 + time.assumed) + around_a_run;
   if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
     c.notes.push_back(std::move(lines));
+  if (cases::settles(decided))
+    c.follows.push_back({"settling_time", cases::least_settling(decided), "s",
+                         "at least, before counting begins (run.settle = \"auto\")"});
+  if (!first.run.until)
+    c.follows.push_back({"counted_time", decided.run.time, "s",
+                         decided.run.time == first.run.time ? "of each replicate, run.time"
+                                                            : "of each replicate, whole periods"});
   c.follows.push_back(
       {"run_time", seconds, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"

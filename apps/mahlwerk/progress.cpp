@@ -96,7 +96,7 @@ void ProgressLine::warn_if_endless(const campaign::Progress& p) {
                              left < 1000 * hour ? fmt::format("{} hours", two_digits(left / hour))
                                                 : "months"),
                  "Ctrl-C keeps what is computed; engine = \"auto\", a smaller contact.softening, "
-                 "fewer run.replicates or a shorter run.time shorten it",
+                 "fewer run.replicates, a shorter run.time or run.settle shorten it",
                  "long-run"});
 }
 

@@ -73,6 +73,13 @@ double ContactRecords::lost() const {
   return sum;
 }
 
+void ContactRecords::begin_counting() {
+  for (std::int32_t i = earliest_; i != none; i = at(i).later) {
+    scene::Collision& record = at(i).record;
+    record.impulse = record.lost_normal = record.lost_tangential = 0;
+  }
+}
+
 void ContactRecords::begin(const scene::Collision& first) {
   std::int32_t index = free_;
   if (index == none) {

@@ -39,6 +39,8 @@ class ContactRecords {
   /// Moves the records that no bounce from `time` [s] on can belong to into `finished`.
   void finish_before(double time, std::vector<scene::Collision>& finished);
   double lost() const;  ///< [J] by contacts whose records are not finished
+  /// Takes losses and impulses so far out of the records that are not finished.
+  void begin_counting();
 
   /// Throws RunError where the bytes read are inconsistent.
   void serialize(Archive& archive);

@@ -32,6 +32,7 @@ class ManyBalls final : public scene::Engine {
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
+  void begin_counting() override { contacts_.begin_counting(); }
   std::vector<scene::Ball> balls() const override;
   void serialize(Archive& archive) override;
 

@@ -92,10 +92,13 @@ std::vector<Line> cause_lines(const Outcome& outcome) {
   std::vector<Line> lines;
   for (const results::AssumedInfluence& one : found.keys) {
     const Quantity& q = named(outcome.summary.quantities, found.quantities.front());
-    lines.push_back(
-        {one.key, fmt::format("{} to {}, assumed {}", one.ends[0], one.ends[1], one.value),
-         fmt::format("{} {}", label(q),
-                     range_text({one.at_ends[0].front(), one.at_ends[1].front()}, q.unit))});
+    const Ends ends{one.at_ends[0].front(), one.at_ends[1].front()};
+    const bool by_chance = std::abs(ends.first - q.value) <= found.scatter.front() &&
+                           std::abs(ends.second - q.value) <= found.scatter.front();
+    lines.push_back({one.key,
+                     fmt::format("{} to {}, assumed {}", one.ends[0], one.ends[1], one.value),
+                     fmt::format("{} {}{}", label(q), range_text(ends, q.unit),
+                                 by_chance ? ", no more than by chance" : "")});
   }
   return lines;
 }
@@ -115,7 +118,8 @@ std::string about_assumed(const Outcome& outcome) {
   if (!found.keys.empty())
     text = fmt::format(
         "Assumed values, one at a time, at each end of its plausible range; one run of {} for "
-        "each.",
+        "each, relative to the same run with the assumed value. Ranges leave out what chance "
+        "makes.",
         show_rounded(found.time, "s", 2));
   if (!found.left_out.empty())
     text += fmt::format(

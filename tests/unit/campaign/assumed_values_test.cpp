@@ -67,16 +67,35 @@ TEST(AssumedValues, are_varied_to_both_ends_of_their_range_the_largest_influence
     return std::abs(one.keys[i].at_ends[1][0] - one.keys[i].at_ends[0][0]);
   };
   EXPECT_GE(span(0), span(1));
+  const auto power = [&](cases::Case c) {
+    return named(run(c, on(1)).summary.quantities, "dissipated_power").value;
+  };
+  const auto shorter = [&](const std::vector<cases::Override>& set) {
+    cases::Case c = cases::read_text(text, "case.toml", catalogue(), set);
+    c.run.time = one.time;
+    c.run.replicates = 1;
+    return power(c);
+  };
+  const double result = power(cases::read_text(text, "case.toml", catalogue(), {}));
   for (const results::AssumedInfluence& key : one.keys)
-    for (std::size_t end = 0; end < 2; ++end) {
-      cases::Case c = cases::read_text(text, "case.toml", catalogue(), {{key.key, key.ends[end]}});
-      c.run.time = one.time;
-      c.run.replicates = 1;
-      const results::Outcome direct = run(c, on(1));
+    for (std::size_t end = 0; end < 2; ++end)
       states(key.key + " = " + key.ends[end] + ", power [W]", key.at_ends[end][0],
-             named(direct.summary.quantities, "dissipated_power").value, 0,
-             "the same run by itself");
-    }
+             result * (shorter({{key.key, key.ends[end]}}) / shorter({})), 0,
+             "the same runs by themselves, relative to the assumed value");
+}
+
+TEST(AssumedValues, that_change_nothing_have_no_range) {
+  const results::Sensitivity one = found(mill("replicates = 5\n")).value();
+  results::Sensitivity same = one;
+  for (results::AssumedInfluence& key : same.keys)
+    for (std::vector<double>& values : key.at_ends) values.assign(values.size(), 7.0);
+  same.scatter.assign(same.scatter.size(), 1.0);
+  const auto range = same.range("dissipated_power", 6.5);
+  ASSERT_TRUE(range);
+  EXPECT_EQ(range->first, 6.5) << "0.5 is within the scatter of 1";
+  EXPECT_EQ(range->second, 6.5);
+  EXPECT_EQ(same.range("dissipated_power", 5.5)->second, 7.0) << "1.5 is beyond it";
+  for (const double scatter : one.scatter) EXPECT_GT(scatter, 0);
 }
 
 TEST(AssumedValues, have_the_same_bits_on_any_number_of_threads) {
@@ -91,8 +110,8 @@ TEST(AssumedValues, have_the_same_bits_on_any_number_of_threads) {
 }
 
 TEST(AssumedValues, are_left_out_by_name_where_their_runs_cost_more_than_the_run) {
-  // A run of 1.1 s pays for one key: 2 x (0.1 + 0.4) s; the second would make 2 s.
-  const results::Sensitivity one = found(mill("replicates = 1\n")).value();
+  // Two replicates of 1.1 s pay for three runs of 0.1 + 0.4 s: one as assumed, two for one key.
+  const results::Sensitivity one = found(mill("replicates = 2\n")).value();
   EXPECT_EQ(one.keys.size(), 1U);
   EXPECT_EQ(one.left_out, std::vector<std::string>{"contact.friction"});
   EXPECT_EQ(found(mill("replicates = 1\nsensitivity = \"on\"\n"))->keys.size(), 2U);

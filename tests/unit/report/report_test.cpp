@@ -105,6 +105,7 @@ TEST(KeyNumbers, show_what_assumed_values_decide) {
   o.summary.sensitivity = results::Sensitivity{
       .time = 2,
       .quantities = {"dissipated_power", "collision_rate_above_threshold"},
+      .scatter = {0, 0},
       .keys =
           {{"contact.restitution", "0.8", {"0.3", "0.9"}, "default: x", {{{0.006, 4}, {0.02, 9}}}}},
       .left_out = {"contact.friction"}};

@@ -80,6 +80,7 @@ TEST(SummaryJson, holds_key_quantities_groups_and_what_assumed_values_decide) {
   o.summary.sensitivity = Sensitivity{
       .time = 2,
       .quantities = {"dissipated_power"},
+      .scatter = {0.001},
       .keys = {{"contact.restitution", "0.8", {"0.3", "0.9"}, "default: x", {{{0.006}, {NAN}}}}},
       .left_out = {"contact.friction"}};
   all = parsed(o).at("_sensitivity");
@@ -87,6 +88,7 @@ TEST(SummaryJson, holds_key_quantities_groups_and_what_assumed_values_decide) {
   EXPECT_EQ(all.at("keys")[0].at("at_ends").at("dissipated_power"),
             nlohmann::json({0.006, nullptr}));
   EXPECT_EQ(all.at("left_out")[0], "contact.friction");
+  EXPECT_EQ(all.at("scatter").at("dissipated_power"), 0.001);
 }
 
 TEST(SummaryJson, holds_two_states) {

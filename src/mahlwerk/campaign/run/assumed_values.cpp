@@ -10,24 +10,26 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/reversal.hpp"
+#include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
 
-/// Counted time of a run at an end over that of a replicate of the result.
-constexpr double time_share = 0.4;
-
-/// [s] What a run at an end simulates.
-double simulated(const results::Replicate& whole) {
-  return whole.at_settled.time + time_share * whole.time();
+/// [s] Counted time of a run at an end, where the result counts `whole` [s]: 0.4 of it, but whole
+/// periods of the mill.
+double counted_at_end(const cases::Case& mill_case, double whole) {
+  constexpr double share = 0.4, rounding = 1e-6;
+  const double period = cases::mill_period(mill_case);
+  if (!(whole > (1 - rounding) * period)) return share * whole;  // part of a period, or none
+  return std::min(whole, std::ceil(share * whole / period - rounding) * period);
 }
 
-/// How many assumed keys can be varied within the time that the result itself simulated.
-std::size_t affordable(const results::Outcome& outcome) {
-  double budget = 0;
-  for (const results::Replicate& r : outcome.replicates) budget += r.energy_balance.time;
-  return static_cast<std::size_t>(budget / (2 * simulated(outcome.replicates.front())));
+/// How many assumed keys can be varied within the time that the result itself simulated: two runs
+/// each, which simulate `each` [s], and one with all assumed values.
+std::size_t affordable(double budget, double each) {
+  return static_cast<std::size_t>(std::max(0.0, (budget / each - 1) / 2));
 }
 
 /// The case for one end: one replicate in each sense of rotation, shorter, without what the key
@@ -40,7 +42,7 @@ cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   made.run.engine = outcome.engine;
   made.run.until.reset();
   made.run.settle = whole.at_settled.time;
-  made.run.time = time_share * whole.time();
+  made.run.time = counted_at_end(outcome.mill_case, whole.time());
   made.run.replicates = cases::needs_both_senses(made) ? 2 : 1;
   made.contact.softening = outcome.mill_case.contact.softening;
   made.observe.collisions = made.observe.final_state = false;
@@ -63,10 +65,35 @@ std::vector<double> values_of(const results::Outcome& outcome,
   return found;
 }
 
+/// What differences of two runs at ends are by chance (results::Sensitivity::scatter).
+std::vector<double> scatter_of(const results::Outcome& outcome, double counted,
+                               const std::vector<std::string>& names) {
+  std::vector<double> found;
+  const std::vector<const results::Replicate*> chosen = results::averaged_replicates(outcome);
+  for (const std::string& name : names) {
+    std::vector<double> values;
+    for (const results::Replicate* r : chosen)
+      values.push_back(results::value_of(outcome, *r, name));
+    const observe::Estimate mean = observe::estimate(values);
+    const auto n = static_cast<double>(values.size());
+    // Two runs, each with the standard deviation of a replicate, more for their shorter time.
+    const double wide = mean.ci95 * std::sqrt(2 * n * chosen.front()->time() / counted);
+    found.push_back(std::isfinite(wide) ? wide : 0);
+  }
+  return found;
+}
+
 /// Difference of the first quantity between the ends.
 double influence(const results::AssumedInfluence& one) {
   const double span = std::abs(one.at_ends[1].front() - one.at_ends[0].front());
   return std::isnan(span) ? 0 : span;
+}
+
+/// The result's value times the ratio of the run at an end to that with the assumed value; where
+/// one has no number or is 0, the run at the end as it is.
+double relative_to(double as_assumed, double at_end, double result) {
+  const double ratio = at_end / as_assumed;
+  return as_assumed > 0 && result > 0 && std::isfinite(ratio) ? result * ratio : at_end;
 }
 
 /// The assumed values with a known range that the engine of the run reads.
@@ -91,11 +118,11 @@ bool wanted(const cases::Case& decided) {
 double assumed_values_cost(const cases::Case& decided, double settling) {
   if (!wanted(decided)) return 0;
   const double whole = static_cast<double>(decided.run.replicates) * (settling + decided.run.time);
-  const double key = 2 * (settling + time_share * decided.run.time);
-  auto keys = static_cast<double>(assumed_with_range(decided).size());
+  const double each = settling + counted_at_end(decided, decided.run.time);
+  std::size_t keys = assumed_with_range(decided).size();
   if (decided.run.sensitivity == cases::SensitivityMode::automatic)
-    keys = std::min(keys, std::floor(whole / key));
-  return keys * key / whole;
+    keys = std::min(keys, affordable(whole, each));
+  return keys == 0 ? 0 : static_cast<double>(2 * keys + 1) * each / whole;
 }
 
 std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcome& outcome,
@@ -104,13 +131,17 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   cases::Case decided = outcome.mill_case;
   decided.run.engine = outcome.engine;
   if (!wanted(decided) || !results::complete(outcome)) return std::nullopt;
-  std::size_t most = affordable(outcome);
+  const results::Replicate& whole = outcome.replicates.front();
+  results::Sensitivity found;
+  found.time = counted_at_end(outcome.mill_case, whole.time());
+  found.quantities = results::key_quantities(outcome.summary.quantities);
+  found.scatter = scatter_of(outcome, found.time, found.quantities);
+  double budget = 0;
+  for (const results::Replicate& r : outcome.replicates) budget += r.energy_balance.time;
+  std::size_t most = affordable(budget, whole.at_settled.time + found.time);
   if (outcome.mill_case.run.sensitivity == cases::SensitivityMode::on)
     most = outcome.mill_case.origins.size();
-  results::Sensitivity found;
-  found.time = time_share * outcome.replicates.front().time();
-  found.quantities = results::key_quantities(outcome.summary.quantities);
-  std::vector<cases::Case> ends;
+  std::vector<cases::Case> ends{at_end(outcome.mill_case, outcome)};
   for (const cases::Origin& origin : assumed_with_range(decided)) {
     if (found.keys.size() == most) {
       found.left_out.push_back(origin.key);
@@ -134,9 +165,15 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   own.progress = {};  // that of the run itself has reached its end
   const std::vector<results::Outcome> outcomes = run(ends, own);
   if (!std::ranges::all_of(outcomes, results::complete)) return std::nullopt;
+  const std::vector<double> result = values_of(outcome, found.quantities),
+                            as_assumed = values_of(outcomes[0], found.quantities);
   for (std::size_t i = 0; i < found.keys.size(); ++i)
-    for (std::size_t end = 0; end < 2; ++end)
-      found.keys[i].at_ends[end] = values_of(outcomes[2 * i + end], found.quantities);
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::vector<double> values = values_of(outcomes[2 * i + end + 1], found.quantities);
+      for (std::size_t q = 0; q < values.size(); ++q)
+        values[q] = relative_to(as_assumed[q], values[q], result[q]);
+      found.keys[i].at_ends[end] = std::move(values);
+    }
   std::ranges::stable_sort(found.keys, std::ranges::greater(), influence);
   return found;
 }

@@ -113,6 +113,13 @@ std::string against_event(const cases::Case& soft, const std::atomic<bool>* stop
   return effect.matters() || !effect.known() ? in_words(effect, event) : "";
 }
 
+/// Whether a fault of the soft engine comes from a value of the case, which another mends: it is
+/// told, and no reason to take another engine.
+bool of_a_value(const Fault& fault) {
+  return fault.code == "time-step-too-large" || fault.code == "time-step-too-small" ||
+         fault.code == "contacts-too-soft";
+}
+
 /// The only engine that can run the case; none if both can.
 std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   const auto choose = [](cases::EngineName engine, std::string why) {
@@ -130,23 +137,26 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   if (cases::liquid_needs_soft(mill_case))
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. The event engine has no liquid around the balls.");
+  const auto law = adhesive_law(mill_case);
+  if (cases::balls_count(mill_case.balls) == 1 && !law)
+    return choose(
+        cases::EngineName::event,
+        "Engine: event, chosen by auto. The motion of a single ball is computed exactly.");
   cases::Case soft = mill_case;
   soft.run.engine = cases::EngineName::soft;
   const std::vector<Fault> wrong = run_faults(soft);
-  if (!wrong.empty())
+  if (!wrong.empty() && !std::ranges::all_of(wrong, of_a_value))
     return choose(
         cases::EngineName::event,
         fmt::format("Engine: event, chosen by auto. The soft engine cannot run the case: {}.",
                     wrong.front().what));
-  if (const auto law = adhesive_law(mill_case))
+  if (law)
     return choose(cases::EngineName::soft,
                   fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the "
                               "event engine does not model adhesion.",
                               *law));
-  if (cases::balls_count(mill_case.balls) == 1)
-    return choose(
-        cases::EngineName::event,
-        "Engine: event, chosen by auto. The motion of a single ball is computed exactly.");
+  if (!wrong.empty())
+    return choose(cases::EngineName::soft, "Engine: soft, chosen by auto, with a value to mend.");
   return std::nullopt;
 }
 
@@ -184,6 +194,9 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
   cases::Case soft = mill_case;
   soft.run.engine = EngineName::soft;
   soft.run.time = cases::counted_time(mill_case);
+  if (soft.run.time > 2 * mill_case.run.time && run_faults(soft).empty() &&
+      work_of(with_softening(soft, softening_of(soft).value_or(1))) > max_soft_work)
+    soft.run.time = mill_case.run.time;  // as decided_case() does
   if (const auto only = only_engine(mill_case))
     return only->engine == EngineName::soft ? softened(*only, soft) : *only;
   EngineChoice choice = softened(
@@ -197,10 +210,11 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
         {fmt::format("Engine: event, chosen by auto. The soft engine would take about {} of one "
                      "core, and a settled pilot run shows that the event engine is valid.",
                      core_time(work))}};
-  choice.reason.push_back(
-      fmt::format("The run takes about {} of one core: less time, fewer replicates or a smaller "
-                  "contact.softening shorten it. The event engine is not valid here. {}",
-                  core_time(work), against));
+  choice.reason.push_back(fmt::format(
+      "The run takes about {} of one core: less time, fewer replicates or a smaller "
+      "contact.softening shorten it{}. The event engine is not valid here. {}",
+      core_time(work),
+      mill_case.run.settle ? "" : ", and run.settle = \"0 s\" counts from the start", against));
   return choice;
 }
 

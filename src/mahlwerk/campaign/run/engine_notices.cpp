@@ -28,6 +28,7 @@ struct Contacts {
   double share = 0;        ///< [1] of the balls' time in contact
   double withheld = 0;     ///< [1] power that the TC rule withheld, over the dissipated power
   double hits_within = 0;  ///< [1] share of the hits that begin within t_c of another
+  std::int64_t hits = 0;   ///< above the threshold
   std::int64_t collisions = 0;
 };
 
@@ -45,7 +46,7 @@ Contacts contacts_of(const results::Outcome& outcome) {
     within += r.energy_balance.hits_within - r.at_settled.hits_within;
   }
   return {time > 0 ? contact / time : 0, lost > 0 ? withheld / lost : 0,
-          hits > 0 ? static_cast<double>(within) / static_cast<double>(hits) : 0, collisions};
+          hits > 0 ? static_cast<double>(within) / static_cast<double>(hits) : 0, hits, collisions};
 }
 
 /// [1] Share of the hits above the threshold that several balls keep at a softening, at least:
@@ -56,7 +57,8 @@ double hits_kept(double softening) {
 
 /// Effect of hits of bodies that touch others on a run of the event engine.
 Notices hit_notices(const Contacts& contacts) {
-  if (contacts.hits_within <= hits_within_limit) return {};
+  constexpr std::int64_t few = 100;  // results::settling_warnings() warns of fewer
+  if (contacts.hits_within <= hits_within_limit || contacts.hits < few) return {};
   const bool much = contacts.hits_within > many_hits_within;
   return {warning(
       "simultaneous-hits",

@@ -308,7 +308,8 @@ void ReplicateRun::end_window() {
   if (std::ssize(result_.windows) < fewest || window_ % between != 1) return;
   const observe::Estimate known = observe::time_series_estimate(
       results::series(result_.windows, mill_case_->run.until->quantity));
-  converged_ = known.ci95 <= mill_case_->run.until->within * std::abs(known.mean);
+  converged_ = known.mean != 0 &&  // nothing has happened yet
+               known.ci95 <= mill_case_->run.until->within * std::abs(known.mean);
 }
 
 results::Replicate ReplicateRun::result() const {

@@ -42,6 +42,7 @@ std::optional<SettledState> settled_state(const cases::Case& mill_case, double m
   softer.run.settle.reset();
   softer.run.replicates = 1;
   softer.run.until.reset();
+  if (softer.milling) softer.milling->reverse = false;
   softer.observe = {.threshold = mill_case.observe.threshold};
   if (!cases::settles(softer) || !run_faults(softer).empty() || soft_work(softer) > most_work)
     return std::nullopt;

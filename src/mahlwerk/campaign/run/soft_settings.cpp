@@ -191,8 +191,12 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
         {cases::location_of(mill_case, mill_case.run.time_step ? "run.time_step" : "run.time"),
          fmt::format("{} in steps of {} is {:.2g} steps, more than {:.0g}", show_rounded(time, "s"),
                      show_rounded(s.rules.time_step, "s"), time / s.rules.time_step, max_steps),
-         fmt::format("the usual step is {}: leave time_step and time_step_fraction out",
-                     show_rounded(s.steps.recommended(cases::step_share.standard.value()), "s")),
+         mill_case.run.time_step
+             ? fmt::format(
+                   "the usual step is {}: leave time_step and time_step_fraction out",
+                   show_rounded(s.steps.recommended(cases::step_share.standard.value()), "s"))
+             : "a faster mill, a shorter run.time, or a shorter run.settle (\"auto\" waits for "
+               "several periods of the mill)",
          "time-step-too-small"});
   if (s.rules.time_step > s.steps.limit)
     found.push_back(

@@ -105,7 +105,9 @@ Json groups_of(const std::vector<Quantity>& quantities) {
 }
 
 Json sensitivity_of(const Sensitivity& found) {
-  Json keys = Json::array();
+  Json keys = Json::array(), scatter = Json::object();
+  for (std::size_t i = 0; i < found.quantities.size(); ++i)
+    scatter[found.quantities[i]] = found.scatter[i];
   for (const AssumedInfluence& one : found.keys) {
     Json at_ends = Json::object();
     for (std::size_t i = 0; i < found.quantities.size(); ++i)
@@ -116,8 +118,10 @@ Json sensitivity_of(const Sensitivity& found) {
                                  {"source", one.source},
                                  {"at_ends", std::move(at_ends)}}));
   }
-  return Json::object(
-      {{"time", found.time}, {"keys", std::move(keys)}, {"left_out", found.left_out}});
+  return Json::object({{"time", found.time},
+                       {"scatter", std::move(scatter)},
+                       {"keys", std::move(keys)},
+                       {"left_out", found.left_out}});
 }
 
 }  // namespace

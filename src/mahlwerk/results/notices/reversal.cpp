@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "mahlwerk/results/notices/warnings.hpp"
 
@@ -35,6 +36,10 @@ Notices reversal_notices(const Outcome& outcome) {
                  "mirror image, so that the means are the same in both senses: every replicate "
                  "turns as the case says.")};
   const auto power = power_by_sense(outcome);
+  if (!std::isfinite(power[0] + power[1]))
+    return {warning("reversed-drive",
+                    "The sense of rotation changes after each cycle, but the replicates that ended "
+                    "all turn in one sense: means are those of this sense alone.")};
   return {note(
       "reversed-drive",
       fmt::format("The sense of rotation changes after each cycle. Replicates 2, 4, ... turn the "

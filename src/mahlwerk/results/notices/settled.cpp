@@ -39,6 +39,24 @@ std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
   return sums;
 }
 
+/// Energies of all windows: what is below rounding of the kinetic energy is nothing.
+struct TurnedOver {
+  explicit TurnedOver(const std::vector<const Replicate*>& chosen) {
+    for (const Replicate* r : chosen)
+      for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work, kinetic += w.kinetic;
+  }
+  bool is_rounding(double energy) const { return !(std::abs(energy) > 1e-9 * kinetic); }
+  bool is_nothing() const { return is_rounding(lost) && is_rounding(drawn); }
+  double lost = 0, drawn = 0, kinetic = 0;  // [J]; the kinetic energy summed over the windows
+};
+
+/// What lets a mill settle before it is counted.
+std::string remedy(const Outcome& outcome) {
+  return outcome.mill_case.run.settle
+             ? "A longer run.settle helps, or run.settle = \"auto\"."
+             : "A longer run.time allows a longer settling; run.settle gives its time.";
+}
+
 /// Whether the stored energy when counting began, zero here, differs from that after the first
 /// windows by more than its scatter (sta.8).
 bool start_differs(const std::vector<double>& stored, std::size_t first) {
@@ -58,7 +76,7 @@ void not_steady(const Outcome& outcome, Notices& list) {
   constexpr std::size_t fewest = 50;  // windows: ten batches
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   const std::vector<double> energy = stored(chosen);
-  if (energy.size() < fewest) return;
+  if (energy.size() < fewest || TurnedOver(chosen).is_nothing()) return;
   const double settling = quantity(outcome, "settling_time"),
                time = quantity(outcome, "simulated_time"),
                imbalance = quantity(outcome, "power_imbalance");
@@ -70,9 +88,10 @@ void not_steady(const Outcome& outcome, Notices& list) {
       warning("not-settled",
               fmt::format("The charge had not settled when counting began: the first {} of {} "
                           "counted are an initial transient, and {} % {} power was drawn than "
-                          "dissipated. A longer run.settle helps.",
+                          "dissipated. {}",
                           show_rounded(settling, "s", 2), show_rounded(time, "s", 2),
-                          two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less")));
+                          two_digits(100 * std::abs(imbalance)), imbalance > 0 ? "more" : "less",
+                          remedy(outcome))));
 }
 
 /// Mean, least and greatest of a time over the replicates, in words: "0.4 s", "0.35 s to 0.5 s".
@@ -82,29 +101,36 @@ std::string range_in_words(const std::vector<const Replicate*>& chosen, const au
   return from == to ? from : fmt::format("{} to {}", from, to);
 }
 
-/// Says what run.settle = "auto" did, and warns where it found a trend until the end.
-void automatic_settling(const Outcome& outcome, Notices& list) {
+/// The times in words after which run.settle = "auto" began to count.
+std::string settled_after(const std::vector<const Replicate*>& chosen) {
+  return range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
+}
+
+/// Warns where run.settle = "auto" found a trend until the end.
+void trend_until_the_end(const Outcome& outcome, Notices& list) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   if (chosen.empty() || !cases::settles(outcome.mill_case)) return;
   const auto trending = std::ranges::count(chosen, false, &Replicate::settled);
-  const std::string after =
-      range_in_words(chosen, [](const Replicate* r) { return r->at_settled.time; });
+  if (trending == 0) return;
+  list.push_back(warning(
+      "not-settled",
+      fmt::format("The mill had not settled after {}, when counting began: in {} of {} replicates "
+                  "power, hits or stored energy still had a trend. {}",
+                  settled_after(chosen), trending, chosen.size(), remedy(outcome))));
+}
+
+/// Says what run.settle = "auto" did, where nothing warns of what it counted.
+void automatic_settling(const Outcome& outcome, Notices& list) {
+  const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
+  if (chosen.empty() || !cases::settles(outcome.mill_case)) return;
+  if (says(list, "not-settled") || says(list, "powers-apart")) return;
   const double periods =
       quantity(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
-  if (trending > 0)
-    list.push_back(warning(
-        "not-settled",
-        fmt::format(
-            "The mill had not settled after {}, when counting began: in {} of {} replicates "
-            "power, hits or stored energy still had a trend. A longer run.time allows a "
-            "longer settling; run.settle gives its time.",
-            after, trending, chosen.size())));
-  else
-    list.push_back(
-        note("settled",
-             fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
-                         "stored energy had no trend. {:.4g} periods of the mill are counted.",
-                         after, periods)));
+  list.push_back(note(
+      "settled", fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
+                             "stored energy had no certain trend. Periods of the mill counted: "
+                             "{:.4g}.",
+                             settled_after(chosen), periods)));
 }
 
 /// Warns if less than one period of the mill was counted.
@@ -128,7 +154,7 @@ void counted_trend(const Outcome& outcome, Notices& list) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
   for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
-  if (windows < fewest || says(list, "not-settled")) return;
+  if (windows < fewest || says(list, "not-settled") || TurnedOver(chosen).is_nothing()) return;
   const auto trend_of = [&](double Window::*member) {
     std::vector<double> sums(batches, 0);
     for (std::size_t i = 0; i < windows / batches * batches; ++i)
@@ -142,11 +168,10 @@ void counted_trend(const Outcome& outcome, Notices& list) {
     list.push_back(warning(
         "not-settled",
         fmt::format("While it was counted, {} {} by {} (± {}) % of its mean, from the first to the "
-                    "last part of the time. A longer run.time allows a longer settling; run.settle "
-                    "gives its time.",
+                    "last part of the time. {}",
                     name, trend.change > 0 ? "rose" : "fell",
                     two_digits(100 * std::abs(trend.change) / trend.mean),
-                    two_digits(100 * trend.ci95 / trend.mean))));
+                    two_digits(100 * trend.ci95 / trend.mean), remedy(outcome))));
     return;
   }
 }
@@ -158,22 +183,21 @@ void few_hits(const Outcome& outcome, Notices& list) {
   for (const Replicate* r : averaged_replicates(outcome)) hits += r->tally.above.count;
   if (hits == 0 || hits >= few) return;
   list.push_back(warning(
-      "few-hits", fmt::format("Only {} hits above the threshold were counted: their rate and their "
+      "few-hits", fmt::format("Only {} hit{} above the threshold {} counted: their rate and their "
                               "energies are as uncertain as their number, and a slow change of the "
                               "rate would not show. A longer run.time counts more.",
-                              hits)));
+                              hits, hits == 1 ? "" : "s", hits == 1 ? "was" : "were")));
 }
 
 /// Warns if drawn and dissipated power differ by more than the fluctuation of the stored energy:
 /// then energy is stored, or given back, all the time (sta.11).
 void powers_apart(const Outcome& outcome, Notices& list) {
-  constexpr double much = 0.1, far = 3, rounding = 1e-9;
+  constexpr double much = 0.1, far = 3;
   constexpr std::size_t fewest = 10;
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  double lost = 0, drawn = 0, kinetic = 0;
-  for (const Replicate* r : chosen)
-    for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work, kinetic += w.kinetic;
-  if (!(std::abs(drawn - lost) > rounding * kinetic)) return;
+  const TurnedOver sums(chosen);
+  const double lost = sums.lost, drawn = sums.drawn;
+  if (sums.is_rounding(drawn - lost)) return;
   const std::vector<double> energy = stored(chosen);
   const double apart = std::abs(drawn - lost) / std::max(std::abs(drawn), std::abs(lost));
   if (energy.size() < fewest || !(apart > much)) return;
@@ -184,23 +208,23 @@ void powers_apart(const Outcome& outcome, Notices& list) {
       "powers-apart",
       fmt::format(
           "Drawn and dissipated power differ by {} % of the larger one, {} was drawn, although "
-          "in a settled mill both are equal: {} A longer run.settle, or run.settle = \"auto\", and "
-          "a longer run.time "
-          "help.",
+          "in a settled mill both are equal: {} {}",
           two_digits(100 * apart), drawn > lost ? "more" : "less",
           drawn > lost ? "the charge still gained energy when counting ended, for instance a bed "
                          "that is lifted and does not yet flow."
-                       : "the charge still lost energy that it had when counting began.")));
+                       : "the charge still lost energy that it had when counting began.",
+          remedy(outcome))));
 }
 
 }  // namespace
 
 Notices settling_warnings(const Outcome& outcome) {
   Notices list;
-  automatic_settling(outcome, list);
+  trend_until_the_end(outcome, list);
   not_steady(outcome, list);
   counted_trend(outcome, list);
   powers_apart(outcome, list);
+  automatic_settling(outcome, list);
   part_of_a_period(outcome, list);
   few_hits(outcome, list);
   return list;

@@ -55,6 +55,7 @@ std::optional<std::pair<double, double>> Sensitivity::range(std::string_view qua
   double low = value, high = value;
   for (const AssumedInfluence& one : keys)
     for (const std::vector<double>& values : one.at_ends) {
+      if (!(std::abs(values[i] - value) > scatter[i])) continue;
       low = std::fmin(low, values[i]);
       high = std::fmax(high, values[i]);
     }
