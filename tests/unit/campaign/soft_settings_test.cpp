@@ -136,6 +136,10 @@ TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
   EXPECT_EQ(faults_with_step("1e-300 s"), "time-step-too-small");
   EXPECT_EQ(codes(soft_case("restitution = 0.5", {{"run.time_step_fraction", "1e-12"}})),
             "time-step-too-small");
+  // "auto" does not take the event engine because of such a value.
+  EXPECT_EQ(
+      codes(soft_case("restitution = 0.5", {{"run.engine", "auto"}, {"run.time_step", "1 ms"}})),
+      "time-step-too-large");
 }
 
 TEST(SoftSettings, work_is_balls_times_steps) {

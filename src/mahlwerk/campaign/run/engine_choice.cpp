@@ -113,13 +113,6 @@ std::string against_event(const cases::Case& soft, const std::atomic<bool>* stop
   return effect.matters() || !effect.known() ? in_words(effect, event) : "";
 }
 
-/// Whether a fault of the soft engine comes from a value of the case, which another mends: it is
-/// told, and no reason to take another engine.
-bool of_a_value(const Fault& fault) {
-  return fault.code == "time-step-too-large" || fault.code == "time-step-too-small" ||
-         fault.code == "contacts-too-soft";
-}
-
 /// The only engine that can run the case; none if both can.
 std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   const auto choose = [](cases::EngineName engine, std::string why) {
@@ -145,7 +138,7 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   cases::Case soft = mill_case;
   soft.run.engine = cases::EngineName::soft;
   const std::vector<Fault> wrong = run_faults(soft);
-  if (!wrong.empty() && !std::ranges::all_of(wrong, of_a_value))
+  if (!is_of_values(wrong))
     return choose(
         cases::EngineName::event,
         fmt::format("Engine: event, chosen by auto. The soft engine cannot run the case: {}.",
@@ -155,8 +148,6 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
                   fmt::format("Engine: soft, chosen by auto. law = \"{}\" is adhesive, and the "
                               "event engine does not model adhesion.",
                               *law));
-  if (!wrong.empty())
-    return choose(cases::EngineName::soft, "Engine: soft, chosen by auto, with a value to mend.");
   return std::nullopt;
 }
 

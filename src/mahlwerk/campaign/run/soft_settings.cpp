@@ -12,6 +12,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -211,10 +212,28 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
   return found;
 }
 
+/// Faults of several balls with engine = "auto": those of the soft engine that come from a value of
+/// the case. Other reasons against the soft engine leave the event engine (choose_engine()).
+std::vector<Fault> automatic_faults(cases::Case mill_case) {
+  if (cases::balls_count(mill_case.balls) == 1) return {};
+  mill_case.run.engine = cases::EngineName::soft;
+  std::vector<Fault> found = replicate_faults(mill_case);
+  return is_of_values(found) ? found : std::vector<Fault>();
+}
+
 }  // namespace
+
+bool is_of_values(const std::vector<Fault>& soft) {
+  return std::ranges::all_of(soft, [](const Fault& fault) {
+    return fault.code == "time-step-too-large" || fault.code == "time-step-too-small" ||
+           fault.code == "contacts-too-soft";
+  });
+}
 
 std::vector<Fault> run_faults(const cases::Case& mill_case) {
   std::vector<Fault> found = replicate_faults(mill_case);
+  if (found.empty() && mill_case.run.engine == cases::EngineName::automatic)
+    found = automatic_faults(mill_case);
   for (std::size_t draw = 0; mill_case.uncertainty && draw < mill_case.uncertainty->count(); ++draw)
     for (Fault& fault : replicate_faults(cases::case_of_replicate(mill_case, draw)))
       if (std::ranges::none_of(found, [&](const Fault& f) { return f.code == fault.code; }))

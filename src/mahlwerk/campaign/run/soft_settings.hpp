@@ -38,5 +38,8 @@ Notices overlap_warnings(const cases::Case& mill_case);
 
 /// Faults that prevent the requested engine from running a case; empty if there are none.
 std::vector<Fault> run_faults(const cases::Case& mill_case);
+/// Whether faults of the soft engine all come from values that another value mends: they are told,
+/// and no reason for "auto" to take another engine.
+bool is_of_values(const std::vector<Fault>& soft);
 
 }  // namespace mahlwerk::campaign
