@@ -65,7 +65,7 @@ std::vector<double> values_of(const results::Outcome& outcome,
   return found;
 }
 
-/// What differences of two runs at ends are by chance (results::Sensitivity::scatter).
+/// What differences of two runs at ends are by chance (sta.13).
 std::vector<double> scatter_of(const results::Outcome& outcome, double counted,
                                const std::vector<std::string>& names) {
   std::vector<double> found;
