@@ -36,7 +36,7 @@ const Planetary& planetary(const Case& c) {
 
 bool has_regime(const Case& c) {
   const Tumbling* drum = cases::drum_motion(c);
-  return (drum != nullptr && drum->speed != 0) ||
+  return (drum != nullptr && drum->speed != 0 && c.gravity > 0) ||
          kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
 
