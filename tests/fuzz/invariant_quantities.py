@@ -78,7 +78,7 @@ def run(program, text, lines, contact=""):
 def results(program, mill):
     """Of each setting of one mill: the quantities, and the codes of its warnings."""
     _, text, period = mill
-    window = f'time = "{max(0.2, 15 * period):.4g} s"\nsettle = "{6 * period:.4g} s"\nreplicates = 4\n'
+    window = f'time = "{max(0.1, 8 * period):.4g} s"\nsettle = "{4 * period:.4g} s"\nreplicates = 4\n'
     soft = window + 'engine = "soft"\n'
     made = {"soft": run(program, text, soft, "softening = 1\n")}
     step = time_step(program, f"{text}softening = 1\n[run]\n{soft}")
