@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "statement.hpp"
+#include "unit/campaign/runs.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::assumed_values_test {
@@ -42,12 +43,6 @@ engine = "event"
 time = "1 s"
 settle = "0.1 s"
 )" + run;
-}
-
-RunOptions on(int threads) {
-  RunOptions options;
-  options.threads = threads;
-  return options;
 }
 
 std::optional<results::Sensitivity> found(const std::string& text, int threads = 1) {
@@ -114,6 +109,9 @@ TEST(AssumedValues, are_left_out_by_name_where_their_runs_cost_more_than_the_run
   const results::Sensitivity one = found(mill("replicates = 2\n")).value();
   EXPECT_EQ(one.keys.size(), 1U);
   EXPECT_EQ(one.left_out, std::vector<std::string>{"contact.friction"});
+  const results::Sensitivity none = found(mill("replicates = 1\n")).value();
+  EXPECT_TRUE(none.keys.empty()) << "1.1 s do not pay for 1.5 s";
+  EXPECT_EQ(none.left_out.size(), 2U);
   EXPECT_EQ(found(mill("replicates = 1\nsensitivity = \"on\"\n"))->keys.size(), 2U);
   EXPECT_FALSE(found(mill("replicates = 5\nsensitivity = \"off\"\n")));
   EXPECT_FALSE(found(mill("replicates = 5\n[contact]\nrestitution = 0.5\nfriction = 0.2\n")))

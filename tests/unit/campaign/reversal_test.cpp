@@ -14,6 +14,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
+#include "unit/campaign/runs.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::reversal_test {
@@ -64,19 +65,6 @@ geometry::Mesh skew_jar(double side) {
   for (Vec3& p : corners) p.y *= side;
   if (side < 0) std::ranges::reverse(corners);  // anticlockwise
   return tests::mesh_of(tests::prism(corners, 0.03));
-}
-
-RunOptions on(int threads) {
-  RunOptions options;
-  options.threads = threads;
-  return options;
-}
-
-std::vector<double> powers(const results::Outcome& outcome) {
-  std::vector<double> made;
-  for (const results::Replicate& r : outcome.replicates)
-    made.push_back(results::value_of(outcome, r, "dissipated_power"));
-  return made;
 }
 
 std::string note_of(const results::Outcome& outcome) {

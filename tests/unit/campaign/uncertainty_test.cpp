@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "statement.hpp"
+#include "unit/campaign/runs.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::uncertainty_test {
@@ -52,19 +53,6 @@ const std::string draws = R"([uncertainty]
 "contact.restitution" = ["0.4", "0.6", "0.8"]
 "mill.amplitude" = ["6 mm", "8 mm", "10 mm"]
 )";
-
-RunOptions on(int threads) {
-  RunOptions options;
-  options.threads = threads;
-  return options;
-}
-
-std::vector<double> powers(const results::Outcome& outcome) {
-  std::vector<double> made;
-  for (const results::Replicate& r : outcome.replicates)
-    made.push_back(results::value_of(outcome, r, "dissipated_power"));
-  return made;
-}
 
 TEST(Uncertainty, a_replicate_has_the_bits_of_a_run_with_the_values_of_its_draw) {
   for (const std::string engine : {"event", "soft"}) {

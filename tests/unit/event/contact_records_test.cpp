@@ -70,6 +70,21 @@ TEST(ContactRecords, bounces_within_the_joining_time_are_one_record) {
   states("loss of open contacts [J]", records.lost(), 0, 0, "none is open");
 }
 
+TEST(ContactRecords, that_are_open_when_counting_begins_hold_what_follows) {
+  const double within = 0.99 * joining_time(pair, 0.5, 0.2);
+  ContactRecords records(2, joining_time(pair, 0, 0));
+  EXPECT_TRUE(begins(records, bounce(1, 0.5)));
+  records.begin_counting();
+  states("loss of open contacts [J]", records.lost(), 0, 0, "it was dissipated before");
+  EXPECT_FALSE(begins(records, bounce(1 + within, 0.2)));
+  std::vector<scene::Collision> finished;
+  records.finish_before(2, finished);
+  ASSERT_EQ(finished.size(), 1U);
+  states("loss [J]", finished[0].lost(), 5e-3 * 0.2, 1e-17, "of the bounce that followed");
+  states("impulse [N s]", finished[0].impulse, 1e-3 * 0.2, 1e-18, "of the bounce that followed");
+  states("approach [m/s]", finished[0].approach, 0.5, 0, "of the first bounce");
+}
+
 TEST(ContactRecords, bounces_of_other_pairs_are_other_records) {
   ContactRecords records(3, joining_time(pair, 0, 0));
   for (const auto& [ball, other] : {std::pair{0, 1}, {0, 2}, {1, 2}, {0, ~0}, {0, ~1}})

@@ -113,15 +113,62 @@ bool wanted(const cases::Case& decided) {
          decided.run.engine != cases::EngineName::lammps;
 }
 
+/// How many assumed keys the case wants varied, for a result that simulated `budget` [s] and runs
+/// that simulate `each` [s].
+std::size_t most_keys(const cases::Case& decided, double budget, double each) {
+  const bool all = decided.run.sensitivity == cases::SensitivityMode::on;
+  return all ? decided.origins.size() : affordable(budget, each);
+}
+
+/// Adds the keys to vary to `found`, and those left out; returns the runs: with the assumed values,
+/// then at both ends of each key.
+std::vector<cases::Case> runs_of_keys(const cases::Case& decided, const results::Outcome& outcome,
+                                      const ReadWithValue& read, results::Sensitivity& found) {
+  double budget = 0;
+  for (const results::Replicate& r : outcome.replicates) budget += r.energy_balance.time;
+  const std::size_t most =
+      most_keys(decided, budget, outcome.replicates.front().at_settled.time + found.time);
+  std::vector<cases::Case> runs{at_end(outcome.mill_case, outcome)};
+  for (const cases::Origin& origin : assumed_with_range(decided)) {
+    if (found.keys.size() == most) {
+      found.left_out.push_back(origin.key);
+      continue;
+    }
+    try {
+      cases::Case low = at_end(read(origin.key, origin.range[0]), outcome);
+      cases::Case high = at_end(read(origin.key, origin.range[1]), outcome);
+      runs.push_back(std::move(low));
+      runs.push_back(std::move(high));
+      found.keys.push_back({origin.key, origin.value, origin.range, origin.source, {}});
+    } catch (const InputError&) {
+      found.left_out.push_back(origin.key);  // an end that does not fit the rest of the case
+    }
+  }
+  return runs;
+}
+
+/// Sets the values at the ends from the outcomes of the runs_of_keys().
+void set_values(const results::Outcome& outcome, const std::vector<results::Outcome>& outcomes,
+                results::Sensitivity& found) {
+  const std::vector<double> result = values_of(outcome, found.quantities),
+                            as_assumed = values_of(outcomes.front(), found.quantities);
+  for (std::size_t i = 0; i < found.keys.size(); ++i)
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::vector<double> values = values_of(outcomes[2 * i + end + 1], found.quantities);
+      for (std::size_t q = 0; q < values.size(); ++q)
+        values[q] = relative_to(as_assumed[q], values[q], result[q]);
+      found.keys[i].at_ends[end] = std::move(values);
+    }
+}
+
 }  // namespace
 
 double assumed_values_cost(const cases::Case& decided, double settling) {
   if (!wanted(decided)) return 0;
   const double whole = static_cast<double>(decided.run.replicates) * (settling + decided.run.time);
   const double each = settling + counted_at_end(decided, decided.run.time);
-  std::size_t keys = assumed_with_range(decided).size();
-  if (decided.run.sensitivity == cases::SensitivityMode::automatic)
-    keys = std::min(keys, affordable(whole, each));
+  const std::size_t keys =
+      std::min(assumed_with_range(decided).size(), most_keys(decided, whole, each));
   return keys == 0 ? 0 : static_cast<double>(2 * keys + 1) * each / whole;
 }
 
@@ -131,49 +178,21 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   cases::Case decided = outcome.mill_case;
   decided.run.engine = outcome.engine;
   if (!wanted(decided) || !results::complete(outcome)) return std::nullopt;
-  const results::Replicate& whole = outcome.replicates.front();
   results::Sensitivity found;
-  found.time = counted_at_end(outcome.mill_case, whole.time());
+  found.time = counted_at_end(outcome.mill_case, outcome.replicates.front().time());
   found.quantities = results::key_quantities(outcome.summary.quantities);
   found.scatter = scatter_of(outcome, found.time, found.quantities);
-  double budget = 0;
-  for (const results::Replicate& r : outcome.replicates) budget += r.energy_balance.time;
-  std::size_t most = affordable(budget, whole.at_settled.time + found.time);
-  if (outcome.mill_case.run.sensitivity == cases::SensitivityMode::on)
-    most = outcome.mill_case.origins.size();
-  std::vector<cases::Case> ends{at_end(outcome.mill_case, outcome)};
-  for (const cases::Origin& origin : assumed_with_range(decided)) {
-    if (found.keys.size() == most) {
-      found.left_out.push_back(origin.key);
-      continue;
-    }
-    try {
-      cases::Case low = at_end(read(origin.key, origin.range[0]), outcome);
-      cases::Case high = at_end(read(origin.key, origin.range[1]), outcome);
-      ends.push_back(std::move(low));
-      ends.push_back(std::move(high));
-      found.keys.push_back({origin.key, origin.value, origin.range, origin.source, {}});
-    } catch (const InputError&) {
-      found.left_out.push_back(origin.key);  // an end that does not fit the rest of the case
-    }
-  }
-  if (found.keys.empty() && found.left_out.empty()) return std::nullopt;
+  const std::vector<cases::Case> runs = runs_of_keys(decided, outcome, read, found);
+  if (found.keys.empty())
+    return found.left_out.empty() ? std::nullopt : std::optional(std::move(found));
   RunOptions own = options;
   own.records = {};
   own.frames = {};
   own.checkpoint = nullptr;
   own.progress = {};  // that of the run itself has reached its end
-  const std::vector<results::Outcome> outcomes = run(ends, own);
+  const std::vector<results::Outcome> outcomes = run(runs, own);
   if (!std::ranges::all_of(outcomes, results::complete)) return std::nullopt;
-  const std::vector<double> result = values_of(outcome, found.quantities),
-                            as_assumed = values_of(outcomes[0], found.quantities);
-  for (std::size_t i = 0; i < found.keys.size(); ++i)
-    for (std::size_t end = 0; end < 2; ++end) {
-      std::vector<double> values = values_of(outcomes[2 * i + end + 1], found.quantities);
-      for (std::size_t q = 0; q < values.size(); ++q)
-        values[q] = relative_to(as_assumed[q], values[q], result[q]);
-      found.keys[i].at_ends[end] = std::move(values);
-    }
+  set_values(outcome, outcomes, found);
   std::ranges::stable_sort(found.keys, std::ranges::greater(), influence);
   return found;
 }

@@ -18,11 +18,6 @@ constexpr double contact_share_limit = 0.1;
 /// Above this share of hits that begin within the contact time of another hit of the same body, the
 /// engines differ in their hits by more than a tenth (docs/theory/engine-choice.md).
 constexpr double hits_within_limit = 0.1;
-/// Above this share of such hits, two pilot runs measure the effect of the contact time.
-constexpr double many_hits_within = 0.3;
-/// Above this share of power withheld by the TC rule, two pilot runs measure the effect of the
-/// contact time (man.8).
-constexpr double withheld_share_limit = 0.02;
 
 /// [s] CPU time of a ball and step of the soft engine (docs/performance.md).
 constexpr double ball_step_cost = 33e-9;

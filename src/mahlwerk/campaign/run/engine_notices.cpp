@@ -23,6 +23,10 @@ std::string in_percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
+/// Above one of these shares, two pilot runs measure the effect of the contact time (man.8): of
+/// hits that begin within it, and of power withheld by the TC rule.
+constexpr double many_hits_within = 0.3, withheld_share_limit = 0.02;
+
 /// Shares of contact in a run, over all its replicates.
 struct Contacts {
   double share = 0;        ///< [1] of the balls' time in contact
