@@ -42,6 +42,22 @@ std::string words(const TwoStates& found, std::size_t which) {
 
 }  // namespace
 
+std::optional<observe::TwoGroups> power_groups(const std::vector<double>& powers, double rounding) {
+  constexpr double much = 0.2;  // of the larger power
+  if (!std::ranges::all_of(powers, [](double p) { return std::isfinite(p); })) return std::nullopt;
+  const auto groups = observe::two_groups(powers);
+  if (!groups) return std::nullopt;
+  double sum[2] = {0, 0}, count[2] = {0, 0};
+  for (const double power : powers) {
+    sum[power > groups->between] += power;
+    ++count[power > groups->between];
+  }
+  const double low = sum[0] / count[0], high = sum[1] / count[1];
+  const double larger = std::max(std::abs(low), std::abs(high));
+  if (!(high - low > much * larger) || !(larger > rounding)) return std::nullopt;
+  return groups;
+}
+
 double TwoStates::share(const State& state) const {
   return static_cast<double>(state.replicates.size()) /
          static_cast<double>(states[0].replicates.size() + states[1].replicates.size());
@@ -49,12 +65,10 @@ double TwoStates::share(const State& state) const {
 
 std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Measure>& measures,
                                     const std::vector<std::vector<double>>& each) {
-  constexpr double much = 0.2;  // of the larger power
   std::vector<double> powers;
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   for (const Replicate* r : chosen) powers.push_back(dissipated_power(*r));
-  if (!std::ranges::all_of(powers, [](double p) { return std::isfinite(p); })) return std::nullopt;
-  const auto groups = observe::two_groups(powers);
+  const auto groups = power_groups(powers, rounding_power(chosen));
   if (!groups) return std::nullopt;
   TwoStates found{.states = {}, .p_value = groups->p_value};
   for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -62,10 +76,6 @@ std::optional<TwoStates> two_states(const Outcome& outcome, const std::vector<Me
         number_of(outcome, *chosen[i]));
   for (State& state : found.states)
     state.quantities = means(measures, each, state.replicates, Interval::of_mean);
-  const double low = named(found.states[0].quantities, power_name).value,
-               high = named(found.states[1].quantities, power_name).value;
-  const double larger = std::max(std::abs(low), std::abs(high));
-  if (!(high - low > much * larger) || !(larger > rounding_power(chosen))) return std::nullopt;
   return found;
 }
 

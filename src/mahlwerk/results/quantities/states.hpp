@@ -5,11 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "mahlwerk/observe/groups.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
 // Replicates that fall into two states by their dissipated power
 // (docs/theory/statistics.md, "Two states").
 namespace mahlwerk::results {
+
+/// The two groups of powers [W] whose means differ by more than a fifth of the larger one; nothing
+/// if there is one group, or `rounding` [W] exceeds both means.
+std::optional<observe::TwoGroups> power_groups(const std::vector<double>& powers, double rounding);
 
 /// The two states, or nothing if the replicates show one state or are too few. `each` holds the
 /// values of every replicate.
