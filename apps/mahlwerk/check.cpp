@@ -47,6 +47,12 @@ struct RunTime {
 /// [s] Reading a case and writing results and report.
 constexpr double around_a_run = 0.1;
 
+/// Computing over simulated time of a replicate of the soft engine with a bed.
+double usual_cost(const cases::Case& decided) {
+  return campaign::soft_work(decided) * campaign::ball_step_cost /
+         (decided.run.settle_at_rest + cases::simulated_time(decided));
+}
+
 /// Estimates the time from a short pilot run, of a settled mill where the soft engine settles it
 /// quickly: a bed takes more time than balls that fall.
 RunTime run_time(const cases::Case& decided) {
@@ -78,9 +84,12 @@ RunTime run_time(const cases::Case& decided) {
   double simulated = 0;
   for (const auto* run : all) simulated += run->energy_balance().time;
   if (!(simulated > 0)) return {};
+  double of_second = spent / simulated;  // [1] computing over simulated time
+  if (!settled && cases::in_time_steps(decided.run.engine))
+    of_second = std::max(of_second, usual_cost(decided) / threads);
   const double settling =
       settled && cases::settles(decided) ? settled->settling : cases::least_settling(decided);
-  return {spent / simulated * (settling + decided.run.time), share,
+  return {of_second * (settling + cases::expected_time(decided)), share,
           campaign::assumed_values_cost(decided, settling)};
 }
 
@@ -157,7 +166,7 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   c.follows.push_back(
       {"run_time", seconds, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"
-       : first.run.until ? "estimate on this machine, all cores, if run.longest is reached"
+       : first.run.until ? "estimate on this machine, all cores, if the precision is reached as soon as usual"
                          : "estimate on this machine, all cores, from a pilot run"});
   return c;
 }

@@ -64,6 +64,13 @@ double counted_time(const Case& c) {
   return std::abs(whole - c.run.time) <= rounding * whole ? c.run.time : whole;
 }
 
+double expected_time(const Case& c) {
+  constexpr double share_of_longest = 0.1;
+  const auto longest = std::ranges::find(c.origins, "run.longest", &Origin::key);
+  const bool given = longest == c.origins.end() || !longest->assumed;
+  return c.run.until && !given ? share_of_longest * counted_time(c) : counted_time(c);
+}
+
 double simulated_time(const Case& c) {
   return least_settling(c) + counted_time(c);
 }

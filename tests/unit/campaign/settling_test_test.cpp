@@ -103,5 +103,14 @@ TEST(CountedTime, of_a_jar_at_rest_begins_at_once) {
   EXPECT_EQ(cases::counted_time(still), 1);
 }
 
+TEST(ExpectedTime, is_a_tenth_of_the_default_limit_where_a_precision_ends_the_run) {
+  const cases::Case until = with_run(shaken, "time = \"until 2 %\""),
+                    limited = with_run(shaken, "time = \"until 2 %\"\nlongest = \"30 s\""),
+                    given = with_run(shaken, "time = \"1 s\"");
+  EXPECT_DOUBLE_EQ(cases::expected_time(until), 10);
+  EXPECT_EQ(cases::expected_time(limited), 30);
+  EXPECT_EQ(cases::expected_time(given), cases::counted_time(given));
+}
+
 }  // namespace
 }  // namespace mahlwerk::campaign::settling_test_test

@@ -184,7 +184,7 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
   if (mill_case.run.engine != EngineName::automatic) return {mill_case.run.engine};
   cases::Case soft = mill_case;
   soft.run.engine = EngineName::soft;
-  soft.run.time = cases::counted_time(mill_case);
+  soft.run.time = cases::expected_time(mill_case);
   if (soft.run.time > 2 * mill_case.run.time && run_faults(soft).empty() &&
       work_of(with_softening(soft, softening_of(soft).value_or(1))) > max_soft_work)
     soft.run.time = mill_case.run.time;  // as decided_case() does
