@@ -104,6 +104,7 @@ TEST(CountedTime, of_a_jar_at_rest_begins_at_once) {
 }
 
 TEST(ExpectedTime, is_a_tenth_of_the_default_limit_where_a_precision_ends_the_run) {
+  const std::string shaken = "kind = \"vibration\"\nfrequency = \"20 Hz\"\namplitude = \"5 mm\"";
   const cases::Case until = with_run(shaken, "time = \"until 2 %\""),
                     limited = with_run(shaken, "time = \"until 2 %\"\nlongest = \"30 s\""),
                     given = with_run(shaken, "time = \"1 s\"");
