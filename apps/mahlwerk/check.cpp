@@ -166,8 +166,9 @@ CheckResult check_case(const Request& request, const std::filesystem::path& file
   c.follows.push_back(
       {"run_time", seconds, "s",
        sweeps ? "estimate of all points on this machine, all cores, from a pilot run of the first"
-       : first.run.until ? "estimate on this machine, all cores, if the precision is reached as soon as usual"
-                         : "estimate on this machine, all cores, from a pilot run"});
+       : first.run.until
+           ? "estimate on this machine, all cores, if the precision is reached as soon as usual"
+           : "estimate on this machine, all cores, from a pilot run"});
   return c;
 }
 

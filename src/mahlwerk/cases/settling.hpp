@@ -30,8 +30,8 @@ double least_settling(const Case& c);
 /// turns of a drum (sta.10).
 double counted_time(const Case& c);
 
-/// [s] Counted time to plan with: counted_time(); a tenth of it where time = "until ..." ends the run
-/// and run.longest is not given, a limit that few runs need.
+/// [s] Counted time to plan with: counted_time(); a tenth of it where time = "until ..." ends the
+/// run and run.longest is not given, a limit that few runs need.
 double expected_time(const Case& c);
 
 /// [s] Simulated time of a replicate: that before counting, at least, and the counted time.
