@@ -13,6 +13,8 @@
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
+#include "mahlwerk/results/files/quantity_list.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -25,7 +27,8 @@ std::vector<std::string> requested_categories(const std::string& target) {
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media, or keys", "unknown-name"});
+                         "use one of mills, jars, materials, media, or keys or quantities",
+                         "unknown-name"});
 }
 
 /// The entries of this name: "steel-304", or "materials/steel-304".
@@ -49,6 +52,7 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
   for (const std::string_view category : cases::Catalogue::categories)
     for (const std::string& one : all.names(category)) known.push_back(one);
   for (const cases::KeyInfo& key : cases::all_keys()) known.push_back(key.key);
+  for (const results::Measure& m : results::all_measures()) known.push_back(m.name);
   const std::string near = cases::nearest_name(name, known);
   throw InputError(Fault{
       "describe", "neither the catalogue nor the keys of a case file have '" + name + "'",
@@ -63,6 +67,13 @@ int list(const Request& request) {
       json_to_stdout(keys_as_json(all_sections()));
     else
       to_stdout(key_index() + "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
+    return success;
+  }
+  if (request.target == "quantities") {
+    if (request.json)
+      json_to_stdout(results::quantity_list());
+    else
+      to_stdout(results::quantity_index() + "\nmahlwerk describe NAME says what a quantity is.\n");
     return success;
   }
   const cases::Catalogue all = catalogue();
@@ -133,7 +144,13 @@ void print(const KeySections& sections, const std::string& word) {
 int describe(const Request& request) {
   const KeySections sections = sections_named(request.target);
   const std::vector<cases::CatalogueEntry> entries = entries_named(request.target);
-  if (sections.empty() && entries.empty()) report_unknown(request.target);
+  if (sections.empty() && entries.empty()) {
+    if (const std::string words = results::quantity_in_words(request.target); !words.empty()) {
+      to_stdout(words);
+      return success;
+    }
+    report_unknown(request.target);
+  }
   if (request.json) {
     json_to_stdout(sections.empty() ? entry_json(entries.front()) : keys_as_json(sections));
     return success;
@@ -152,29 +169,30 @@ int describe(const Request& request) {
 
 Command list_command() {
   return {"list",
-          "list the contents of the catalogue: mills, jars, materials or media; or the keys of a "
-          "case file",
+          "list the contents of the catalogue: mills, jars, materials or media; the keys of a "
+          "case file; or the quantities of a result",
           {{.name = "CATEGORY",
             .target = &Request::target,
-            .about = "mills, jars, materials or media (default: all four), or keys",
-            .completions = "mills jars materials media keys"},
+            .about = "mills, jars, materials or media (default: all four), keys, or quantities",
+            .completions = "mills jars materials media keys quantities"},
            json()},
           list};
 }
 
 Command describe_command() {
-  return {"describe",
-          "show one catalogue entry with all values and sources, or the keys of a section, a kind "
-          "or a model of case files",
-          {{.name = "NAME",
-            .target = &Request::target,
-            .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
-                     "list keys'",
-            .required = true,
-            .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
-            .more_completions = [] { return joined_words(section_words()); }},
-           json()},
-          describe};
+  return {
+      "describe",
+      "show one catalogue entry with all values and sources, the keys of a section, a kind or a "
+      "model of case files, or a quantity of results",
+      {{.name = "NAME",
+        .target = &Request::target,
+        .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
+                 "list keys'",
+        .required = true,
+        .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
+        .more_completions = [] { return joined_words(section_words()); }},
+       json()},
+      describe};
 }
 
 }  // namespace mahlwerk::app

@@ -60,7 +60,7 @@ void put(Outcome& outcome, int first, int count, double mass = 1) {
 }
 
 double value(const Outcome& outcome, const std::string& name) {
-  for (const Measure& m : regime_measures(outcome.mill_case))
+  for (const Measure& m : applying(regime_measures(), outcome.mill_case))
     if (m.name == name) return m.compute(outcome.mill_case, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
@@ -245,7 +245,7 @@ TEST(Regime, is_that_of_drums_and_planetary_mills_alone) {
   Outcome end_over_end = drum(3);
   end_over_end.mill_case.mill.jar_axis = {0, 0, 1};
   EXPECT_EQ(regime(end_over_end), "") << "an end-over-end tumbler has no toe and no shoulder";
-  EXPECT_TRUE(regime_measures(end_over_end.mill_case).empty());
+  EXPECT_TRUE(applying(regime_measures(), end_over_end.mill_case).empty());
 }
 
 /// The share of flight and the mass outside the bed are measured apart: a ball in flight has both.

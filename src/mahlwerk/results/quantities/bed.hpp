@@ -24,7 +24,7 @@ std::vector<BedPoint> bed_profile(const cases::Case& mill_case, const Replicate&
 
 /// Slope of the bed, distance of its centre of mass, surface speed, boundary and shear rate of the
 /// surface layer (drums), and height of the centre of mass (other mills in an upright plane).
-std::vector<Measure> bed_measures(const cases::Case& mill_case);
+Measures bed_measures();
 
 /// bed.csv: the profile with intervals over replicates.
 Table bed_table(const Outcome& outcome);

@@ -44,8 +44,8 @@ CaptureRates capture_rates(const cases::Case& mill_case, const powder::StressSpe
 /// replicate, from 0, which selects its random numbers.
 void grind(const cases::Case& mill_case, Replicate& replicate, int index);
 
-std::vector<Measure> capture_measures(const cases::Case& mill_case);
-std::vector<Measure> grinding_measures(const cases::Case& mill_case);
+Measures capture_measures();
+Measures grinding_measures();
 
 Table capture(const Outcome& outcome);  ///< capture.csv: a row per pair and bin of energy
 Table captured_grains(

@@ -12,7 +12,7 @@
 namespace mahlwerk::results {
 
 /// Quantities of the sensors that the case has.
-std::vector<Measure> sensor_measures(const cases::Case& mill_case);
+Measures sensor_measures();
 
 // Tables without rows if the case has no such sensor.
 Table power_readings(const Outcome& outcome);         ///< power_meter.csv: a row per reading
