@@ -72,6 +72,8 @@ TEST(Bed, angle_and_distance_are_those_of_the_segment_for_both_senses_of_rotatio
            "a lattice of 300 steps, cells at the wall clamped");
     states("centroid of the segment", value(outcome, "charge_distance"), centroid, 2e-4,
            "the same");
+    states("lever arm", value(outcome, "charge_lever_arm"),
+           centroid * std::sin(slope * std::numbers::pi / 180), 2e-4, "the same");
   }
 }
 

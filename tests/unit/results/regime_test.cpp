@@ -272,6 +272,10 @@ TEST(Regime, intermittency_is_one_for_steady_motion_and_two_for_motion_half_of_t
       ball.velocity += cross(spin, ball.position);  // seen from the jar: v
       charge.sample(0, {ball}, 1);
     }
+    const double wall = 3 * mill.replicates[0].tally.wall_map.grid().radius;
+    states("jar lag", value(mill, "jar_lag"),
+           std::sqrt((first * first + second * second) / 2) / wall, 1e-12,
+           "root mean square speed in the jar over that of the wall");
     return value(mill, "intermittency");
   };
   states("steady", sampled(0.3, 0.3), 1, 1e-12, "<v^4>/<v^2>^2");
