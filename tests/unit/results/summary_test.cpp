@@ -10,7 +10,7 @@
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results::summary_test {

@@ -16,9 +16,9 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // The bed of a drum from the mean fields of its charge: slope, surface layer and velocity profile
 // (obs.10, obs.11).

@@ -6,9 +6,9 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Capture, grinding and dose of the powder (docs/theory/powder.md).
 namespace mahlwerk::results {

@@ -7,9 +7,9 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/powder/kinetics/milling_conditions.hpp"
 #include "mahlwerk/powder/stress.hpp"
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Kinetics of a reaction of the powder (docs/theory/kinetics.md).
 namespace mahlwerk::results {

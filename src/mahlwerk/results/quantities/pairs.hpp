@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Collisions by kind of pair: ball set with ball set, ball set with jar.
 namespace mahlwerk::results {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // What the sensors of a case show (docs/theory/sensors.md). Records over time are those of the
 // first averaged replicate, as a sensor sees one run; quantities are means over replicates.

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Wear and temperatures of balls and jar (docs/theory/wear-heat.md).
 namespace mahlwerk::results {
