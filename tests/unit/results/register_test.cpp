@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
@@ -67,6 +68,11 @@ TEST(Register, has_a_record_of_each_quantity_of_a_kind_of_pair) {
     } else {
       EXPECT_EQ(traits_of(m.name).range.least, 0) << m.name;
     }
+}
+
+TEST(Register, has_a_series_of_each_quantity_whose_precision_may_end_a_run) {
+  for (const std::string& name : cases::until_quantities())
+    EXPECT_NE(record_of(name)->traits.over_time, nullptr) << name;
 }
 
 TEST(Register, orders_key_numbers_and_columns_without_gaps) {

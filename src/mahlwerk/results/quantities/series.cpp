@@ -8,16 +8,6 @@
 #include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::results {
-const std::vector<std::string>& series_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> list;
-    for (const Measure& m : all_measures())
-      if (m.traits.over_time != nullptr) list.push_back(m.name);
-    return list;
-  }();
-  return names;
-}
-
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name) {
   std::vector<double> values;
   const Measure* record = record_of(name);

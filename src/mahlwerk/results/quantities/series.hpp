@@ -11,11 +11,8 @@
 
 namespace mahlwerk::results {
 
-/// Names of the summary.json quantities that have a value in each time window.
-const std::vector<std::string>& series_names();
-
-/// The time series of one of these quantities; empty for any other name. Windows without a finite
-/// value are left out.
+/// The time series of a quantity that has a value in each window (QuantityTraits::over_time); empty
+/// for any other name. Windows without a finite value are left out.
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name);
 
 /// Half-width of the 95 % confidence interval of the replicates' mean, from the scatter over time;
