@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/writer.hpp"

@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"

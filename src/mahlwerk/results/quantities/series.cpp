@@ -8,6 +8,7 @@
 #include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::results {
+
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name) {
   std::vector<double> values;
   const Measure* record = record_of(name);
