@@ -15,6 +15,7 @@
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "session.hpp"

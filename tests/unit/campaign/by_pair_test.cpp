@@ -11,6 +11,7 @@
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"

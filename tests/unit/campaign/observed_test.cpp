@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "one_ball.hpp"

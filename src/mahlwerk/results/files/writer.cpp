@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/setup/stl.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
+#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/result_file.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
