@@ -53,7 +53,7 @@ function fixed(value, half) {
   const decimals = places(value, half);
   let text = fixedTo(value, decimals);
   if (text.startsWith("-") && !/[1-9]/.test(text)) text = text.slice(1);
-  return { value: text, interval: half >= 0 ? fixedTo(half, half > 0 ? decimals : 0) : "" };
+  return { value: text, interval: half > 0 ? fixedTo(half, decimals) : "" };
 }
 
 function scientific(value, half) {
@@ -89,7 +89,7 @@ export function parts({ value, ci95 = null, unit = "1", least = -Infinity, most 
   const cut = ci95 === null ? null : withinRange(value, half, least, most, m);
   if (cut) return { value: cut.value, interval: "", unit: sign, number: cut.text };
   const v = value / m.factor, h = half / m.factor, size = Math.abs(v);
-  if (Number.isNaN(h) && unit === "1" && Number.isInteger(v) && size < 1e6)
+  if (!(h > 0) && unit === "1" && Number.isInteger(v) && size < 1e6)
     return { value: String(v), interval: "", unit: "", number: String(v) };
   const plain = size === 0 || (size >= 1e-3 && size < 1e7) || (h >= size && h >= 1e-3);
   const made = plain ? fixed(v, h) : scientific(v, h);

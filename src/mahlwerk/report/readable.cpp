@@ -53,7 +53,7 @@ std::string fixed(double value, double ci95) {
   std::string text = fmt::format("{:.{}f}", value, digits);
   if (text.find_first_of("123456789") == std::string::npos && text.starts_with('-'))
     text.erase(0, 1);  // rounds to -0
-  if (std::isfinite(ci95)) text += fmt::format(" ± {:.{}f}", ci95, ci95 > 0 ? digits : 0);
+  if (ci95 > 0) text += fmt::format(" ± {:.{}f}", ci95, digits);
   return text;
 }
 
@@ -109,7 +109,7 @@ Readable readable(double value, double ci95, std::string_view unit, double size)
   std::string shown = m.unit;
   for (const auto& [said, sign] : signs)
     if (m.unit == said) shown = sign;
-  if (!std::isfinite(ci) && unit == "1" && v == std::round(v) && shown_size < 1e6)
+  if (!(ci > 0) && unit == "1" && v == std::round(v) && shown_size < 1e6)
     return {fmt::format("{:.0f}", v), ""};  // a count
   constexpr double small = 1e-3;
   const bool plain = shown_size == 0 || (shown_size >= small && shown_size < 1e7) ||

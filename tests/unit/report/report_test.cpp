@@ -32,7 +32,7 @@ TEST(Readable, rounds_where_the_half_width_says_so) {
   EXPECT_EQ(readable(0.806, 0.021, "m/s").text(), "0.806 ± 0.021 m/s");
   EXPECT_EQ(readable(1.8e-15, NAN, "1").text(), "1.8 × 10⁻¹⁵");
   EXPECT_EQ(readable(5, NAN, "1").text(), "5");
-  EXPECT_EQ(readable(0, 0, "1").text(), "0 ± 0");
+  EXPECT_EQ(readable(0, 0, "1").text(), "0");  // no replicate differs
   EXPECT_EQ(readable(NAN, NAN, "J").text(), "-");
   EXPECT_EQ(readable(0.000966, 0.000029, "J", 0.001022).text(), "0.966 ± 0.029 mJ");
 }

@@ -75,10 +75,16 @@ bool is_stirred(const Case& c) {
 
 /// The charge of balls: of a campaign that varies sizes, these are columns.
 Measures charge_measures() {
-  return {{"ball_count", "1", "number of balls of all sets",
-           [](const Case& c, const Replicate&) { return count_of_balls(c); }},
-          {"balls_mass", "g", "mass of all balls",
-           [](const Case& c, const Replicate&) { return 1000 * cases::balls_mass(c.balls); }}};
+  return {{"ball_count",
+           "1",
+           "number of balls of all sets",
+           [](const Case& c, const Replicate&) { return count_of_balls(c); },
+           {.label = "number of balls"}},
+          {"balls_mass",
+           "g",
+           "mass of all balls",
+           [](const Case& c, const Replicate&) { return 1000 * cases::balls_mass(c.balls); },
+           {.label = "mass of the balls"}}};
 }
 
 /// Speed and filling of a drum, as comminution states them.
@@ -177,7 +183,8 @@ Measures mill_measures() {
                   [](const Case& c, const Replicate& r) {
                     return drawn(r) * static_cast<double>(c.mill.jars_carried);
                   },
-                  {.applies = [](const Case& c) { return c.mill.jars_carried > 1; },
+                  {.label = "drawn power of all jars",
+                   .applies = [](const Case& c) { return c.mill.jars_carried > 1; },
                    .only = "with more than one jar"}});
   return list;
 }

@@ -75,28 +75,35 @@ Measures power_meter_measures() {
                    return motor_power(c, per_time(r, &scene::EnergyBalance::wall_work));
                  },
                  {.equation = "sns.1", .heading = "Power meter", .key = 12}},
-                {"motor_power_scatter", "W",
-                 "standard deviation of the readings of the motor's power", scatter_of_readings}});
+                {"motor_power_scatter",
+                 "W",
+                 "standard deviation of the readings of the motor's power",
+                 scatter_of_readings,
+                 {.label = "scatter of the motor power"}}});
 }
 
 // Microphone
 
 Measures microphone_measures() {
   const auto present = [](const Case& c) { return c.sensors.microphone.has_value(); };
-  return where(present, "with `[microphone]`",
-               {{"heard_hit_rate",
-                 "1/s",
-                 "hits per second that the microphone hears",
-                 [](const Case&, const Replicate& r) {
-                   const LogHistogram heard = r.sensors.microphone->heard();
-                   return share(static_cast<double>(heard.total()), r.time());
-                 },
-                 {.equation = "sns.3", .heading = "Microphone", .key = 13}},
-                {"heard_hit_energy_mean", "J", "mean normal energy of the hits that it hears",
-                 [](const Case&, const Replicate& r) {
-                   const LogHistogram heard = r.sensors.microphone->heard();
-                   return share(heard.sum(), static_cast<double>(heard.total()));
-                 }}});
+  return where(
+      present, "with `[microphone]`",
+      {{"heard_hit_rate",
+        "1/s",
+        "hits per second that the microphone hears",
+        [](const Case&, const Replicate& r) {
+          const LogHistogram heard = r.sensors.microphone->heard();
+          return share(static_cast<double>(heard.total()), r.time());
+        },
+        {.label = "rate of heard hits", .equation = "sns.3", .heading = "Microphone", .key = 13}},
+       {"heard_hit_energy_mean",
+        "J",
+        "mean normal energy of the hits that it hears",
+        [](const Case&, const Replicate& r) {
+          const LogHistogram heard = r.sensors.microphone->heard();
+          return share(heard.sum(), static_cast<double>(heard.total()));
+        },
+        {.label = "mean energy of heard hits"}}});
 }
 
 // Accelerometer
@@ -150,17 +157,25 @@ Measures accelerometer_measures() {
         "m/s2",
         "root mean square of the accelerometer's signal",
         [](const Case& c, const Replicate& r) { return root_mean_square(sum_of(signal_of(c, r))); },
-        {.equation = "sns.6", .heading = "Accelerometer"}},
-       {"acceleration_rms_of_impacts", "m/s2", "part of it by the impacts of balls alone",
+        {.label = "acceleration, root mean square",
+         .equation = "sns.6",
+         .heading = "Accelerometer"}},
+       {"acceleration_rms_of_impacts",
+        "m/s2",
+        "part of it by the impacts of balls alone",
         [](const Case& c, const Replicate& r) {
           return root_mean_square(signal_of(c, r).of_impacts);
-        }},
-       {"acceleration_peak", "m/s2", "largest absolute value of the signal",
+        },
+        {.label = "acceleration by impacts, root mean square"}},
+       {"acceleration_peak",
+        "m/s2",
+        "largest absolute value of the signal",
         [](const Case& c, const Replicate& r) {
           double largest = undefined;
           for (const double a : sum_of(signal_of(c, r))) largest = std::fmax(largest, std::abs(a));
           return largest;
-        }}});
+        },
+        {.label = "peak acceleration"}}});
 }
 
 // Thermocouple

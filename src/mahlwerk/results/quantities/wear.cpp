@@ -89,8 +89,12 @@ Measures wear_measures() {
                  "kg/s",
                  "mass worn off all balls per second",
                  balls_wear,
-                 {.heading = "Wear"}},
-                {"wear_rate_jar", "kg/s", "mass worn off the jar per second", jar_wear},
+                 {.label = "wear rate of the balls", .heading = "Wear"}},
+                {"wear_rate_jar",
+                 "kg/s",
+                 "mass worn off the jar per second",
+                 jar_wear,
+                 {.label = "wear rate of the jar"}},
                 {"contamination_rate",
                  "ug/g/h",
                  "worn mass of balls and jar per mass of powder and hour of milling",
@@ -135,13 +139,17 @@ Measures heat_measures() {
            "degC",
            "temperature of the balls at the end of the last milling",
            [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; },
-           {.range = any_value, .heading = "Temperatures", .key = 8}},
+           {.range = any_value,
+            .label = "temperature of the balls",
+            .heading = "Temperatures",
+            .key = 8}},
           {"temperature_jar",
            "degC",
            "temperature of the jar at the end of the last milling",
            [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; },
-           {.range = any_value}},
-          {"flash_rise_mean", "K",
+           {.range = any_value, .label = "temperature of the jar"}},
+          {"flash_rise_mean",
+           "K",
            "mean flash temperature rise at the contact of a collision, weighted by the energy "
            "lost; an "
            "upper estimate, as the heat that powder takes is neglected",
@@ -152,7 +160,8 @@ Measures heat_measures() {
                lost += r.tally.by_pair[pair].spectra.energy_lost.sum();
              }
              return share(rise, lost);
-           }},
+           },
+           {.label = "mean flash temperature rise"}},
       });
 }
 
