@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Every name that a test preset excludes is the name of a test.
+"""Every name that a test preset excludes is the name of a test, and CONTRIBUTING.md names the slow tests.
 
     presets_test.py CMakePresets.json BUILD_FOLDER
 
-Otherwise a renamed test would run under the sanitizers again, unnoticed.
+Otherwise a renamed test would run under the sanitizers again, unnoticed, and the nightly list would be wrong.
 """
 import json
+import pathlib
 import re
 import subprocess
 import sys
@@ -34,6 +35,17 @@ def expanded(part):
             for whole in expanded(part[:group.start()] + choice + part[group.end():])]
 
 
+def not_in_nightly_list(presets, build):
+    """Tests with the label slow that the nightly list of CONTRIBUTING.md does not name."""
+    text = (pathlib.Path(presets).parent / "CONTRIBUTING.md").read_text()
+    named = re.findall(r"`(\w+\.\w*)`", text.split("### The nightly list")[1].split("###")[0])
+    shown = subprocess.run(["ctest", "--show-only=json-v1", "--test-dir", build], capture_output=True,
+                           text=True, check=True)
+    slow = [test["name"] for test in json.loads(shown.stdout)["tests"] for key in test.get("properties", ())
+            if key["name"] == "LABELS" and {"slow", "verification_slow"} & set(key["value"])]
+    return [name for name in slow if not name.startswith(tuple(named))], len(slow)
+
+
 def main(presets, build):
     with open(presets) as file:
         filters = [preset["filter"]["exclude"]["name"] for preset in json.load(file)["testPresets"]
@@ -46,7 +58,9 @@ def main(presets, build):
     # CMake's regular expressions have nine groups at most; with more a filter matches nothing.
     groups = max(pattern.count("(") for pattern in filters)
     print(f"expected: at most 9 groups in a filter; found: {groups}")
-    return 1 if unknown or not names or groups > 9 else 0
+    missing, slow = not_in_nightly_list(presets, build)
+    print(f"expected: CONTRIBUTING.md names each of {slow} slow tests; found: {missing or 'it does'}")
+    return 1 if unknown or not names or groups > 9 or missing or not slow else 0
 
 
 sys.exit(main(*sys.argv[1:]))

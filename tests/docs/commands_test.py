@@ -8,7 +8,8 @@
 The commands of a document run in their order, in one scratch folder with a copy of what they name
 (examples, papers, ...), so that they find the results of earlier ones and never write into the
 sources. `quick` runs all commands except those annotated as slow; of these it checks the case.
-`slow` runs the documents that have slow commands, whole.
+`slow` runs the documents that have slow commands, whole. A run of an example as its README has it is
+compared with the numbers in its expected.toml.
 """
 import json
 import os
@@ -83,6 +84,13 @@ class Runner:
                     for text in step.first:
                         self.shell(step.where, text, place, env)
                     self.shell(step.where, step.text, place, env, step.exit)
+                    self.example(step, place, env)
+
+    def example(self, step: Step, place: pathlib.Path, env) -> None:
+        """The result of an example that ran as its README says holds the numbers of its expected.toml."""
+        ran = re.fullmatch(r"\./mahlwerk run (examples/([\w-]+))", step.text)
+        if ran and (place / ran[1] / "expected.toml").exists():
+            self.shell(step.where, f"tools/check_example {ran[1]} results/{ran[2]}", place, env)
 
     # Code in running text: its command, options, paths and presets exist.
 
