@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// list and describe: contents of the catalogue, and the keys of a case file.
+// list and describe: contents of the catalogue, and the keys and units of a case file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "output.hpp"
+#include "unit_pages.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -25,7 +26,8 @@ std::vector<std::string> requested_categories(const std::string& target) {
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media, or keys", "unknown-name"});
+                         "use one of mills, jars, materials, media, keys or units",
+                         "unknown-name"});
 }
 
 /// The entries of this name: "steel-304", or "materials/steel-304".
@@ -63,6 +65,13 @@ int list(const Request& request) {
       json_to_stdout(keys_as_json(all_sections()));
     else
       to_stdout(key_index() + "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
+    return success;
+  }
+  if (request.target == "units") {
+    if (request.json)
+      json_to_stdout(units_as_json());
+    else
+      to_stdout(unit_table());
     return success;
   }
   const cases::Catalogue all = catalogue();
@@ -152,12 +161,12 @@ int describe(const Request& request) {
 
 Command list_command() {
   return {"list",
-          "list the contents of the catalogue: mills, jars, materials or media; or the keys of a "
-          "case file",
+          "list the contents of the catalogue: mills, jars, materials or media; or the keys or the "
+          "units of a case file",
           {{.name = "CATEGORY",
             .target = &Request::target,
-            .about = "mills, jars, materials or media (default: all four), or keys",
-            .completions = "mills jars materials media keys"},
+            .about = "mills, jars, materials or media (default: all four), or keys, or units",
+            .completions = "mills jars materials media keys units"},
            json()},
           list};
 }

@@ -99,12 +99,14 @@ NumberSpec listed(NumberSpec spec) {
 }
 
 template <class Owner, class Fields>
-void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
-                     const std::string& material) {
+void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields, const std::string& material,
+                     Engines engines = {}) {
   SectionReader* in = v.reader();
   if (in == nullptr) {
-    for (const auto& f : fields)
-      v.number(v.tries_all_words() ? listed(NumberSpec(f)) : NumberSpec(f), owner.*f.value);
+    for (const auto& f : fields) {
+      const NumberSpec spec = NumberSpec(f).read_by(engines);
+      v.number(v.tries_all_words() ? listed(spec) : spec, owner.*f.value);
+    }
     return;
   }
   const auto entry = known_material(*in, material);
@@ -133,7 +135,8 @@ std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec
 }
 
 void describe(KeyVisitor& v, contact::ElasticConstants& elastic, const std::string& material) {
-  describe_fields(v, elastic, elastic_fields(), material);
+  // The event engine reads them, too, in some cases: see relevant_keys.cpp.
+  describe_fields(v, elastic, elastic_fields(), material, soft_and_lammps);
 }
 
 void describe(KeyVisitor& v, Substance& substance, const std::string& material) {
