@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -247,6 +248,17 @@ void check_kind(const std::string& kind, std::string_view section, const char* o
                          "unknown-word"});
 }
 
+/// The sections that the template does not write: "[powder], [liquid], ...".
+std::string other_sections() {
+  constexpr std::array written{"",        "mill",          "jar", "balls",
+                               "contact", "contact.pairs", "run", "observe"};
+  std::string names;
+  for (const cases::SectionSpec& s : cases::section_list())
+    if (std::ranges::find(written, s.name) == written.end())
+      names += fmt::format("{}[{}]", names.empty() ? "" : ", ", s.name);
+  return names;
+}
+
 }  // namespace
 
 void complete(CaseParts& parts, const cases::Catalogue& catalogue) {
@@ -308,10 +320,8 @@ std::string case_template(const CaseParts& parts, const cases::Catalogue& catalo
   out.section("observe", "statistics and records");
   put_defaults(out, "observe", {});
   out.line("");
-  out.comment(
-      "More sections: [powder], [wear], [heat], [capture], [breakage], [fragments], [grinding], "
-      "[kinetics], [sweep], [optimise], [match], [fit]. `mahlwerk describe powder` shows the "
-      "keys.");
+  out.comment(fmt::format("More sections: {}. `mahlwerk describe powder` shows the keys.",
+                          other_sections()));
   return out.text();
 }
 

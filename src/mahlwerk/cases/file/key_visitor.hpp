@@ -18,8 +18,8 @@
 
 namespace mahlwerk::cases {
 
-/// The engines that read a value. A value that the engine of a run does not read is no assumption
-/// of its results.
+/// The engines that may read a value. A value that the engine of a run does not read is no
+/// assumption of its results.
 struct Engines {
   bool event = true, soft = true, lammps = true;
 };

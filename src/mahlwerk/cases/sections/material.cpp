@@ -99,14 +99,12 @@ NumberSpec listed(NumberSpec spec) {
 }
 
 template <class Owner, class Fields>
-void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields, const std::string& material,
-                     Engines engines = {}) {
+void describe_fields(KeyVisitor& v, Owner& owner, const Fields& fields,
+                     const std::string& material) {
   SectionReader* in = v.reader();
   if (in == nullptr) {
-    for (const auto& f : fields) {
-      const NumberSpec spec = NumberSpec(f).read_by(engines);
-      v.number(v.tries_all_words() ? listed(spec) : spec, owner.*f.value);
-    }
+    for (const auto& f : fields)
+      v.number(v.tries_all_words() ? listed(NumberSpec(f)) : NumberSpec(f), owner.*f.value);
     return;
   }
   const auto entry = known_material(*in, material);
@@ -135,8 +133,7 @@ std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec
 }
 
 void describe(KeyVisitor& v, contact::ElasticConstants& elastic, const std::string& material) {
-  // The event engine reads them, too, in some cases: see relevant_keys.cpp.
-  describe_fields(v, elastic, elastic_fields(), material, soft_and_lammps);
+  describe_fields(v, elastic, elastic_fields(), material);
 }
 
 void describe(KeyVisitor& v, Substance& substance, const std::string& material) {

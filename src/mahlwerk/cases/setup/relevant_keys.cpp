@@ -23,8 +23,9 @@ std::string_view name_in(std::string_view dotted) {
 class UnreadKeys : public CaseVisitor {
  public:
   UnreadKeys(Case& c, EngineName engine) : engine_(engine) {
-    // Capture and twisting friction (evt.24) need elastic constants with every engine.
-    elastic_ = c.capture || c.contact.model.twisting != contact::Twisting::none;
+    // The event engine reads elastic constants for capture and twisting friction (evt.24) only.
+    elastic_unread_ = engine == EngineName::event && !c.capture &&
+                      c.contact.model.twisting == contact::Twisting::none;
     describe(*this, c);
   }
 
@@ -36,7 +37,8 @@ class UnreadKeys : public CaseVisitor {
                             : fmt::format("{}.{}.", name, number);
   }
   void number(const NumberSpec& spec, double&) override {
-    if (!(elastic_ && is_elastic(spec.key))) note(spec.key, spec.engines);
+    const bool elastic = spec.key == "youngs_modulus" || spec.key == "poisson_ratio";
+    note(spec.key, elastic && elastic_unread_ ? soft_and_lammps : spec.engines);
   }
   void optional_number(const NumberSpec& spec, std::optional<double>&) override {
     note(spec.key, spec.engines);
@@ -51,9 +53,6 @@ class UnreadKeys : public CaseVisitor {
   void custom(const CustomKey&, const std::function<std::string()>&) override {}
 
  private:
-  static bool is_elastic(std::string_view key) {
-    return key == "youngs_modulus" || key == "poisson_ratio";
-  }
   /// "auto" may read all values.
   void note(std::string_view key, Engines engines) {
     const bool read = engine_ == EngineName::event    ? engines.event
@@ -64,7 +63,7 @@ class UnreadKeys : public CaseVisitor {
   }
 
   EngineName engine_;
-  bool elastic_ = false;
+  bool elastic_unread_ = false;
   std::string prefix_;
   std::set<std::string, std::less<>> keys_;
 };
