@@ -65,10 +65,15 @@ Case full_case() {
 }
 
 /// Whether two descriptions of a key differ in their default only.
-bool same_value(const KeyInfo& a, KeyInfo b) {
-  b.default_value = a.default_value;
-  b.default_source = a.default_source;
-  return a == b;
+bool same_value(const KeyInfo& a, const KeyInfo& b) {
+  const auto ends = [](const Range& r) {
+    return std::tuple(r.least, r.most, r.without_least, r.without_most);
+  };
+  const auto values = [](const KeyInfo& k) {
+    return std::tie(k.key, k.type, k.unit, k.words, k.meanings, k.about, k.required, k.instead_of,
+                    k.under, k.engines);
+  };
+  return values(a) == values(b) && ends(a.range) == ends(b.range);
 }
 
 /// The keys of a section under all combinations of words that lead to new keys. Words may be fixed.
@@ -229,14 +234,8 @@ std::string_view KeyInfo::name() const {
 }
 
 bool KeyInfo::operator==(const KeyInfo& o) const {
-  const auto ends = [](const Range& r) {
-    return std::tuple(r.least, r.most, r.without_least, r.without_most);
-  };
-  const auto values = [](const KeyInfo& k) {
-    return std::tie(k.key, k.type, k.unit, k.words, k.meanings, k.about, k.default_value,
-                    k.default_source, k.required, k.instead_of, k.under, k.engines);
-  };
-  return values(*this) == values(o) && ends(range) == ends(o.range);
+  return same_value(*this, o) && default_value == o.default_value &&
+         default_source == o.default_source;
 }
 
 const std::vector<KeyInfo>& all_keys() {

@@ -26,7 +26,7 @@ class UnreadKeys : public CaseVisitor {
     // The event engine reads elastic constants for capture and twisting friction (evt.24) only.
     elastic_unread_ = engine == EngineName::event && !c.capture &&
                       c.contact.model.twisting == contact::Twisting::none;
-    describe(*this, c);
+    if (engine != EngineName::automatic) describe(*this, c);  // "auto" may read all values
   }
 
   bool contain(std::string_view dotted) const { return keys_.contains(dotted); }
@@ -53,12 +53,10 @@ class UnreadKeys : public CaseVisitor {
   void custom(const CustomKey&, const std::function<std::string()>&) override {}
 
  private:
-  /// "auto" may read all values.
   void note(std::string_view key, Engines engines) {
-    const bool read = engine_ == EngineName::event    ? engines.event
-                      : engine_ == EngineName::soft   ? engines.soft
-                      : engine_ == EngineName::lammps ? engines.lammps
-                                                      : true;
+    const bool read = engine_ == EngineName::event  ? engines.event
+                      : engine_ == EngineName::soft ? engines.soft
+                                                    : engines.lammps;
     if (!read) keys_.insert(prefix_ + std::string(key));
   }
 
