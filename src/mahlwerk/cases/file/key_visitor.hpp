@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -100,6 +101,11 @@ struct Choice {
   std::vector<std::string_view> meanings = {};  ///< of the words, in their order
   Presentation presentation = {};
   Engines engines = {};
+
+  Choice read_by(Engines those) && {
+    engines = those;
+    return std::move(*this);
+  }
 };
 
 /// An integer that a section may or must give.

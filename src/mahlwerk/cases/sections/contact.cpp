@@ -157,19 +157,18 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
   if (v.reader() != nullptr) describe_touch(v, contact, model, nullptr);
   const bool several = balls_count(c.balls) > 1;
   const bool lists = v.tries_all_words();
-  v.word({"lasting",
-          {"roll", "tc", "none"},
-          lists     ? ""
-          : several ? "tc"
-                    : "roll",
-          lists     ? "\"tc\" for several balls, \"roll\" for one"
-          : several ? "with several balls, sustained contacts follow the TC rule"
-                    : "a ball may stay in contact, and roll or slide",
-          "how the event engine treats a ball that bounces ever faster",
-          {"it stays in contact and rolls or slides; for one ball",
-           "a bounce within contact_time of the last one is elastic", "no treatment"},
-          {},
-          event_only},
+  v.word(Choice{"lasting",
+                {"roll", "tc", "none"},
+                lists     ? ""
+                : several ? "tc"
+                          : "roll",
+                lists     ? "\"tc\" for several balls, \"roll\" for one"
+                : several ? "with several balls, sustained contacts follow the TC rule"
+                          : "a ball may stay in contact, and roll or slide",
+                "how the event engine treats a ball that bounces ever faster",
+                {"it stays in contact and rolls or slides; for one ball",
+                 "a bounce within contact_time of the last one is elastic", "no treatment"}}
+             .read_by(event_only),
          contact.lasting);
   return model;
 }

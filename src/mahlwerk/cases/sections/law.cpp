@@ -22,14 +22,13 @@ void refuse_meaningless(SectionReader& in, std::string_view key, std::string_vie
 template <class L>
 void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
   const std::string first(one.words[0]), second(one.words[1]);
-  v.word({one.key,
-          {first, second},
-          first,
-          one.source,
-          one.about,
-          {one.meanings[0], one.meanings[1]},
-          {},
-          soft_and_lammps},
+  v.word(Choice{one.key,
+                {first, second},
+                first,
+                one.source,
+                one.about,
+                {one.meanings[0], one.meanings[1]}}
+             .read_by(soft_and_lammps),
          law.*one.second);
 }
 
@@ -141,14 +140,10 @@ bool describe(KeyVisitor& v, ContactModel& model) {
                             .presentation = {.label = "contact law"},
                             .engines = soft_and_lammps},
                            *model.law);
-  const bool rolling = v.word({"rolling",
-                               rolling_words(),
-                               "cdt",
-                               "a constant torque against the rolling, as in paper B",
-                               "rolling resistance of the soft engine",
-                               rolling_meanings(),
-                               {},
-                               soft_and_lammps},
+  const bool rolling = v.word(Choice{"rolling", rolling_words(), "cdt",
+                                     "a constant torque against the rolling, as in paper B",
+                                     "rolling resistance of the soft engine", rolling_meanings()}
+                                  .read_by(soft_and_lammps),
                               model.rolling);
   ContactModel* known = law && rolling ? &model : nullptr;
   describe_switches(v, model);
