@@ -194,16 +194,15 @@ std::vector<ListedUnit> listed_units() {
   return list;
 }
 
-std::optional<double> mesh_opening(double number) {
-  const auto at = std::ranges::find(sieves, number, [](const Sieve& s) { return s.number; });
+std::optional<double> mesh_opening(double mesh) {
+  const auto at = std::ranges::find(sieves, mesh, [](const Sieve& s) { return s.number; });
   if (at == std::end(sieves)) return std::nullopt;
   return at->micrometres / 1e6;
 }
 
-std::string nearest_meshes(double number) {
+std::string nearest_meshes(double mesh) {
   std::string text;
-  const auto above =
-      std::ranges::find_if(sieves, [&](const Sieve& s) { return s.number > number; });
+  const auto above = std::ranges::find_if(sieves, [&](const Sieve& s) { return s.number > mesh; });
   if (above != std::begin(sieves)) text += fmt::format("{} mesh", std::prev(above)->number);
   if (above != std::end(sieves))
     text += fmt::format("{}{} mesh", text.empty() ? "" : ", ", above->number);

@@ -49,11 +49,11 @@ struct ListedUnit {
 /// All simple units, degC, and the compound units that menus offer.
 std::vector<ListedUnit> listed_units();
 
-/// [m] Opening of the test sieve "No. `number`" of ASTM E11 ("200 mesh"), without a value for
+/// [m] Opening of the test sieve "No. `mesh`" of ASTM E11 ("200 mesh"), without a value for
 /// numbers that the standard does not have.
-std::optional<double> mesh_opening(double number);
+std::optional<double> mesh_opening(double mesh);
 /// The numbers of ASTM E11 on either side of one that it does not have: "170 mesh, 200 mesh".
-std::string nearest_meshes(double number);
+std::string nearest_meshes(double mesh);
 
 /// Parses a unit expression: "mm", "kg/m3", "1/min", "J m/kg", "J/(kg K)". Throws UnitError.
 ParsedUnit parse_unit(std::string_view text);
