@@ -13,7 +13,7 @@
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/results/files/json.hpp"
-#include "mahlwerk/results/quantities/range.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 #include "output.hpp"
 #include "surrogate.hpp"
 

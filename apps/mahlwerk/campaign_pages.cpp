@@ -14,6 +14,7 @@
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::app {
 
@@ -61,7 +62,7 @@ report::Campaign campaign_of(const campaign::Store& store) {
   campaign.title = store.title();
   std::vector<std::string> names;
   const bool all = store.counts().points <= many;
-  const std::vector<std::string>& usual = report::usual_quantities();
+  const std::vector<std::string>& usual = results::usual_columns();
   for (const results::Quantity& q : store.quantities()) {
     // Standard errors need the number of replicates.
     const bool wanted = q.name == "replicates" || std::ranges::find(usual, q.name) != usual.end();

@@ -13,6 +13,8 @@
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
+#include "mahlwerk/results/files/quantity_list.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 #include "output.hpp"
 #include "unit_pages.hpp"
 
@@ -26,7 +28,7 @@ std::vector<std::string> requested_categories(const std::string& target) {
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media, keys or units",
+                         "use one of mills, jars, materials, media, keys, units or quantities",
                          "unknown-name"});
 }
 
@@ -51,6 +53,7 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
   for (const std::string_view category : cases::Catalogue::categories)
     for (const std::string& one : all.names(category)) known.push_back(one);
   for (const cases::KeyInfo& key : cases::all_keys()) known.push_back(key.key);
+  for (const results::Measure& m : results::all_measures()) known.push_back(m.name);
   const std::string near = cases::nearest_name(name, known);
   throw InputError(Fault{
       "describe", "neither the catalogue nor the keys of a case file have '" + name + "'",
@@ -72,6 +75,13 @@ int list(const Request& request) {
       json_to_stdout(units_as_json());
     else
       to_stdout(unit_table());
+    return success;
+  }
+  if (request.target == "quantities") {
+    if (request.json)
+      json_to_stdout(results::quantity_list());
+    else
+      to_stdout(results::quantity_index() + "\nmahlwerk describe NAME says what a quantity is.\n");
     return success;
   }
   const cases::Catalogue all = catalogue();
@@ -142,7 +152,13 @@ void print(const KeySections& sections, const std::string& word) {
 int describe(const Request& request) {
   const KeySections sections = sections_named(request.target);
   const std::vector<cases::CatalogueEntry> entries = entries_named(request.target);
-  if (sections.empty() && entries.empty()) report_unknown(request.target);
+  if (sections.empty() && entries.empty()) {
+    if (const std::string words = results::quantity_in_words(request.target); !words.empty()) {
+      to_stdout(words);
+      return success;
+    }
+    report_unknown(request.target);
+  }
   if (request.json) {
     json_to_stdout(sections.empty() ? entry_json(entries.front()) : keys_as_json(sections));
     return success;
@@ -160,30 +176,33 @@ int describe(const Request& request) {
 }  // namespace
 
 Command list_command() {
-  return {"list",
-          "list the contents of the catalogue: mills, jars, materials or media; or the keys or the "
-          "units of a case file",
-          {{.name = "CATEGORY",
-            .target = &Request::target,
-            .about = "mills, jars, materials or media (default: all four), or keys, or units",
-            .completions = "mills jars materials media keys units"},
-           json()},
-          list};
+  return {
+      "list",
+      "list the contents of the catalogue: mills, jars, materials or media; the keys or the units "
+      "of "
+      "a case file; or the quantities of a result",
+      {{.name = "CATEGORY",
+        .target = &Request::target,
+        .about = "mills, jars, materials or media (default: all four), keys, units or quantities",
+        .completions = "mills jars materials media keys units quantities"},
+       json()},
+      list};
 }
 
 Command describe_command() {
-  return {"describe",
-          "show one catalogue entry with all values and sources, or the keys of a section, a kind "
-          "or a model of case files",
-          {{.name = "NAME",
-            .target = &Request::target,
-            .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
-                     "list keys'",
-            .required = true,
-            .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
-            .more_completions = [] { return joined_words(section_words()); }},
-           json()},
-          describe};
+  return {
+      "describe",
+      "show one catalogue entry with all values and sources, the keys of a section, a kind or a "
+      "model of case files, or a quantity of results",
+      {{.name = "NAME",
+        .target = &Request::target,
+        .about = "a name from 'mahlwerk list', or a section, a kind or a key from 'mahlwerk "
+                 "list keys'",
+        .required = true,
+        .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
+        .more_completions = [] { return joined_words(section_words()); }},
+       json()},
+      describe};
 }
 
 }  // namespace mahlwerk::app

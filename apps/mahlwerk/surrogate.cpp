@@ -15,6 +15,7 @@
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "output.hpp"
 
 namespace mahlwerk::app {
@@ -45,7 +46,7 @@ std::vector<std::string> usual_quantities(const campaign::Store& store, const st
   std::vector<std::string> all, usual;
   for (const results::Quantity& q : store.quantities()) {
     all.push_back(q.name);
-    if (std::ranges::find(report::usual_quantities(), q.name) != report::usual_quantities().end())
+    if (std::ranges::find(results::usual_columns(), q.name) != results::usual_columns().end())
       usual.push_back(q.name);
   }
   if (std::vector<std::string> found = varying(store, usual); !found.empty()) return found;

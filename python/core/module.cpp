@@ -14,6 +14,7 @@
 #include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
+#include "mahlwerk/report/readable.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {
@@ -66,6 +67,13 @@ PYBIND11_MODULE(_core, m) {
   m.attr("version") = std::string(app::version());
   m.def("stop_all_jobs", &stop_all_jobs, "Ends all work and waits for it; at exit.");
   m.def("isa", [] { return std::string(name_of(isa())); });
+  m.def(
+      "readable",
+      [](double value, double ci95, const std::string& unit, double least, double most) {
+        return report::readable_within(value, ci95, unit, {least, most}).text();
+      },
+      py::arg("value"), py::arg("ci95"), py::arg("unit"), py::arg("least"), py::arg("most"),
+      "A number with its half-width and unit as the program prints it.");
   bind_case(m);
   bind_records(m);
   bind_outcome(m);

@@ -7,6 +7,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple, Optional
 
+from . import _core
+
 __all__ = ["Influence", "Notice", "Quantity"]
 
 
@@ -35,16 +37,26 @@ class Influence(NamedTuple):
 class Quantity:
     """A number of a result. `float(quantity)` is its value."""
 
-    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time")
+    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time", "label", "range")
 
     def __init__(self, name: str, value: Optional[float], ci95: Optional[float], unit: str,
-                 about: str, ci95_time: Optional[float] = None):
+                 about: str, ci95_time: Optional[float] = None, label: str = "",
+                 range: tuple[float, float] = (-math.inf, math.inf)):
         self.name = name
         self.value = nan_if_none(value)  #: mean over replicates; NaN if the run does not give one
         self.ci95 = nan_if_none(ci95)  #: half-width of the 95 % confidence interval over replicates
         self.unit = unit  #: "1" for a number without unit
         self.about = about
         self.ci95_time = nan_if_none(ci95_time)  #: the same from the scatter over time
+        self.label = label or name.replace("_", " ")  #: its name in tables and on axes
+        self.range = range  #: the least and the largest value that it can have
+
+    @classmethod
+    def of(cls, name: str, told: dict[str, Any]) -> Quantity:
+        """The quantity as summary.json tells it."""
+        return cls(name, told["value"], told.get("ci95"), told["unit"], told["about"],
+                   told.get("ci95_time"), told.get("label", ""),
+                   (told.get("least", -math.inf), told.get("most", math.inf)))
 
     @property
     def half_width(self) -> float:
@@ -55,11 +67,8 @@ class Quantity:
         return self.value
 
     def text(self) -> str:
-        """Value, half-width and unit: "136.2 ± 15 /s"."""
-        unit = "" if self.unit in ("", "1") else f" {self.unit.removeprefix('1')}"
-        if not math.isfinite(self.half_width):
-            return f"{self.value:.4g}{unit}"
-        return f"{self.value:.4g} ± {self.half_width:.2g}{unit}"
+        """Value, half-width and unit as the program prints them: "136 ± 15 /s"."""
+        return _core.readable(self.value, self.half_width, self.unit or "1", *self.range)
 
     def __str__(self) -> str:
         return self.text()

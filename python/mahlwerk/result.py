@@ -76,9 +76,8 @@ class Result:
     @cached_property
     def quantities(self) -> dict[str, Quantity]:
         """Every quantity by its name in summary.json."""
-        return {name: Quantity(name, q["value"], q.get("ci95"), q["unit"], q["about"],
-                               q.get("ci95_time"))
-                for name, q in self.summary.items() if not name.startswith("_")}
+        return {name: Quantity.of(name, told)
+                for name, told in self.summary.items() if not name.startswith("_")}
 
     @property
     def key_quantities(self) -> list[str]:

@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
+import json
+import math
 import multiprocessing
 import os
 import pickle
@@ -16,6 +18,7 @@ import numpy as np
 import pytest
 
 import mahlwerk
+from mahlwerk.quantities import Quantity
 
 CASES = {"01-one-ball": {"run.time": "3 s"}, "03-planetary-mill": {"run.time": "0.1 s"},
          "05-planetary-soft": {"run.time": "0.02 s", "run.settle": "0.01 s"},
@@ -298,3 +301,18 @@ def test_what_assumed_values_decide_is_in_the_result(example):
     assert sum(map(len, result.groups.values())) == len(result.quantities)
     off = case.replace({"run.sensitivity": "off"}).run()
     assert off.sensitivity == [] and off.quantities == result.quantities
+
+
+def test_numbers_have_the_texts_that_the_program_prints():
+    table = json.loads((Path(__file__).parents[1] / "unit/report/numbers.json").read_text())
+    assert len(table) > 60
+    for told in table:
+        quantity = Quantity("x", told["value"], told["ci95"], told["unit"], "", range=(
+            -math.inf if told["least"] is None else told["least"],
+            math.inf if told["most"] is None else told["most"]))
+        assert quantity.text() == told["text"], told
+
+
+def test_a_quantity_has_the_label_and_range_of_its_record(ball):
+    made = ball.run()["grazing_share"]
+    assert (made.label, made.range) == ("grazing share", (0, 1))

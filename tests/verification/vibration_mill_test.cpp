@@ -12,7 +12,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests::vibration_mill_test {

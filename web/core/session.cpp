@@ -16,8 +16,8 @@
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/report/replay.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "page_limits.hpp"
 
 namespace mahlwerk::web {

@@ -1,70 +1,118 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Numbers as text: value, interval and unit, as the program prints them.
+// Numbers as text: value, interval and unit, with the digits that the program prints
+// (report/readable.cpp). tests/unit/report/numbers.json holds both to the same texts.
 
-const prefixes = { "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
-const scaled = new Set(["J", "W", "m", "s", "Pa", "m/s", "N m", "J/g", "W/g", "kg"]);
-const narrow = "\u202f";
+const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"],
+  [1e-12, "p"]];
+const scaled = new Set(["J", "W", "m", "s", "N", "Pa", "W/g", "J/g", "N m", "W/m²", "g/h", "g/s", "g"]);
+const signs = { 1: "", "1/s": "/s", deg: "°", degC: "°C", "ug/g/h": "µg/g/h", "m/s2": "m/s²",
+  "m2/kg": "m²/kg" };
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-const raised = (power) => String(power).replace("-", "⁻")
-  .replace(/\d/g, (digit) => superscripts[digit]);
+const powerOfTen = (power) => (power < 0 ? "10⁻" : "10") +
+  String(Math.abs(power)).replace(/\d/g, (digit) => superscripts[digit]);
 
-/// "12 345" with a narrow no-break space between thousands.
-export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, narrow);
+const decade = (size) => Math.floor(Math.log10(size));
 
-function fixed(number, decimals) {
-  const [whole, part] = number.toFixed(Math.min(Math.max(decimals, 0), 20)).split(".");
-  return (Math.abs(number) >= 1e4 ? grouped(whole) : whole) + (part ? `.${part}` : "");
+/// `number` with so many decimals; a tie goes to the even digit.
+function fixedTo(number, decimals) {
+  const exact = Math.abs(number).toFixed(Math.min(100, decimals + 60));
+  const tie = /^50*$/.test(decimals ? exact.split(".")[1].slice(decimals) : exact.split(".")[1]);
+  const text = number.toFixed(decimals);
+  if (!tie || Number(text.at(-1)) % 2 === 0) return text;
+  return (number - Math.sign(number) * 0.25 * 10 ** -decimals).toFixed(decimals);
 }
 
-/// The power of ten, a multiple of three, in which the number is written.
-function powerOf(number, unit) {
-  if (number === 0 || !Number.isFinite(number)) return 0;
-  const power = 3 * Math.floor((Math.log10(Math.abs(number)) + 1e-9) / 3);
-  if (unit === "kg") return power; // written in grams
-  return Math.min(Math.max(power, -15), 9);
+/// The multiple of the unit for numbers of a size: `{ factor, unit }`.
+function multiple(size, unit) {
+  if (unit === "kg/s") {
+    const base = size < 1e-6 ? 1e-3 / 3600 : 1e-3;
+    const part = multiple(size / base, size < 1e-6 ? "g/h" : "g/s");
+    return { factor: part.factor * base, unit: part.unit };
+  }
+  if (unit === "kg" && size < 1) {
+    const part = multiple(1000 * size, "g");
+    return { factor: part.factor / 1000, unit: part.unit };
+  }
+  if (!scaled.has(unit) || !(size >= 0.9995e-12) || !(size < 1e16)) return { factor: 1, unit };
+  const big = (factor) => factor > 1 && /^[sm]/.test(unit); // no ks, no km
+  for (const [factor, prefix] of prefixes)
+    if (!big(factor) && size >= 0.9995 * factor) return { factor, unit: prefix + unit };
+  return { factor: 1, unit };
 }
 
-function unitOf(unit) {
-  if (unit === "1") return "";
-  if (unit === "1/s") return "/s";
-  return unit.replaceAll("m2", "m²").replaceAll("m3", "m³");
+/// Decimals such that the half-width has two digits, or without one the value four.
+function places(value, half) {
+  const size = half > 0 ? half : Math.abs(value);
+  return size === 0 ? 0 : Math.max((half > 0 ? 1 : 3) - decade(size), 0);
 }
 
-/// Parts of a quantity as text: `value`, `interval` (half width, or "") and `unit`.
-export function parts(quantity) {
-  let { value, ci95, unit = "" } = quantity;
-  if (!Number.isFinite(value)) return { value: "–", interval: "", unit: unitOf(unit) };
-  if (unit === "kg") [value, ci95, unit] = [value * 1e3, ci95 == null ? ci95 : ci95 * 1e3, "g"];
-  const power = scaled.has(unit) || unit === "g" ? powerOf(value, unit) : 0;
-  const shown = value / 10 ** power;
-  const half = ci95 == null ? null : ci95 / 10 ** power;
-  const label = power === 0 ? unitOf(unit) : prefixes[power] + unitOf(unit);
-  const tiny = shown !== 0 && Math.abs(shown) < 1e-3;
-  if (tiny) return { value: exponential(shown), interval: "", unit: label };
-  const decimals = half > 0 ? decimalsFor(half, 2) : decimalsFor(shown, 4);
-  return { value: fixed(shown, decimals), interval: half > 0 ? fixed(half, decimals) : "",
-    unit: label };
+function fixed(value, half) {
+  const decimals = places(value, half);
+  let text = fixedTo(value, decimals);
+  if (text.startsWith("-") && !/[1-9]/.test(text)) text = text.slice(1);
+  return { value: text, interval: half >= 0 ? fixedTo(half, half > 0 ? decimals : 0) : "" };
 }
 
-function exponential(number) {
-  const [digits, power] = number.toExponential(1).split("e");
-  return `${digits} × 10${raised(Number(power))}`;
+function scientific(value, half) {
+  const power = decade(Math.abs(value)), scale = 10 ** power;
+  const decimals = half > 0 ? Math.min(Math.max(places(value / scale, half / scale), 0), 9) : 1;
+  return { value: fixedTo(value / scale, decimals), power,
+    interval: half > 0 ? fixedTo(half / scale, decimals) : "" };
 }
 
-function decimalsFor(number, digits) {
-  if (number === 0) return 0;
-  return Math.max(0, digits - 1 - Math.floor(Math.log10(Math.abs(number))));
+/// The text of an interval that leaves the quantity's range, by its ends; null for others.
+function withinRange(value, half, least, most, { factor }) {
+  const low = value - half, high = value + half;
+  if (!(value >= least && value <= most) || !Number.isFinite(low)) return null;
+  if (low >= least && high <= most) return null;
+  const plain = half / factor >= 1e-3 || high >= most;
+  const power = plain ? 0 : decade(half / factor), scale = factor * 10 ** power;
+  const decimals = Math.min(places(value / scale, half / scale), 9);
+  const shown = (end) => end === least || end === most
+    ? String(Number((end / scale).toPrecision(6))) : fixedTo(end / scale, decimals);
+  const text = `${shown(value)} (${shown(Math.max(low, least))} to ${shown(Math.min(high, most))})`;
+  return { value: shown(value), text: plain ? text : `[${text}] × ${powerOfTen(power)}` };
+}
+
+/// Parts of a quantity as text: `value`, `interval` (half width, or "") and `unit`, and all of them in
+/// `number`. A quantity has value, ci95, unit, and `least` and `most` where it is bounded.
+export function parts({ value, ci95 = null, unit = "1", least = -Infinity, most = Infinity }) {
+  if (value === null || value === undefined || Number.isNaN(value))
+    return { value: "-", interval: "", unit: "", number: "-" };
+  if (!Number.isFinite(value)) return { value: "infinite", interval: "", unit: "", number: "infinite" };
+  const half = Number.isFinite(ci95) ? ci95 : NaN;
+  const m = multiple(half > Math.abs(value) ? half : Math.abs(value), unit);
+  const sign = signs[m.unit] ?? m.unit;
+  const cut = ci95 === null ? null : withinRange(value, half, least, most, m);
+  if (cut) return { value: cut.value, interval: "", unit: sign, number: cut.text };
+  const v = value / m.factor, h = half / m.factor, size = Math.abs(v);
+  if (Number.isNaN(h) && unit === "1" && Number.isInteger(v) && size < 1e6)
+    return { value: String(v), interval: "", unit: "", number: String(v) };
+  const plain = size === 0 || (size >= 1e-3 && size < 1e7) || (h >= size && h >= 1e-3);
+  const made = plain ? fixed(v, h) : scientific(v, h);
+  const both = made.interval ? `${made.value} ± ${made.interval}` : made.value;
+  if (plain) return { ...made, unit: sign, number: both };
+  const power = ` × ${powerOfTen(made.power)}`;
+  return { value: made.value + power, interval: made.interval ? made.interval + power : "", unit: sign,
+    number: (made.interval ? `(${both})` : both) + power };
 }
 
 /// "243 ± 16 mW".
 export function quantityText(quantity) {
-  const { value, interval, unit } = parts(quantity);
-  const both = interval ? `${value} ± ${interval}` : value;
-  return unit ? `${both}\u00a0${unit}` : both;
+  const { number, unit } = parts(quantity);
+  return unit === "" || unit === "°" ? number + unit : `${number}\u00a0${unit}`;
 }
+
+function exponential(number) {
+  const [digits, power] = number.toExponential(1).split("e");
+  return `${digits} × ${powerOfTen(Number(power))}`;
+}
+
+/// "12 345" with a narrow no-break space between thousands.
+export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
 /// About three digits, for axes and short texts.
 export const short = (number) =>
@@ -73,6 +121,6 @@ export const short = (number) =>
 
 /// A number with a prefix of the unit, for axes: "20 mW".
 export function scaledText(number, unit) {
-  const { value, unit: label } = parts({ value: Number(number.toPrecision(3)), unit });
-  return `${String(Number(value.replaceAll(narrow, "")))}${label ? ` ${label}` : ""}`;
+  const m = multiple(Math.abs(number), unit), sign = signs[m.unit] ?? m.unit;
+  return `${short(Number((number / m.factor).toPrecision(3)))}${sign ? ` ${sign}` : ""}`;
 }

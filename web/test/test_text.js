@@ -71,7 +71,9 @@ function testNumbers() {
   expect("a sieve is no measure", split("200 mesh"), null);
   expect("no conversion", convert(1, "rpm", "%"), null);
   expect("values of a sweep", valuesBetween(1, 100, 3, true), [1, 10, 100]);
-  expect("a power", quantityText({ value: 0.24321, ci95: 0.0161, unit: "W" }), "243 ± 16\u00a0mW");
+  for (const { text, ...told } of JSON.parse(file("../../tests/unit/report/numbers.json")))
+    expect(`the program's text of ${told.value} ${told.unit}`, quantityText({ ...told,
+      least: told.least ?? undefined, most: told.most ?? undefined }).replaceAll("\u00a0", " "), text);
   expect("intervals apart", verdictOf({ value: 1, ci95: 0.1 }, { value: 2, ci95: 0.1 }), "apart");
   expect("intervals that overlap", verdictOf({ value: 1, ci95: 0.6 }, { value: 2, ci95: 0.6 }), "overlap");
   expect("no interval", verdictOf({ value: 1, ci95: null }, { value: 2, ci95: 0.6 }), "unknown");

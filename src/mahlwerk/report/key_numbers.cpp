@@ -13,7 +13,7 @@
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
-#include "mahlwerk/results/quantities/range.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -15,43 +15,15 @@ namespace mahlwerk::report {
 namespace {
 
 using Words = std::pair<std::string_view, std::string_view>;
-constexpr std::array labels{
-    Words{"energy_normal_mean", "mean normal energy"},
-    Words{"energy_contact_point_mean", "mean contact-point energy"},
-    Words{"energy_centre_mean", "mean centre energy"},
-    Words{"energy_tangential_mean", "mean tangential energy"},
-    Words{"energy_lost_mean", "mean energy lost"},
-    Words{"impact_speed_normal_mean", "mean normal speed"},
-    Words{"impact_speed_tangential_mean", "mean tangential speed"},
-    Words{"impact_angle_mean", "mean impact angle"},
-    Words{"contact_time_share", "share of time in contact"},
-    Words{"lasting_contacts_rate", "sustained contacts"},
-    Words{"dissipated_power_of_lasting_contacts", "dissipated power of sustained contacts"},
-    Words{"tc_collision_share", "share of TC collisions"},
-    Words{"energy_residual", "worst collision residual"},
-    Words{"deepest_overlap", "deepest overlap over radius"},
-    Words{"energy_balance", "energy balance residual"},
-    Words{"captured_mass_rate", "powder captured"},
-    Words{"captured_share_rate", "captures per grain"},
-    Words{"captured_grains_mean", "grains captured per collision"},
-    Words{"captured_energy_mean", "energy of captured powder"},
-    Words{"captured_dose_rate", "power of captured powder"},
-    Words{"d10", "D10"},
-    Words{"d50", "D50"},
-    Words{"d90", "D90"},
-    Words{"finest_share", "share in the finest class"},
-    Words{"specific_grinding_energy", "grinding energy"},
-    Words{"milling_dose", "milling dose"},
-};
-
 /// Symbols of units whose display differs from their name.
-constexpr std::array signs{Words{"1", ""},      Words{"1/s", "/s"},        Words{"deg", "°"},
-                           Words{"degC", "°C"}, Words{"ug/g/h", "µg/g/h"}, Words{"m2/kg", "m²/kg"}};
+constexpr std::array signs{Words{"1", ""},         Words{"1/s", "/s"},        Words{"deg", "°"},
+                           Words{"degC", "°C"},    Words{"ug/g/h", "µg/g/h"}, Words{"m/s2", "m/s²"},
+                           Words{"m2/kg", "m²/kg"}};
 
-/// Whether a unit takes a prefix; kg, counts and speeds (0.8 m/s, not 800 mm/s) do not.
+/// Whether a unit takes a prefix; counts and speeds (0.8 m/s, not 800 mm/s) do not.
 bool takes_prefix(std::string_view unit) {
-  constexpr std::array<std::string_view, 12> list{"J",   "W",   "m",   "s",    "N",   "Pa",
-                                                  "W/g", "J/g", "N m", "W/m²", "g/h", "g/s"};
+  constexpr std::array<std::string_view, 13> list{"J",   "W",   "m",    "s",   "N",   "Pa", "W/g",
+                                                  "J/g", "N m", "W/m²", "g/h", "g/s", "g"};
   return std::find(list.begin(), list.end(), unit) != list.end();
 }
 
@@ -90,7 +62,7 @@ std::string scientific(double value, double ci95) {
   const int exponent = decade(std::abs(value));
   const double scale = std::pow(10, exponent);
   const bool told = std::isfinite(ci95) && ci95 > 0;
-  const int digits = told ? std::clamp(places(value / scale, ci95 / scale), 0, 3) : 1;
+  const int digits = told ? std::clamp(places(value / scale, ci95 / scale), 0, 9) : 1;
   if (!told) return fmt::format("{:.{}f} × {}", value / scale, digits, power_of_ten(exponent));
   return fmt::format("({:.{}f} ± {:.{}f}) × {}", value / scale, digits, ci95 / scale, digits,
                      power_of_ten(exponent));
@@ -105,17 +77,22 @@ Multiple multiple(double size, std::string_view unit) {
     const Multiple m = multiple(size / base, size < fast ? "g/h" : "g/s");
     return {m.factor * base, m.unit};
   }
+  if (unit == "kg" && size < 1) {
+    const Multiple m = multiple(1000 * size, "g");
+    return {m.factor / 1000, m.unit};
+  }
   using Prefix = std::pair<double, std::string_view>;
   constexpr std::array prefixes{Prefix{1e9, "G"},  Prefix{1e6, "M"},  Prefix{1e3, "k"},
                                 Prefix{1, ""},     Prefix{1e-3, "m"}, Prefix{1e-6, "µ"},
                                 Prefix{1e-9, "n"}, Prefix{1e-12, "p"}};
-  if (!takes_prefix(unit) || !(size > 0) || !std::isfinite(size)) return {1, std::string(unit)};
+  constexpr double least = 0.9995e-12, most = 1e16;  // powers of ten of the unit itself beyond
+  if (!takes_prefix(unit) || !(size >= least) || !(size < most)) return {1, std::string(unit)};
   for (const auto& [factor, prefix] : prefixes) {
     const bool big =
         factor > 1 && (unit.starts_with("s") || unit.starts_with("m"));  // no ks, no km/s
     if (!big && size >= 0.9995 * factor) return {factor, fmt::format("{}{}", prefix, unit)};
   }
-  return {1e-12, fmt::format("p{}", unit)};
+  return {1, std::string(unit)};
 }
 
 std::string Readable::text() const {
@@ -174,17 +151,7 @@ std::string threshold_text(double threshold) {
 }
 
 std::string label(std::string_view name) {
-  constexpr std::string_view above = "_above_threshold";
-  if (name.ends_with(above)) {
-    name.remove_suffix(above.size());
-    return label(name) + " above threshold";
-  }
-  for (const auto& [key, text] : labels) {
-    if (key == name) return std::string(text);
-  }
-  std::string text(name);
-  std::replace(text.begin(), text.end(), '_', ' ');
-  return text;
+  return results::label_of(name);
 }
 
 std::string label(const results::Quantity& q) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mahlwerk/results/quantities/range.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 // Formatting of numbers, units and names for readers.

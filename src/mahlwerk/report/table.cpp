@@ -14,9 +14,6 @@ namespace mahlwerk::report {
 namespace {
 
 constexpr std::string_view above_threshold = "_above_threshold";
-/// Quantities over collisions above the threshold whose names do not contain it.
-constexpr std::array<std::string_view, 3> above_alone{"collision_rate_in_flight", "stress_energy",
-                                                      "stress_number_rate"};
 using Line = std::array<std::string, 3>;
 
 std::string padded(const std::string& text, std::size_t wanted) {
@@ -62,8 +59,8 @@ std::vector<Row> rows(const std::vector<results::Quantity>& quantities) {
       if (twin)
         list.back().above = &q;
       else
-        list.push_back({&q, nullptr, std::exchange(heading, {}),
-                        std::ranges::find(above_alone, q.name) != above_alone.end()});
+        list.push_back(
+            {&q, nullptr, std::exchange(heading, {}), results::traits_of(q.name).above_threshold});
     }
   }
   return list;

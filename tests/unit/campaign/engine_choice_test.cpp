@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "mahlwerk/campaign/run/engine_notices.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::engine_choice_test {

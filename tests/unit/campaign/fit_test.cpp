@@ -11,7 +11,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -13,7 +13,7 @@
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/powder/models.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"
 

@@ -13,7 +13,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 

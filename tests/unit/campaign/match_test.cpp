@@ -11,7 +11,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "observed.hpp"
 #include "statement.hpp"
 

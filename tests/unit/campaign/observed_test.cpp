@@ -12,7 +12,7 @@
 
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "one_ball.hpp"
 #include "statement.hpp"
 #include "unit/results/scratch.hpp"

@@ -10,7 +10,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
 #include "unit/campaign/observed.hpp"
 

@@ -20,7 +20,7 @@
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
@@ -32,6 +35,22 @@ TEST(Readable, rounds_where_the_half_width_says_so) {
   EXPECT_EQ(readable(0, 0, "1").text(), "0 ± 0");
   EXPECT_EQ(readable(NAN, NAN, "J").text(), "-");
   EXPECT_EQ(readable(0.000966, 0.000029, "J", 0.001022).text(), "0.966 ± 0.029 mJ");
+}
+
+TEST(Readable, has_the_texts_that_the_page_and_python_are_held_to) {
+  std::ifstream file(std::filesystem::path(MAHLWERK_HOME) / "tests/unit/report/numbers.json");
+  const nlohmann::json all = nlohmann::json::parse(file);
+  EXPECT_GT(all.size(), 60U);
+  const auto number = [](const nlohmann::json& one, const char* key, double otherwise) {
+    return one.at(key).is_null() ? otherwise : one.at(key).get<double>();
+  };
+  for (const nlohmann::json& one : all)
+    EXPECT_EQ(readable_within(number(one, "value", NAN), number(one, "ci95", NAN),
+                              one.at("unit").get<std::string>(),
+                              {number(one, "least", -INFINITY), number(one, "most", INFINITY)})
+                  .text(),
+              one.at("text"))
+        << one;
 }
 
 TEST(Readable, rounds_to_zero_without_a_sign) {

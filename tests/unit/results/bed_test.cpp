@@ -56,7 +56,7 @@ Outcome bed(double speed) {
 }
 
 double value(const Outcome& outcome, const std::string& name) {
-  for (const Measure& m : bed_measures(outcome.mill_case))
+  for (const Measure& m : applying(bed_measures(), outcome.mill_case))
     if (m.name == name) return m.compute(outcome.mill_case, outcome.replicates[0]);
   throw std::out_of_range(name);
 }
@@ -72,6 +72,8 @@ TEST(Bed, angle_and_distance_are_those_of_the_segment_for_both_senses_of_rotatio
            "a lattice of 300 steps, cells at the wall clamped");
     states("centroid of the segment", value(outcome, "charge_distance"), centroid, 2e-4,
            "the same");
+    states("lever arm", value(outcome, "charge_lever_arm"),
+           centroid * std::sin(slope * std::numbers::pi / 180), 2e-4, "the same");
   }
 }
 
@@ -106,7 +108,7 @@ TEST(Bed, other_mills_have_the_height_of_their_charge) {
   outcome.mill_case.mill.motion = kinematics::Vibration{};
   outcome.mill_case.mill.jar_axis = {0, 0, 1};
   outcome.mill_case.balls[0].count = 1000;
-  ASSERT_EQ(bed_measures(outcome.mill_case).size(), 2U);
+  ASSERT_EQ(applying(bed_measures(), outcome.mill_case).size(), 2U);
   EXPECT_LT(value(outcome, "charge_height"), 0);
   // Bottom at -1 m, 2 m above the top; a jar of 0.1 m height between them counts as that much
   // wider.
@@ -115,7 +117,7 @@ TEST(Bed, other_mills_have_the_height_of_their_charge) {
   EXPECT_NEAR(value(outcome, "charge_rise"), value(outcome, "charge_height") + 1 - half_depth,
               1e-9);
   outcome.mill_case.mill.motion = kinematics::Planetary{};
-  EXPECT_TRUE(bed_measures(outcome.mill_case).empty());
+  EXPECT_TRUE(applying(bed_measures(), outcome.mill_case).empty());
 }
 
 TEST(Bed, the_table_has_the_profile_of_the_replicates_with_intervals) {

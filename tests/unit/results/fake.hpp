@@ -8,7 +8,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/outcome.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 // An outcome made by hand. All its numbers can be computed on paper.
 namespace mahlwerk::results {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mahlwerk/results/quantities/traits.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results::json_test {
@@ -21,7 +22,11 @@ TEST(SummaryJson, holds_every_quantity_to_the_bit) {
   const nlohmann::json all = parsed(o);
   for (const Quantity& q : o.summary.quantities) {
     const auto& entry = all.at(q.name);
-    EXPECT_EQ(entry.size(), 5U);
+    const Range range = range_of(q.name);
+    EXPECT_EQ(entry.size(), 6U + std::isfinite(range.least) + std::isfinite(range.most));
+    EXPECT_EQ(entry.at("label"), label_of(q.name));
+    EXPECT_EQ(entry.value("least", range.least), range.least);
+    EXPECT_EQ(entry.value("most", range.most), range.most);
     EXPECT_EQ(entry.at("unit"), q.unit);
     EXPECT_EQ(entry.at("about"), q.about);
     if (std::isfinite(q.value))

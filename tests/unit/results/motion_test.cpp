@@ -34,7 +34,7 @@ Outcome drum() {
 }
 
 double value(const Outcome& outcome, const std::string& name) {
-  std::vector<Measure> list = motion_measures(outcome.mill_case);
+  std::vector<Measure> list = applying(motion_measures(), outcome.mill_case);
   for (const Measure& m : tangential_measures()) list.push_back(m);
   for (const Measure& m : list)
     if (m.name == name) return m.compute(outcome.mill_case, outcome.replicates[0]);
@@ -121,7 +121,7 @@ TEST(Motion, nothing_was_seen_gives_no_number) {
 }
 
 TEST(Motion, only_mills_with_a_regime_have_an_occupied_share) {
-  for (const Measure& m : motion_measures(fake_outcome().mill_case))
+  for (const Measure& m : applying(motion_measures(), fake_outcome().mill_case))
     EXPECT_NE(m.name, "occupied_share");
 }
 

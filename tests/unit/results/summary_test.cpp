@@ -10,7 +10,7 @@
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results::summary_test {
@@ -197,8 +197,20 @@ TEST(Summary, the_tc_rule_tells_its_share) {
   Outcome o = fake_outcome({100, 100});
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
   o.mill_case.contact.lasting = cases::SustainedContactModel::tc;
-  for (Replicate& r : o.replicates) r.energy_balance.tc_collisions = 25;
+  double lost = 0, hits = 0;  // of a replicate
+  for (Replicate& r : o.replicates) {
+    r.energy_balance.tc_collisions = 25;
+    r.at_settled.lost_within = 0.5;
+    lost = r.energy_balance.lost() - r.at_settled.lost();
+    hits = static_cast<double>(r.tally.above.count);
+    r.energy_balance.lost_within = 0.5 + 0.3 * lost;
+    r.energy_balance.hits_within = 4;
+    r.energy_balance.withheld = 2 * lost;
+  }
   EXPECT_DOUBLE_EQ(value(o, "tc_collision_share"), 0.25);
+  EXPECT_NEAR(value(o, "power_share_within_contact_time"), 0.3, 1e-12);
+  EXPECT_NEAR(value(o, "hit_share_within_contact_time"), 4 / hits, 1e-12);
+  EXPECT_NEAR(value(o, "withheld_power_share"), 2, 1e-12);
   o.mill_case.run.engine = cases::EngineName::soft;  // has no such rule
   EXPECT_THROW(value(o, "tc_collision_share"), std::out_of_range);
 }

@@ -17,9 +17,9 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summarise.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::results::warnings_test {

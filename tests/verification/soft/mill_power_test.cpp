@@ -14,7 +14,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 

@@ -8,7 +8,7 @@ import { quantityText } from "../format.js";
 import { differences } from "../case/toml_text.js";
 import { text } from "../text/en.js";
 import { verdictOf } from "./verdict.js";
-import { keysIn, shortList } from "./quantities.js";
+import { labelOf, shortList } from "./quantities.js";
 
 function changeOf(a, b) {
   if (a.value === 0) return "";
@@ -66,14 +66,14 @@ export class Comparison {
   }
 
   table(a, b) {
-    const keys = shortList(keysIn(a)).filter((key) => Number.isFinite(b[key]?.value));
+    const keys = shortList(a).filter((key) => Number.isFinite(b[key]?.value));
     return element("table", { className: "comparison" },
       element("thead", {}, element("tr", {}, ...text.compareColumns.map((name) =>
         element("th", { scope: "col", textContent: name })))),
       element("tbody", {}, keys.map((key) => {
         const verdict = verdictOf(a[key], b[key]);
         return element("tr", { className: verdict },
-          element("th", { scope: "row", textContent: text.quantity(key) }),
+          element("th", { scope: "row", textContent: labelOf(a[key]) }),
           element("td", { className: "figure", textContent: quantityText(a[key]) }),
           element("td", { className: "figure", textContent: quantityText(b[key]) }),
           element("td", { className: "figure", textContent: changeOf(a[key], b[key]) }),

@@ -7,19 +7,20 @@ import { element } from "../dom.js";
 import { quantityText } from "../format.js";
 import { text } from "../text/en.js";
 
-const first = ["dissipated_power", "drawn_power", "collision_rate_above_threshold", "collision_rate",
-  "energy_normal_mean_above_threshold", "impact_speed_normal_mean_above_threshold",
-  "impact_angle_mean_above_threshold", "tangential_impact_power", "contact_time_share", "d50",
-  "specific_surface", "specific_energy_dose_rate", "stress_energy", "stress_number_rate"];
-
-/// Keys of the quantities of a summary; the most asked for first.
+/// Keys of the quantities of a summary that have a number; the key numbers first.
 export function keysIn(summary) {
   const keys = Object.keys(summary).filter((key) => !key.startsWith("_") &&
     Number.isFinite(summary[key]?.value));
-  return [...first.filter((key) => keys.includes(key)), ...keys.filter((key) => !first.includes(key))];
+  const first = shortList(summary);
+  return [...first, ...keys.filter((key) => !first.includes(key))];
 }
 
-export const shortList = (keys) => keys.filter((key) => first.includes(key));
+/// The key numbers of a summary that have a number.
+export const shortList = (summary) =>
+  summary._key_quantities.filter((key) => Number.isFinite(summary[key]?.value));
+
+/// "Mean normal energy".
+export const labelOf = ({ label }) => label.charAt(0).toUpperCase() + label.slice(1);
 
 /// A dose without a milling time is named, not left out.
 const withoutTime = (summary, key) =>
@@ -54,7 +55,7 @@ export class Quantities {
 
   table(keys) {
     const rows = keys.map((key) => element("tr", {},
-      element("th", { scope: "row", textContent: text.quantity(key) }),
+      element("th", { scope: "row", textContent: labelOf(this.summary[key]) }),
       element("td", { className: "figure", textContent: withoutTime(this.summary, key)
         ? text.noMillingTime : quantityText(this.summary[key]) }),
       element("td", { className: "about", textContent: this.summary[key].about })));

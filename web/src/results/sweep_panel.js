@@ -13,7 +13,7 @@ import { Sweep } from "../run/sweep.js";
 import { valuesBetween } from "../run/sweep_values.js";
 import { text } from "../text/en.js";
 import { Plot } from "./plot.js";
-import { keysIn, shortList } from "./quantities.js";
+import { keysIn, labelOf } from "./quantities.js";
 
 const labelled = (label, input) => {
   input.id = freshId("sweep");
@@ -149,25 +149,25 @@ export class SweepPanel {
     }
     const keys = keysIn(points[0].summary);
     if (this.quantity.options.length !== keys.length)
-      this.quantity.replaceChildren(...[...new Set([...shortList(keys), ...keys])].map((key) =>
-        element("option", { value: key, textContent: text.quantity(key) })));
-    const key = this.quantity.value;
+      this.quantity.replaceChildren(...keys.map((key) =>
+        element("option", { value: key, textContent: labelOf(points[0].summary[key]) })));
+    const key = this.quantity.value, label = labelOf(points[0].summary[key]);
     const values = points.map(({ summary }) => summary[key] ?? { value: null });
     const unit = values[0].unit;
     this.plot.show({ data: [points.map((point) => point.number), values.map(({ value }) => value)],
       halves: values.map(({ ci95 }) => ci95 ?? 0),
       x: { label: this.axis, log: this.spacing.value === "log", values: short },
-      y: { label: text.quantity(key), values: (at) => scaledText(at, unit), wide: 70,
+      y: { label, values: (at) => scaledText(at, unit), wide: 70,
         range: padded(values) },
-      series: [{ label: text.quantity(key), colour: "go", points: true }],
+      series: [{ label, colour: "go", points: true }],
       about: points.map((point, i) => `${point.value}: ${quantityText(values[i])}`).join("; ") });
-    this.table.replaceChildren(this.rows(key));
+    this.table.replaceChildren(this.rows(key, label));
   }
 
-  rows(key) {
+  rows(key, label = text.sweepQuantity) {
     return element("table", {}, element("thead", {}, element("tr", {},
       element("th", { scope: "col", textContent: this.key.value }),
-      element("th", { scope: "col", textContent: key ? text.quantity(key) : text.sweepQuantity }))),
+      element("th", { scope: "col", textContent: label }))),
     element("tbody", {}, this.sweep.points.filter(({ summary, fault }) => summary || fault)
       .map((point) => element("tr", {},
         element("th", { scope: "row", textContent: String(point.value) }),

@@ -3,7 +3,7 @@
 
 // All words of the page, in English. Another language is another module of the same shape.
 
-import { quantities, words } from "./en_names.js";
+import { words } from "./en_names.js";
 
 const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
@@ -116,7 +116,6 @@ export const text = {
   details: "Details of the result",
   quantities: "Quantities",
   quantityColumns: ["Quantity", "Value ± 95 % interval", "Meaning"],
-  quantity: (key) => quantities[key] ?? plain(key),
   noMillingTime: "no milling time given",
   preliminary: "Preliminary: the run is being computed, and the intervals still shrink.",
   noResult: "No result yet: press Run.",

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// English names of words and quantities, and the sentences of the examples.
+// English names of words, and the sentences of the examples.
 
 export const words = {
   auto: "chosen by the program", event: "event engine", soft: "soft engine (contact forces)",
@@ -9,23 +9,6 @@ export const words = {
   "arc-shaker": "Mixer mill (arc)", "figure-eight": "Shaker mill (figure of eight)",
   circular: "Circular motion", capsule: "Capsule (half spheres)", cylinder: "Cylinder",
   "rounded-cylinder": "Rounded cylinder", sphere: "Sphere", box: "Box",
-};
-
-export const quantities = {
-  dissipated_power: "Power dissipated",
-  drawn_power: "Power drawn",
-  collision_rate: "Collision rate",
-  collision_rate_above_threshold: "Collision rate above the threshold",
-  energy_normal_mean_above_threshold: "Mean normal energy above the threshold",
-  impact_speed_normal_mean_above_threshold: "Mean normal speed above the threshold",
-  impact_angle_mean_above_threshold: "Mean angle of impact above the threshold",
-  tangential_impact_power: "Tangential impact power",
-  contact_time_share: "Share of time in contact",
-  d10: "D10", d50: "D50", d90: "D90",
-  specific_surface: "Specific surface",
-  specific_energy_dose_rate: "Dose rate",
-  stress_energy: "Stress energy",
-  stress_number_rate: "Stress number per second",
 };
 
 export const examples = {

@@ -7,8 +7,8 @@
 #include "mahlwerk/campaign/run/engine_notices.hpp"
 #include "mahlwerk/campaign/run/rolling.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 namespace mahlwerk::campaign {
 

@@ -21,7 +21,7 @@
 #include "mahlwerk/campaign/run/progress_reporter.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

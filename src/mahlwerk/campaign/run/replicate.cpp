@@ -11,15 +11,14 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -94,9 +93,8 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
     : mill_case_(&mill_case),
       index_(index),
       recorder_(std::move(recorder)),
-      frames_(std::move(frames)),
-      frame_times_(mill_case),
       result_(results::empty_replicate(mill_case)),
+      samplers_(samplers(mill_case, std::move(frames), result_)),
       blocks_(cases::settles(mill_case) ? cases::settling_blocks(mill_case)
                                         : cases::SettlingBlocks{}),
       window_length_(first_window_length(mill_case)),
@@ -104,21 +102,24 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
                mill_case.grinding->method != cases::Grinding::Method::balance),
       engine_(engine(mill_case, index, threads, stop, launch)),
       window_(cases::least_settling(mill_case) > 0 ? 0 : 1) {
-  for (const cases::BallSet& set : mill_case.balls) balls_ += set.count;
-  const scene::Chamber mill = cases::chamber(mill_case);
-  result_.charge = observe::Charge(mill, result_.tally.wall_map.grid().radius);
+  result_.charge = observe::Charge(cases::chamber(mill_case), result_.tally.wall_map.grid().radius);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   settling_.add(last_, 0);
   if (index == 0) record_replay();
-  if (window_ == 1) begin_counting(0);
+  if (window_ == 1) {
+    begin_counting(0);
+    begin_window({});
+  }
   // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
   if (mill_case.run.engine == cases::EngineName::soft)
     slice_ = std::min(slice_, 1e3 * soft_settings(mill_case).rules.time_step);
 }
 
 void ReplicateRun::record_replay() {
+  if (records_replay_) return;
   records_replay_ = true;
-  if (window_ > 0) begin_counting(begin_);
+  samplers_.push_back(replay_sampler(*mill_case_, result_));
+  if (window_ > 0) samplers_.back()->begin(begin_);
 }
 
 std::optional<double> ReplicateRun::counting_begins() const {
@@ -128,14 +129,14 @@ std::optional<double> ReplicateRun::counting_begins() const {
 /// Sets the time at which all that is recorded begins.
 void ReplicateRun::begin_counting(double time) {
   begin_ = time;
-  frame_times_.begin(time);
   if (result_.sensors.accelerometer) result_.sensors.accelerometer->begin(time);
-  if (!records_replay_) return;
-  const double shortest = mill_case_->run.engine == cases::EngineName::lammps
-                              ? lammps_steps(*mill_case_).frame_time()
-                              : 0;
-  result_.replay = observe::Replay(cases::chamber(*mill_case_), static_cast<std::size_t>(balls_),
-                                   time, mill_case_->run.time, shortest);
+  for (const auto& sampler : samplers_) sampler->begin(time);
+}
+
+/// Tells the samplers of the present window, and the work in the one before.
+void ReplicateRun::begin_window(std::optional<std::int64_t> work) {
+  for (const auto& sampler : samplers_)
+    sampler->begin_window(begin_ + window_length_ * (window_ - 1), window_length_, work);
 }
 
 /// [s] While the mill settles, the end of the present block or of the given time.
@@ -157,71 +158,30 @@ bool ReplicateRun::done() const {
   return finished() || !result_.stop_reason.empty();
 }
 
-/// [s] The next time at which the charge is sampled. The golden ratio spreads the times over all
-/// phases of a periodic motion.
-double ReplicateRun::next_charge_sample() const {
-  if (window_ == 0 || charge_samples_taken_ == charge_samples_)
-    return std::numeric_limits<double>::infinity();
-  constexpr double golden = 0.6180339887498949;  // (obs.6)
-  const double jitter = std::fmod(golden * static_cast<double>(charge_samples_ever_ + 1), 1.0);
-  return window_end(window_ - 1) +
-         window_length_ * (charge_samples_taken_ + jitter) / charge_samples_;
-}
-
-/// Sets the number of charge samples in the next window so that they cost little compared with its
-/// work.
-void ReplicateRun::plan_charge_samples(const scene::EnergyBalance& before,
-                                       const scene::EnergyBalance& now) {
-  constexpr std::int64_t steps = 512, collisions = 200, most = 20;
-  const std::int64_t work = cases::in_time_steps(mill_case_->run.engine)
-                                ? (now.time_steps - before.time_steps) / steps
-                                : (now.collisions - before.collisions) / (collisions * balls_);
-  charge_samples_ = static_cast<int>(std::clamp<std::int64_t>(work, 1, most));
-  charge_samples_taken_ = 0;
-}
-
-/// [s] The time of the next reading of the power meter. The last one is at the end of the run,
-/// whatever the rounding of the interval.
-double ReplicateRun::next_power_reading() const {
-  if (window_ == 0 || !mill_case_->sensors.power_meter)
-    return std::numeric_limits<double>::infinity();
-  constexpr double rounding = 1e-6;
-  const double interval = mill_case_->sensors.power_meter->interval,
-               at = interval * static_cast<double>(power_readings_ + 1);
-  const bool last = std::abs(at - mill_case_->run.time) < rounding * interval;
-  return begin_ + (last ? mill_case_->run.time : at);
-}
-
-void ReplicateRun::read_power_meter() {
+/// Work since `before`, in units of what a sample of the charge costs.
+std::int64_t ReplicateRun::work_since(const scene::EnergyBalance& before) const {
+  constexpr std::int64_t steps = 512, collisions = 200;
   const scene::EnergyBalance& now = result_.energy_balance;
-  if (next_power_reading() > now.time) return;
-  result_.sensors.power_meter.push_back({now.time, now.wall_work});
-  while (next_power_reading() <= now.time) ++power_readings_;
+  if (cases::in_time_steps(mill_case_->run.engine))
+    return (now.time_steps - before.time_steps) / steps;
+  return (now.collisions - before.collisions) /
+         (collisions * cases::balls_count(mill_case_->balls));
 }
 
-/// Takes the samples that are due: frames, frames of the report's film, samples of the charge.
+/// Takes the samples that are due.
 void ReplicateRun::take_samples() {
-  if (!result_.stop_reason.empty()) return;
-  const double time = result_.energy_balance.time;
-  const bool frame = frames_ && frame_times_.next() <= time,
-             film = result_.replay.next_frame_time() <= time, charge = next_charge_sample() <= time;
-  if (!frame && !film && !charge) return;
-  const std::vector<scene::Ball> balls = engine_->balls();
-  const double at = engine_->balls_time().value_or(time);
-  for (; frames_ && frame_times_.next() <= time; frame_times_.advance())
-    frames_->add(at, balls, engine_->forces());
-  while (result_.replay.next_frame_time() <= time) result_.replay.add(at, balls);
-  for (; next_charge_sample() <= time; ++charge_samples_taken_, ++charge_samples_ever_)
-    result_.charge.sample(at, balls, window_length_ / charge_samples_);
+  if (!result_.stop_reason.empty() || window_ == 0) return;
+  Moment moment(*engine_, result_.energy_balance);
+  for (const auto& sampler : samplers_)
+    if (sampler->next() <= result_.energy_balance.time) sampler->take(moment);
 }
 
 /// [s] The time at which the next slice ends, unless another replicate ends it earlier.
 double ReplicateRun::slice_end() const {
-  const double end = window_end(window_);
-  const double stop =
-      std::min({end, frames_ ? frame_times_.next() : end, result_.replay.next_frame_time(),
-                next_charge_sample(), next_power_reading()});
-  return std::min(stop, result_.energy_balance.time + slice_);
+  double end = std::min(window_end(window_), result_.energy_balance.time + slice_);
+  if (window_ == 0) return end;
+  for (const auto& sampler : samplers_) end = std::min(end, sampler->next());
+  return end;
 }
 
 void ReplicateRun::run_slice() {
@@ -261,7 +221,6 @@ void ReplicateRun::end_slice(const std::exception_ptr& failure, double worked) {
   }
   result_.energy_balance = engine_->energy_balance();
   const double end = window_end(window_);
-  read_power_meter();
   take_samples();
   slice_ *= worked < 0.025 ? 2 : worked > 0.1 ? 0.25 : 1;
   slice_ =
@@ -280,6 +239,7 @@ void ReplicateRun::end_block() {
   result_.at_settled = last_ = result_.energy_balance = engine_->energy_balance();
   window_ = 1;
   begin_counting(end);
+  begin_window({});
 }
 
 void ReplicateRun::end_window() {
@@ -293,17 +253,18 @@ void ReplicateRun::end_window() {
     result_.windows.push_back(window_between(result_.energy_balance.time - begin_, last_,
                                              result_.energy_balance, all_, above_, result_.tally));
   }
-  plan_charge_samples(last_, result_.energy_balance);
+  const std::int64_t work = work_since(last_);
   last_ = result_.energy_balance;
   all_ = result_.tally.all;
   above_ = result_.tally.above;
   ++window_;
-  if (!mill_case_->run.until || !result_.stop_reason.empty()) return;
-  if (std::ssize(result_.windows) == max_windows) {
+  if (mill_case_->run.until && std::ssize(result_.windows) == max_windows) {
     result_.windows = results::merge_window_pairs(result_.windows);
     window_length_ *= 2;
     window_ = max_windows / 2 + 1;
   }
+  begin_window(work);
+  if (!mill_case_->run.until || !result_.stop_reason.empty()) return;
   constexpr int fewest = 50, between = 10;
   if (std::ssize(result_.windows) < fewest || window_ % between != 1) return;
   const observe::Estimate known = observe::time_series_estimate(
@@ -344,8 +305,8 @@ void ReplicateRun::serialize(Archive& archive) {
   r.stream.serialize(archive);
   r.sensors.serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
-  archive(last_)(all_)(
-      above_)(window_length_)(converged_)(charge_samples_)(charge_samples_taken_)(charge_samples_ever_)(power_readings_);
+  archive(last_)(all_)(above_)(window_length_)(converged_);
+  for (const auto& sampler : samplers_) sampler->serialize(archive);
   engine_->serialize(archive);
 }
 

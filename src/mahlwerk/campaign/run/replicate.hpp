@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mahlwerk/campaign/run/replicate_engine.hpp"
+#include "mahlwerk/campaign/run/samplers.hpp"
 #include "mahlwerk/campaign/run/settling_test.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -29,6 +30,9 @@ class ReplicateRun {
                std::unique_ptr<scene::Observer> recorder = nullptr,
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
                const std::atomic<bool>* stop = nullptr, const lammps::Launch& launch = {});
+
+  ReplicateRun(const ReplicateRun&) = delete;
+  ReplicateRun& operator=(const ReplicateRun&) = delete;
 
   /// Keeps frames for pictures, as the first replicate always does. Call it before the first slice
   /// and before a state is read. It changes no number.
@@ -68,32 +72,24 @@ class ReplicateRun {
   void end_slice(const std::exception_ptr& failure, double worked);
   void end_block();
   void begin_counting(double time);
+  void begin_window(std::optional<std::int64_t> work);
+  std::int64_t work_since(const scene::EnergyBalance& before) const;
   void take_samples();
   void end_window();
-  void plan_charge_samples(const scene::EnergyBalance& before, const scene::EnergyBalance& now);
-  double next_charge_sample() const;  // [s]
-  double next_power_reading() const;  // [s]
-  void read_power_meter();
 
   const cases::Case* mill_case_;
   int index_;
   std::unique_ptr<scene::Observer> recorder_;
-  std::unique_ptr<results::FrameFiles> frames_;
-  results::FrameTimes frame_times_;
   results::Replicate result_;
+  Samplers samplers_;             // write into result_
   cases::SettlingBlocks blocks_;  // of settling; of no length where its time is given
   SettlingTest settling_;
   std::int64_t settling_hits_ = 0;  // above the threshold
   double begin_ = 0;                // [s] of counting, once it has begun
   bool records_replay_ = false;
-  double window_length_;          // [s]
-  bool streams_;                  // collision energies are kept for the powder sample
-  bool converged_ = false;        // the requested precision is reached
-  int charge_samples_ = 4;        // in this window
-  int charge_samples_taken_ = 0;  // taken in this window
-  std::int64_t charge_samples_ever_ = 0;
-  std::int64_t power_readings_ = 0;
-  std::int64_t balls_ = 0;
+  double window_length_;    // [s]
+  bool streams_;            // collision energies are kept for the powder sample
+  bool converged_ = false;  // the requested precision is reached
   std::unique_ptr<scene::Engine> engine_;
   int window_ = 0;                      // 0: settling
   scene::EnergyBalance last_;           // at the start of the window

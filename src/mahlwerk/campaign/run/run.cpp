@@ -13,8 +13,8 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
-#include "mahlwerk/results/replicate_setup.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

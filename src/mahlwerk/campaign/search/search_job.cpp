@@ -10,7 +10,7 @@
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

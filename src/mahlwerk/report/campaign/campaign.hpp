@@ -99,8 +99,6 @@ std::vector<CampaignKey> campaign_keys(const std::vector<std::string>& keys,
 
 /// Names of the columns that pages and tables show, in their order; empty if no point has numbers.
 std::vector<std::string> compared_quantities(const Campaign& campaign);
-/// The quantities that the page of a campaign shows by default.
-const std::vector<std::string>& usual_quantities();
 
 /// campaign.html: summary, plots or maps of the shown quantities with fitted laws, sensitivities,
 /// and a table of the points.

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -91,7 +92,7 @@ bool has_numbers(const Campaign& c, std::size_t column) {
 
 std::vector<std::size_t> shown_of(const Campaign& c) {
   std::vector<std::size_t> list;
-  for (const std::string& name : usual_quantities()) {
+  for (const std::string& name : results::usual_columns()) {
     const auto at = std::ranges::find(c.columns, name, &Column::name);
     const auto column = static_cast<std::size_t>(at - c.columns.begin());
     if (at != c.columns.end() && has_numbers(c, column)) list.push_back(column);
@@ -111,19 +112,6 @@ Multiple multiple_of(const Campaign& c, std::size_t column) {
 }
 
 }  // namespace
-
-const std::vector<std::string>& usual_quantities() {
-  static const std::vector<std::string> names{"d90",  // the powder first
-                                              "d50",
-                                              "conversion",
-                                              "captured_mass_rate",
-                                              "captured_grains_mean",
-                                              "collision_rate_above_threshold",
-                                              "energy_normal_mean_above_threshold",
-                                              "energy_contact_point_mean_above_threshold",
-                                              "dissipated_power"};
-  return names;
-}
 
 std::vector<std::string> compared_quantities(const Campaign& campaign) {
   std::vector<std::string> names;

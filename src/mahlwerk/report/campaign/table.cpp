@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -15,28 +16,19 @@ namespace {
 constexpr std::size_t max_points = 40;  // lines that fit a screen
 
 struct ListedResult {
-  std::string_view quantity, head;
+  std::string quantity, head;
   std::size_t column = 0;
 };
-constexpr std::array table_results{
-    ListedResult{"collision_rate_above_threshold", "hits above threshold"},
-    ListedResult{"energy_contact_point_mean_above_threshold", "E contact point"},
-    ListedResult{"energy_normal_mean_above_threshold", "E normal"},
-    ListedResult{"dissipated_power", "dissipated"},
-    ListedResult{"contact_time_share", "time in contact"},
-    ListedResult{"captured_mass_rate", "captured"},
-    ListedResult{"d50", "D50"},
-    ListedResult{"d90", "D90"},
-};
 
-/// The listed quantities that the campaign has.
+/// The usual columns that the campaign has.
 std::vector<ListedResult> listed_results(const Campaign& campaign) {
   std::vector<ListedResult> list;
-  for (ListedResult one : table_results) {
-    const auto at = std::ranges::find(campaign.columns, one.quantity, &Column::name);
+  for (const std::string& name : results::usual_columns()) {
+    const auto at = std::ranges::find(campaign.columns, name, &Column::name);
     if (at == campaign.columns.end()) continue;
-    one.column = static_cast<std::size_t>(at - campaign.columns.begin());
-    list.push_back(one);
+    const std::string_view head = results::record_of(name)->traits.column_head;
+    list.push_back({name, head.empty() ? label(name) : std::string(head),
+                    static_cast<std::size_t>(at - campaign.columns.begin())});
   }
   return list;
 }

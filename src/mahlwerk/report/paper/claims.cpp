@@ -11,7 +11,7 @@
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_rules.hpp"
 #include "mahlwerk/report/readable.hpp"
-#include "mahlwerk/results/quantities/range.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 
 namespace mahlwerk::report {
 namespace {

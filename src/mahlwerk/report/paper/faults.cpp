@@ -11,7 +11,7 @@
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/paper.hpp"
 #include "mahlwerk/report/paper/tables.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 namespace mahlwerk::report {
 namespace {

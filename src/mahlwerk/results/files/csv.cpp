@@ -37,13 +37,6 @@ bool is_formula(std::string_view text) {
 
 }  // namespace
 
-double Column::number_of(std::string_view word) {
-  const auto place = std::find(words.begin(), words.end(), word);
-  const auto number = static_cast<double>(place - words.begin());
-  if (place == words.end()) words.emplace_back(word);
-  return number;
-}
-
 std::string csv_cell(double value) {
   return std::isfinite(value) ? shortest(value) : "";
 }

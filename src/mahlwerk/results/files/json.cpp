@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/json.hpp"
 
+#include <cmath>
+
 #include "mahlwerk/results/quantities/key_quantities.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -69,11 +72,16 @@ Json about(const Outcome& outcome, std::string_view version) {
 }
 
 Json object(const Quantity& q) {
-  return Json::object({{"value", q.value},
-                       {"ci95", q.ci95},
-                       {"ci95_time", q.ci95_time},
-                       {"unit", q.unit},
-                       {"about", q.about}});
+  Json made = Json::object({{"value", q.value},
+                            {"ci95", q.ci95},
+                            {"ci95_time", q.ci95_time},
+                            {"unit", q.unit},
+                            {"label", label_of(q.name)},
+                            {"about", q.about}});
+  const Range range = range_of(q.name);
+  if (std::isfinite(range.least)) made["least"] = range.least;
+  if (std::isfinite(range.most)) made["most"] = range.most;
+  return made;
 }
 
 Json table_of(const std::vector<PairSummary>& pairs) {

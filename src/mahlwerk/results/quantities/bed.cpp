@@ -147,6 +147,17 @@ SurfaceLayer layer_of(const Case& c, const Replicate& r) {
   return surface_layer(bed_profile(c, r));
 }
 
+bool is_turning_drum(const Case& c) {
+  return turning_drum(c) != nullptr;
+}
+/// Whether the mill, which is no drum, moves in an upright plane.
+bool moves_upright(const Case& c) {
+  return !is_turning_drum(c) && std::abs(kinematics::plane_normal(*c.mill.motion).z) < 1e-9;
+}
+bool stands_upright(const Case& c) {
+  return moves_upright(c) && std::abs(c.mill.jar_axis.z) > 1 - 1e-9;
+}
+
 }  // namespace
 
 std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
@@ -164,42 +175,61 @@ std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
   return line;
 }
 
-std::vector<Measure> bed_measures(const Case& mill_case) {
-  const Vec3 normal = kinematics::plane_normal(*mill_case.mill.motion);
-  const bool upright = std::abs(normal.z) < 1e-9;
-  if (turning_drum(mill_case) == nullptr) {
-    if (!upright) return {};
-    std::vector<Measure> list{{"charge_height", "m",
-                               "mean height of the balls' centre of mass above the jar's centre",
-                               centre_height}};
-    if (std::abs(mill_case.mill.jar_axis.z) > 1 - 1e-9)
-      list.push_back({"charge_rise", "m",
-                      "mean height of the balls' centre of mass above that of the charge at rest "
-                      "on the bottom, at a packing of 0.6",
-                      charge_rise});
-    return list;
-  }
+Measures bed_measures() {
   return {
-      {"bed_angle", "deg",
+      {"charge_height",
+       "m",
+       "mean height of the balls' centre of mass above the jar's centre",
+       centre_height,
+       {.range = any_value,
+        .applies = moves_upright,
+        .only = "mills that move in an upright plane, no drums"}},
+      {"charge_rise",
+       "m",
+       "mean height of the balls' centre of mass above that of the charge at rest on the bottom, "
+       "at a packing of 0.6",
+       charge_rise,
+       {.range = any_value,
+        .equation = "obs.12",
+        .applies = stands_upright,
+        .only = "the same mills with an upright jar"}},
+      {"bed_angle",
+       "deg",
        "angle of the charge's centre of mass from the lowest point in the sense of rotation: the "
        "slope of a flat bed",
-       bed_angle},
-      {"charge_distance", "m", "distance of the charge's centre of mass from the drum's axis",
-       centre_distance},
-      {"charge_lever_arm", "m",
+       bed_angle,
+       {.range = any_value, .equation = "obs.10", .applies = is_turning_drum, .only = "drums"}},
+      {"charge_distance",
+       "m",
+       "distance of the charge's centre of mass from the drum's axis",
+       centre_distance,
+       {.applies = is_turning_drum, .only = "drums"}},
+      {"charge_lever_arm",
+       "m",
        "horizontal distance of the charge's centre of mass from the drum's axis: torque over "
        "weight",
-       [](const Case& c, const Replicate& r) { return sense(c) * centre(r.charge.in_carrier).x; }},
-      {"surface_distance", "m",
+       [](const Case& c, const Replicate& r) { return sense(c) * centre(r.charge.in_carrier).x; },
+       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+      {"surface_distance",
+       "m",
        "distance of the bed's surface from the axis, along the line through the centre of mass",
-       [](const Case& c, const Replicate& r) { return layer_of(c, r).top; }},
-      {"surface_layer_bottom", "m",
+       [](const Case& c, const Replicate& r) { return layer_of(c, r).top; },
+       {.range = any_value, .equation = "obs.11", .applies = is_turning_drum, .only = "drums"}},
+      {"surface_layer_bottom",
+       "m",
        "distance from the axis at which the velocity along the surface vanishes, on that line",
-       [](const Case& c, const Replicate& r) { return layer_of(c, r).bottom; }},
-      {"surface_speed", "m/s", "largest speed down the slope in the surface layer, on that line",
-       [](const Case& c, const Replicate& r) { return layer_of(c, r).speed; }},
-      {"surface_shear_rate", "1/s", "mean shear rate of the surface layer, on that line",
-       [](const Case& c, const Replicate& r) { return layer_of(c, r).shear_rate; }},
+       [](const Case& c, const Replicate& r) { return layer_of(c, r).bottom; },
+       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+      {"surface_speed",
+       "m/s",
+       "largest speed down the slope in the surface layer, on that line",
+       [](const Case& c, const Replicate& r) { return layer_of(c, r).speed; },
+       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+      {"surface_shear_rate",
+       "1/s",
+       "mean shear rate of the surface layer, on that line",
+       [](const Case& c, const Replicate& r) { return layer_of(c, r).shear_rate; },
+       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
   };
 }
 

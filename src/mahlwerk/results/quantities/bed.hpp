@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // The bed of a drum from the mean fields of its charge: slope, surface layer and velocity profile
 // (obs.10, obs.11).
@@ -24,7 +24,7 @@ std::vector<BedPoint> bed_profile(const cases::Case& mill_case, const Replicate&
 
 /// Slope of the bed, distance of its centre of mass, surface speed, boundary and shear rate of the
 /// surface layer (drums), and height of the centre of mass (other mills in an upright plane).
-std::vector<Measure> bed_measures(const cases::Case& mill_case);
+Measures bed_measures();
 
 /// bed.csv: the profile with intervals over replicates.
 Table bed_table(const Outcome& outcome);

@@ -22,40 +22,64 @@ double ratio(const cases::Case& c) {
 
 }  // namespace
 
-std::vector<Measure> grain_measures(const cases::Case& mill_case) {
-  if (!mill_case.powder || !mill_case.powder->grain_size) return {};
-  std::vector<Measure> list{
-      {"grain_count", "1", "spheres that represent the powder",
-       [](const cases::Case& c, const Replicate&) {
-         return static_cast<double>(c.balls.back().count);
-       },
-       true},
-      {"coarse_graining_ratio", "1", "size of a grain over the powder's size",
-       [](const cases::Case& c, const Replicate&) { return ratio(c); }, true},
-      {"particles_per_grain", "1", "particles of the powder that each grain represents",
-       [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); }, true},
+Measures grain_measures() {
+  const auto powder_as_grains = [](const cases::Case& c) {
+    return c.powder && c.powder->grain_size;
   };
-  if (!mill_case.powder->size) list.resize(1);
-  return list;
+  const auto of_known_size = [](const cases::Case& c) { return c.powder->size.has_value(); };
+  return where(
+      powder_as_grains, "with powder as grains",
+      {
+          {"grain_count",
+           "1",
+           "spheres that represent the powder",
+           [](const cases::Case& c, const Replicate&) {
+             return static_cast<double>(c.balls.back().count);
+           },
+           {.heading = "Powder as grains", .worst = true}},
+          {"coarse_graining_ratio",
+           "1",
+           "size of a grain over the powder's size",
+           [](const cases::Case& c, const Replicate&) { return ratio(c); },
+           {.worst = true, .applies = of_known_size, .only = "of a given size"}},
+          {"particles_per_grain",
+           "1",
+           "particles of the powder that each grain represents",
+           [](const cases::Case& c, const Replicate&) { return ratio(c) * ratio(c) * ratio(c); },
+           {.worst = true, .applies = of_known_size, .only = "of a given size"}},
+      });
 }
 
-std::vector<Measure> check_measures() {
+Measures check_measures() {
   return {
-      {"energy_residual", "1",
+      {"energy_residual",
+       "1",
        "largest relative residual of one collision's energy balance, over all replicates",
        [](const cases::Case&, const Replicate& r) { return r.energy_balance.worst_collision; },
-       true},
-      {"energy_balance", "1",
+       {.label = "worst collision residual", .heading = "Numerical accuracy", .worst = true}},
+      {"energy_balance",
+       "1",
        "residual of a whole run's energy balance over wall work + losses + energy at the start, "
        "in the worst replicate",
-       energy_balance, true},
-      {"deepest_overlap", "1",
+       energy_balance,
+       {.label = "energy balance residual", .worst = true}},
+      {"deepest_overlap",
+       "1",
        "deepest overlap of two colliding bodies over the ball's radius, over all replicates",
        [](const cases::Case&, const Replicate& r) { return r.energy_balance.deepest_overlap; },
-       true},
+       {.label = "deepest overlap over radius", .worst = true}},
       {"simulated_time", "s", "counted time of one replicate",
        [](const cases::Case&, const Replicate& r) { return r.time(); }},
   };
+}
+
+const Measures& measures_of_whole() {
+  static const Measures list{
+      {"settling_time", "s",
+       "initial transient within the counted time, by the dissipated power (MSER-5)", nullptr},
+      {"replicates", "1", "number of independent replicates in the means", nullptr},
+  };
+  return list;
 }
 
 }  // namespace mahlwerk::results

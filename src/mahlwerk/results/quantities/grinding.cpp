@@ -208,55 +208,91 @@ CaptureRates capture_of(const Replicate& r) {
 
 }  // namespace
 
-std::vector<Measure> capture_measures(const Case& mill_case) {
-  if (!mill_case.capture) return {};
-  return {
-      {"captured_mass_rate", "kg/s", "mass of powder that collisions capture per second",
-       [](const Case&, const Replicate& r) { return capture_of(r).mass; }},
-      {"captured_share_rate", "1/s",
-       "captured mass rate over the mass of the powder: how often a grain is hit",
-       [](const Case& c, const Replicate& r) { return capture_of(r).mass / c.powder->mass; }},
-      {"captured_grains_mean", "1",
-       "captured grains of the feed's median size in a collision, mean weighted by energy",
-       [](const Case&, const Replicate& r) { return capture_of(r).grains; }},
-      {"captured_energy_mean", "J/g",
-       "energy that captured powder gets in a collision, by its mass",
-       [](const Case&, const Replicate& r) {
-         const CaptureRates rates = capture_of(r);
-         return share(rates.power, 1000 * rates.mass);
-       }},
-      {"captured_dose_rate", "W/g", "power that captured grains get, by mass of the powder",
-       [](const Case& c, const Replicate& r) {
-         return capture_of(r).power / (1000 * c.powder->mass);
-       }},
-  };
+Measures capture_measures() {
+  const auto captures = [](const Case& c) { return c.capture.has_value(); };
+  return where(
+      captures, "with `[capture]`",
+      {
+          {"captured_mass_rate",
+           "kg/s",
+           "mass of powder that collisions capture per second",
+           [](const Case&, const Replicate& r) { return capture_of(r).mass; },
+           {.label = "powder captured",
+            .heading = "Powder captured by collisions",
+            .column = 4,
+            .column_head = "captured"}},
+          {"captured_share_rate",
+           "1/s",
+           "captured mass rate over the mass of the powder: how often a grain is hit",
+           [](const Case& c, const Replicate& r) { return capture_of(r).mass / c.powder->mass; },
+           {.label = "captures per grain"}},
+          {"captured_grains_mean",
+           "1",
+           "captured grains of the feed's median size in a collision, mean weighted by energy",
+           [](const Case&, const Replicate& r) { return capture_of(r).grains; },
+           {.label = "grains captured per collision", .column = 5}},
+          {"captured_energy_mean",
+           "J/g",
+           "energy that captured powder gets in a collision, by its mass",
+           [](const Case&, const Replicate& r) {
+             const CaptureRates rates = capture_of(r);
+             return share(rates.power, 1000 * rates.mass);
+           },
+           {.label = "energy of captured powder"}},
+          {"captured_dose_rate",
+           "W/g",
+           "power that captured grains get, by mass of the powder",
+           [](const Case& c, const Replicate& r) {
+             return capture_of(r).power / (1000 * c.powder->mass);
+           },
+           {.label = "power of captured powder"}},
+      });
 }
 
-std::vector<Measure> grinding_measures(const Case& mill_case) {
-  if (!mill_case.grinding) return {};
-  std::vector<Measure> list{
-      {"d10", "m", "size that 10 % of the powder's mass is finer than, after milling",
-       [](const Case&, const Replicate& r) { return size_at_end(r, 0.1); }},
-      {"d50", "m", "median size by mass, after milling",
-       [](const Case&, const Replicate& r) { return size_at_end(r, 0.5); }},
-      {"d90", "m", "size that 90 % of the powder's mass is finer than, after milling",
-       [](const Case&, const Replicate& r) { return size_at_end(r, 0.9); }},
-      {"specific_surface", "m2/kg", "specific surface of spheres of these sizes, after milling",
-       [](const Case& c, const Replicate& r) {
-         return at_end(r, [&](const auto& grid, const auto& shares) {
-           return powder::specific_surface(grid, shares, *c.powder->density);
-         });
-       }},
-      {"finest_share", "1", "share of the mass in the finest class, which does not break further",
-       [](const Case&, const Replicate& r) {
-         return at_end(r, [](const auto&, const auto& shares) { return shares.back(); });
-       }},
-      {"specific_grinding_energy", "J/g", "energy that captured grains got over the milling time",
-       [](const Case& c, const Replicate& r) {
-         return capture_of(r).power * c.grinding->time / (1000 * c.powder->mass);
-       }},
-  };
-  return list;
+Measures grinding_measures() {
+  const auto grinds = [](const Case& c) { return c.grinding.has_value(); };
+  return where(grinds, "with `[grinding]`",
+               {
+                   {"d10",
+                    "m",
+                    "size that 10 % of the powder's mass is finer than, after milling",
+                    [](const Case&, const Replicate& r) { return size_at_end(r, 0.1); },
+                    {.label = "D10", .symbol = "$d_{10}$", .heading = "Fineness"}},
+                   {"d50",
+                    "m",
+                    "median size by mass, after milling",
+                    [](const Case&, const Replicate& r) { return size_at_end(r, 0.5); },
+                    {.label = "D50", .symbol = "$d_{50}$", .key = 9, .column = 2}},
+                   {"d90",
+                    "m",
+                    "size that 90 % of the powder's mass is finer than, after milling",
+                    [](const Case&, const Replicate& r) { return size_at_end(r, 0.9); },
+                    {.label = "D90", .symbol = "$d_{90}$", .column = 1}},
+                   {"specific_surface",
+                    "m2/kg",
+                    "specific surface of spheres of these sizes, after milling",
+                    [](const Case& c, const Replicate& r) {
+                      return at_end(r, [&](const auto& grid, const auto& shares) {
+                        return powder::specific_surface(grid, shares, *c.powder->density);
+                      });
+                    },
+                    {.symbol = "$S_{m}$", .equation = "siz.3"}},
+                   {"finest_share",
+                    "1",
+                    "share of the mass in the finest class, which does not break further",
+                    [](const Case&, const Replicate& r) {
+                      return at_end(r,
+                                    [](const auto&, const auto& shares) { return shares.back(); });
+                    },
+                    {.range = share_of_whole, .label = "share in the finest class"}},
+                   {"specific_grinding_energy",
+                    "J/g",
+                    "energy that captured grains got over the milling time",
+                    [](const Case& c, const Replicate& r) {
+                      return capture_of(r).power * c.grinding->time / (1000 * c.powder->mass);
+                    },
+                    {.label = "grinding energy"}},
+               });
 }
 
 }  // namespace mahlwerk::results

@@ -6,9 +6,9 @@
 
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Capture, grinding and dose of the powder (docs/theory/powder.md).
 namespace mahlwerk::results {
@@ -44,8 +44,8 @@ CaptureRates capture_rates(const cases::Case& mill_case, const powder::StressSpe
 /// replicate, from 0, which selects its random numbers.
 void grind(const cases::Case& mill_case, Replicate& replicate, int index);
 
-std::vector<Measure> capture_measures(const cases::Case& mill_case);
-std::vector<Measure> grinding_measures(const cases::Case& mill_case);
+Measures capture_measures();
+Measures grinding_measures();
 
 Table capture(const Outcome& outcome);  ///< capture.csv: a row per pair and bin of energy
 Table captured_grains(

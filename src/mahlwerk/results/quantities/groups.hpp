@@ -11,40 +11,40 @@
 namespace mahlwerk::results {
 
 // collisions.cpp
-std::vector<Measure> collision_rates();
-/// Collision rates between balls and with the jar; empty for a single ball.
-std::vector<Measure> collision_rates_by_partner(const cases::Case& mill_case);
+Measures collision_rates();
+/// Collision rates between balls and with the jar, of several balls.
+Measures collision_rates_by_partner();
 /// Means over all collisions, and over those above the threshold.
-std::vector<Measure> collision_means();
+Measures collision_means();
 
 // power.cpp
 /// Drawn and dissipated power, and the time in sustained contact.
-std::vector<Measure> power_measures();
+Measures power_measures();
 /// Dissipated power by mechanism (soft engine). Normal, tangential and rolling power sum to the
 /// dissipated power; sliding power is part of the tangential one.
-std::vector<Measure> loss_measures(const cases::Case& mill_case);
+Measures loss_measures();
 /// Influence of the TC rule on an event run (man.8).
-std::vector<Measure> contact_time_measures(const cases::Case& mill_case);
+Measures contact_time_measures();
 
 // milling.cpp
 /// Impacts per ball, power of all jars, torque.
-std::vector<Measure> mill_measures(const cases::Case& mill_case);
-/// Dose and stress of the powder; empty without [powder].
-std::vector<Measure> dose_measures(const cases::Case& mill_case);
+Measures mill_measures();
+/// Dose and stress of the powder.
+Measures dose_measures();
 /// Dissipated power of finished collisions, and of sustained and unfinished contacts (obs.3).
-std::vector<Measure> energy_balance_measures();
+Measures energy_balance_measures();
 
 // motion.cpp
 /// Occupied share of the jar's cross-section (tumbling and planetary mills) and root mean square
 /// speeds of the balls (obs.9).
-std::vector<Measure> motion_measures(const cases::Case& mill_case);
+Measures motion_measures();
 /// Tangential impact energy per collision and per second, and the share of grazing impacts.
-std::vector<Measure> tangential_measures();
+Measures tangential_measures();
 
 // checks.cpp
 /// Numbers of powder as grains, the same in every replicate.
-std::vector<Measure> grain_measures(const cases::Case& mill_case);
+Measures grain_measures();
 /// Checks of a run's accuracy: energy residuals and the deepest overlap.
-std::vector<Measure> check_measures();
+Measures check_measures();
 
 }  // namespace mahlwerk::results

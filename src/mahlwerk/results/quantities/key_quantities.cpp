@@ -3,50 +3,13 @@
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "mahlwerk/results/quantities/measure.hpp"
+
 namespace mahlwerk::results {
-namespace {
-
-constexpr std::array<std::string_view, 13> first_asked{"dissipated_power",
-                                                       "collision_rate_above_threshold",
-                                                       "energy_normal_mean_above_threshold",
-                                                       "specific_energy_dose_rate",
-                                                       "specific_energy_dose_per_hour",
-                                                       "specific_energy_dose",
-                                                       "time_to_dose",
-                                                       "temperature_balls",
-                                                       "d50",
-                                                       "conversion",
-                                                       "contamination_rate",
-                                                       "motor_power",
-                                                       "heard_hit_rate"};
-
-/// The first quantity of each group, and the group's heading. Every result with the group has that
-/// quantity.
-using Group = std::pair<std::string_view, std::string_view>;
-constexpr std::array groups{
-    Group{"collision_rate", "Collisions"},
-    Group{"dissipated_power", "Power and contacts"},
-    Group{"specific_energy_dose_rate", "Energy per mass of powder"},
-    Group{"flight_share", "Motion of the charge"},
-    Group{"wear_rate_balls", "Wear"},
-    Group{"temperature_balls", "Temperatures"},
-    Group{"captured_mass_rate", "Powder captured by collisions"},
-    Group{"d10", "Fineness"},
-    Group{"milling_dose", "Dose"},
-    Group{"motor_power", "Power meter"},
-    Group{"heard_hit_rate", "Microphone"},
-    Group{"acceleration_rms", "Accelerometer"},
-    Group{"thermocouple_reading", "Thermocouple"},
-    Group{"grain_count", "Powder as grains"},
-    Group{"energy_residual", "Numerical accuracy"},
-};
-
-}  // namespace
-
 std::optional<std::pair<double, double>> Sensitivity::range(std::string_view quantity,
                                                             double value) const {
   const auto found = std::ranges::find(quantities, quantity);
@@ -62,19 +25,44 @@ std::optional<std::pair<double, double>> Sensitivity::range(std::string_view qua
   return std::pair{low, high};
 }
 
+namespace {
+
+/// Names of the records that have a place, in that order.
+std::vector<std::string> in_places(int QuantityTraits::*place) {
+  std::map<int, std::string> sorted;
+  for (const Measure& m : all_measures())
+    if (m.traits.*place > 0) sorted[m.traits.*place] = m.name;
+  std::vector<std::string> names;
+  for (const auto& [number, name] : sorted) names.push_back(name);
+  return names;
+}
+
+std::string_view heading_of(std::string_view quantity) {
+  const Measure* record = record_of(quantity);
+  return record == nullptr ? std::string_view() : record->traits.heading;
+}
+
+}  // namespace
+
 std::vector<std::string> key_quantities(const std::vector<Quantity>& list) {
+  static const std::vector<std::string> all = in_places(&QuantityTraits::key);
   std::vector<std::string> found;
-  for (const std::string_view name : first_asked)
-    if (std::ranges::find(list, name, &Quantity::name) != list.end()) found.emplace_back(name);
+  for (const std::string& name : all)
+    if (std::ranges::find(list, name, &Quantity::name) != list.end()) found.push_back(name);
   return found;
+}
+
+const std::vector<std::string>& usual_columns() {
+  static const std::vector<std::string> all = in_places(&QuantityTraits::column);
+  return all;
 }
 
 std::vector<QuantityGroup> quantity_groups(const std::vector<Quantity>& list) {
   std::vector<QuantityGroup> all;
   for (const Quantity& q : list) {
-    const auto begins = std::ranges::find(groups, q.name, &Group::first);
-    if (begins != groups.end() || all.empty())
-      all.push_back({begins == groups.end() ? std::string_view("Results") : begins->second, {}});
+    const std::string_view heading = heading_of(q.name);
+    if (!heading.empty() || all.empty())
+      all.push_back({heading.empty() ? std::string_view("Results") : heading, {}});
     all.back().names.push_back(q.name);
   }
   return all;

@@ -14,6 +14,9 @@ namespace mahlwerk::results {
 /// Names of the quantities that answer what a user asks first, as far as the list has them.
 std::vector<std::string> key_quantities(const std::vector<Quantity>& list);
 
+/// Names of the quantities that the tables of campaigns begin with, the powder first.
+const std::vector<std::string>& usual_columns();
+
 /// Quantities that are shown together under a heading.
 struct QuantityGroup {
   std::string_view heading;

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
@@ -97,80 +100,125 @@ powder::ImpactRates impact_rates(const Case& c, const Replicate& r) {
 }
 
 /// Of a case with model = "by-impact", in the units that papers print.
-std::vector<Measure> impact_measures() {
+bool by_hits(const Case& c) {
+  return powder::reads_hits(*c.kinetics->model);
+}
+bool of_two_products(const Case& c) {
+  return powder::has_second_product(*c.kinetics->model);
+}
+bool ignites(const Case& c) {
+  return std::holds_alternative<powder::IgnitionKinetics>(*c.kinetics->model);
+}
+
+/// The impact rates of a replicate, or NaN without any.
+template <class Of>
+double of_impacts(const Case& c, const Replicate& r, const Of& of) {
+  return r.grinding ? of(impact_rates(c, r)) : undefined;
+}
+
+Measures reaction_measures() {
   return {
-      {"processing_hit_rate", "1/s", "hits per second that process powder",
+      {"milling_dose",
+       "J/g",
+       "energy by mass of powder over the milling time",
+       [](const Case& c, const Replicate& r) { return milling_dose(c, r) / 1000; },
+       {.heading = "Dose"}},
+      {"milling_dose_per_mole",
+       "kJ/mol",
+       "energy by amount of powder, likewise",
        [](const Case& c, const Replicate& r) {
-         return r.grinding ? impact_rates(c, r).hits : undefined;
-       }},
-      {"processing_hit_energy", "J", "mean energy of the hits that process powder",
-       [](const Case& c, const Replicate& r) {
-         if (!r.grinding) return undefined;
-         const powder::ImpactRates rates = impact_rates(c, r);
-         return share(rates.power, rates.hits);
-       }},
-      {"processed_mass_per_hit", "kg", "mean mass of powder that such a hit processes",
-       [](const Case& c, const Replicate& r) {
-         if (!r.grinding) return undefined;
-         const powder::ImpactRates rates = impact_rates(c, r);
-         return share(rates.mass, rates.hits);
-       }},
-      {"processed_share_per_hit", "1", "k: that mass over the mass of the powder",
-       [](const Case& c, const Replicate& r) {
-         if (!r.grinding) return undefined;
-         const powder::ImpactRates rates = impact_rates(c, r);
-         return share(rates.mass, rates.hits * c.powder->mass);
-       }},
-      {"processing_rate", "1/s", "how often hits process each part of the reactant, per second",
-       [](const Case& c, const Replicate& r) {
-         return r.grinding ? impact_rates(c, r).first : undefined;
-       }},
+         return milling_dose(c, r) * *c.kinetics->molar_mass / 1000;
+       },
+       {.applies = [](const Case& c) { return c.kinetics->molar_mass.has_value(); },
+        .only = "and `molar_mass`"}},
+      {"conversion",
+       "1",
+       "conversion after milling, by [kinetics]",
+       [](const Case& c, const Replicate& r) { return shares_at_end(c, r).conversion; },
+       {.range = share_of_whole, .symbol = "$X$", .key = 10, .column = 3}},
+      {"yield",
+       "1",
+       "share of the first product, after milling",
+       [](const Case& c, const Replicate& r) { return shares_at_end(c, r).product; },
+       {.range = share_of_whole, .applies = of_two_products, .only = "with two reactions"}},
+      {"second_yield",
+       "1",
+       "share of the second product, after milling",
+       [](const Case& c, const Replicate& r) { return shares_at_end(c, r).second_product; },
+       {.range = share_of_whole, .applies = of_two_products, .only = "with two reactions"}},
   };
 }
 
-void add_products(const Case& mill_case, std::vector<Measure>& list) {
-  if (!powder::has_second_product(*mill_case.kinetics->model)) return;
-  list.push_back({"yield", "1", "share of the first product, after milling",
-                  [](const Case& c, const Replicate& r) { return shares_at_end(c, r).product; }});
-  list.push_back(
-      {"second_yield", "1", "share of the second product, after milling",
-       [](const Case& c, const Replicate& r) { return shares_at_end(c, r).second_product; }});
+Measures impact_measures() {
+  return {
+      {"processing_hit_rate",
+       "1/s",
+       "hits per second that process powder",
+       [](const Case& c, const Replicate& r) {
+         return of_impacts(c, r, [](const powder::ImpactRates& i) { return i.hits; });
+       },
+       {.applies = by_hits, .only = "under `model = \"by-impact\"`"}},
+      {"processing_hit_energy",
+       "J",
+       "mean energy of the hits that process powder",
+       [](const Case& c, const Replicate& r) {
+         return of_impacts(c, r,
+                           [](const powder::ImpactRates& i) { return share(i.power, i.hits); });
+       },
+       {.applies = by_hits, .only = "under `model = \"by-impact\"`"}},
+      {"processed_mass_per_hit",
+       "kg",
+       "mean mass of powder that such a hit processes",
+       [](const Case& c, const Replicate& r) {
+         return of_impacts(c, r,
+                           [](const powder::ImpactRates& i) { return share(i.mass, i.hits); });
+       },
+       {.applies = by_hits, .only = "under `model = \"by-impact\"`"}},
+      {"processed_share_per_hit",
+       "1",
+       "k: that mass over the mass of the powder",
+       [](const Case& c, const Replicate& r) {
+         return of_impacts(c, r, [&](const powder::ImpactRates& i) {
+           return share(i.mass, i.hits * c.powder->mass);
+         });
+       },
+       {.range = share_of_whole, .applies = by_hits, .only = "under `model = \"by-impact\"`"}},
+      {"processing_rate",
+       "1/s",
+       "how often hits process each part of the reactant, per second",
+       [](const Case& c, const Replicate& r) {
+         return of_impacts(c, r, [](const powder::ImpactRates& i) { return i.first; });
+       },
+       {.applies = by_hits, .only = "under `model = \"by-impact\"`"}},
+      {"ignition_time",
+       "s",
+       "milling time until the powder ignites",
+       [](const Case& c, const Replicate& r) {
+         const double time = r.grinding ? ignition_time(c, r.grinding->conditions) : undefined;
+         return std::isfinite(time) ? time : undefined;
+       },
+       {.equation = "rea.8", .applies = ignites, .only = "under `model = \"ignition\"`"}},
+      {"property",
+       "1",
+       "property of the powder ([kinetics] property), after milling",
+       [](const Case& c, const Replicate& r) {
+         if (!r.grinding) return undefined;
+         return std::lerp(c.kinetics->initial, c.kinetics->final, shares_at_end(c, r).conversion);
+       },
+       {.range = any_value,
+        .applies = [](const Case& c) { return !c.kinetics->property.empty(); },
+        .only = "and `property`",
+        .about = [](const Case& c) { return c.kinetics->property + ", after milling"; }}},
+  };
 }
 
 }  // namespace
 
-std::vector<Measure> kinetics_measures(const Case& mill_case) {
-  if (!mill_case.kinetics) return {};
-  const cases::Kinetics& k = *mill_case.kinetics;
-  std::vector<Measure> list{
-      {"milling_dose", "J/g", "energy by mass of powder over the milling time",
-       [](const Case& c, const Replicate& r) { return milling_dose(c, r) / 1000; }},
-      {"conversion", "1", "conversion after milling, by [kinetics]",
-       [](const Case& c, const Replicate& r) { return shares_at_end(c, r).conversion; }},
-  };
-  if (k.molar_mass)
-    list.insert(list.begin() + 1,
-                {"milling_dose_per_mole", "kJ/mol", "energy by amount of powder, likewise",
-                 [](const Case& c, const Replicate& r) {
-                   return milling_dose(c, r) * *c.kinetics->molar_mass / 1000;
-                 }});
-  add_products(mill_case, list);
-  if (powder::reads_hits(*k.model))
-    for (Measure& m : impact_measures()) list.push_back(std::move(m));
-  if (std::holds_alternative<powder::IgnitionKinetics>(*k.model))
-    list.push_back({"ignition_time", "s", "milling time until the powder ignites",
-                    [](const Case& c, const Replicate& r) {
-                      const double time =
-                          r.grinding ? ignition_time(c, r.grinding->conditions) : undefined;
-                      return std::isfinite(time) ? time : undefined;
-                    }});
-  if (!k.property.empty())
-    list.push_back(
-        {"property", "1", k.property + ", after milling", [](const Case& c, const Replicate& r) {
-           if (!r.grinding) return undefined;
-           return std::lerp(c.kinetics->initial, c.kinetics->final, shares_at_end(c, r).conversion);
-         }});
-  return list;
+Measures kinetics_measures() {
+  Measures list = reaction_measures();
+  std::ranges::move(impact_measures(), std::back_inserter(list));
+  return where([](const Case& c) { return c.kinetics.has_value(); }, "with `[kinetics]`",
+               std::move(list));
 }
 
 Table conversion(const Outcome& outcome) {

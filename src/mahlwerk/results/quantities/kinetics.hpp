@@ -7,9 +7,9 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/powder/kinetics/milling_conditions.hpp"
 #include "mahlwerk/powder/stress.hpp"
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Kinetics of a reaction of the powder (docs/theory/kinetics.md).
 namespace mahlwerk::results {
@@ -28,7 +28,7 @@ bool kinetics_reads_hits(const cases::Case& mill_case);
 /// is beyond ten times the milling time.
 double ignition_time(const cases::Case& mill_case, const powder::MillingConditions& mill);
 
-std::vector<Measure> kinetics_measures(const cases::Case& mill_case);
+Measures kinetics_measures();
 Table conversion(const Outcome& outcome);  ///< conversion.csv: over time and dose
 
 /// Warnings on [kinetics]: no hit reaches the threshold, or too few; no ignition.

@@ -5,23 +5,47 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
 
-// Definitions of summary quantities, each computed from a case and one of its replicates.
+// The register of quantities. Each is one record: what it is, how it is shown, and its function of
+// a case and one of its replicates.
 namespace mahlwerk::results {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
+/// The record of a quantity: all that files, tables, pages and axes need to know of it.
 struct Measure {
   std::string name, unit, about;
-  double (*compute)(const cases::Case&, const Replicate&);
-  bool worst = false;  ///< the summary has the largest value over replicates instead of the mean
+  double (*compute)(const cases::Case&, const Replicate&);  ///< in one replicate
+  QuantityTraits traits = {};
+  bool (*group_applies)(const cases::Case&) = nullptr;  ///< as traits.applies, of its group
+  std::string_view group_only = {};                     ///< as traits.only, of its group
 };
 
+using Measures = std::vector<Measure>;
+
+/// The records, which only some cases have: those for which `applies` is true, in words `only`.
+Measures where(bool (*applies)(const cases::Case&), std::string_view only, Measures list);
+
+/// The records of all quantities that each replicate may have, in the order of summary.json.
+const Measures& all_measures();
+
+/// The records of quantities of all replicates together, which summarise() computes.
+const Measures& measures_of_whole();
+
+/// The record of that name, or null.
+const Measure* record_of(std::string_view quantity);
+
+/// The records of `list` that the case has, with its descriptions.
+Measures applying(const Measures& list, const cases::Case& mill_case);
 /// All quantities that each replicate of a case has, in the order of summary.json.
-std::vector<Measure> measures(const cases::Case& mill_case);
+inline Measures measures(const cases::Case& mill_case) {
+  return applying(all_measures(), mill_case);
+}
 
 inline double share(double part, double whole) {
   return whole > 0 ? part / whole : undefined;

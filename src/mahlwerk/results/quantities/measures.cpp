@@ -2,41 +2,108 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The groups of quantities, in the order of summary.json.
+#include <algorithm>
+#include <iterator>
+#include <map>
+
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
+namespace {
 
-std::vector<Measure> measures(const cases::Case& mill_case) {
-  std::vector<Measure> all;
-  for (const std::vector<Measure>& group : {collision_rates(),
-                                            collision_rates_by_partner(mill_case),
-                                            collision_means(),
-                                            power_measures(),
-                                            loss_measures(mill_case),
-                                            contact_time_measures(mill_case),
-                                            mill_measures(mill_case),
-                                            energy_balance_measures(),
-                                            dose_measures(mill_case),
-                                            regime_measures(mill_case),
-                                            motion_measures(mill_case),
-                                            bed_measures(mill_case),
-                                            tangential_measures(),
-                                            wear_measures(mill_case),
-                                            heat_measures(mill_case),
-                                            capture_measures(mill_case),
-                                            grinding_measures(mill_case),
-                                            kinetics_measures(mill_case),
-                                            sensor_measures(mill_case),
-                                            grain_measures(mill_case),
-                                            check_measures()})
-    all.insert(all.end(), group.begin(), group.end());
+constexpr std::string_view above_threshold = "_above_threshold";
+
+Measures all_groups() {
+  Measures all;
+  for (Measures (*group)() : {collision_rates,     collision_rates_by_partner,
+                              collision_means,     power_measures,
+                              loss_measures,       contact_time_measures,
+                              mill_measures,       energy_balance_measures,
+                              dose_measures,       regime_measures,
+                              motion_measures,     bed_measures,
+                              tangential_measures, wear_measures,
+                              heat_measures,       capture_measures,
+                              grinding_measures,   kinetics_measures,
+                              sensor_measures,     grain_measures,
+                              check_measures})
+    std::ranges::move(group(), std::back_inserter(all));
   return all;
+}
+
+using RecordsByName = std::map<std::string_view, const Measure*>;
+
+RecordsByName all_records() {
+  RecordsByName all;
+  for (const Measures* list : {&all_measures(), &measures_of_whole()})
+    for (const Measure& m : *list) all.emplace(m.name, &m);
+  return all;
+}
+
+using TraitsByName = std::map<std::string_view, QuantityTraits>;
+
+TraitsByName all_traits() {
+  TraitsByName all;
+  for (const auto& [name, record] : all_records()) all.emplace(name, record->traits);
+  for (const PairMeasure& m : pair_measures()) all.emplace(m.name, m.traits);
+  return all;
+}
+
+std::string_view over_all_collisions(std::string_view quantity) {
+  if (quantity.ends_with(above_threshold)) quantity.remove_suffix(above_threshold.size());
+  return quantity;
+}
+
+}  // namespace
+
+Measures where(bool (*applies)(const cases::Case&), std::string_view only, Measures list) {
+  for (Measure& m : list) {
+    m.group_applies = applies;
+    m.group_only = only;
+  }
+  return list;
+}
+
+const Measures& all_measures() {
+  static const Measures all = all_groups();
+  return all;
+}
+
+const Measure* record_of(std::string_view quantity) {
+  static const RecordsByName all = all_records();
+  const auto found = all.find(quantity);
+  return found == all.end() ? nullptr : found->second;
+}
+
+Measures applying(const Measures& list, const cases::Case& mill_case) {
+  Measures there;
+  for (const Measure& m : list) {
+    if (m.group_applies != nullptr && !m.group_applies(mill_case)) continue;
+    if (m.traits.applies != nullptr && !m.traits.applies(mill_case)) continue;
+    there.push_back(m);
+    if (m.traits.about != nullptr) there.back().about = m.traits.about(mill_case);
+  }
+  return there;
+}
+
+const QuantityTraits& traits_of(std::string_view quantity) {
+  static const TraitsByName all = all_traits();
+  static const QuantityTraits none{.range = any_value};
+  const auto found = all.find(over_all_collisions(quantity));
+  return found == all.end() ? none : found->second;
+}
+
+std::string label_of(std::string_view quantity) {
+  const std::string_view base = over_all_collisions(quantity);
+  std::string text(traits_of(base).label.empty() ? base : traits_of(base).label);
+  if (traits_of(base).label.empty()) std::ranges::replace(text, '_', ' ');
+  return base == quantity ? text : text + " above threshold";
 }
 
 }  // namespace mahlwerk::results

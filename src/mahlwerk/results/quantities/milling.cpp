@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "mahlwerk/base/elementary.hpp"
@@ -42,47 +44,6 @@ double power_number(const Case& c, const Replicate& r) {
   return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * math::pow(vessel.arm_span, 5));
 }
 
-/// The charge of balls: of a campaign that varies sizes, these are columns.
-void add_charge_measures(std::vector<Measure>& list) {
-  list.push_back({"ball_count", "1", "number of balls of all sets",
-                  [](const Case& c, const Replicate&) { return count_of_balls(c); }});
-  list.push_back({"balls_mass", "g", "mass of all balls", [](const Case& c, const Replicate&) {
-                    return 1000 * cases::balls_mass(c.balls);
-                  }});
-}
-
-/// Speed and filling of a drum, as comminution states them.
-void add_drum_measures(const Case& mill_case, std::vector<Measure>& list) {
-  if (cases::drum_motion(mill_case) == nullptr) return;
-  list.push_back({"drum_speed", "rpm", "speed of the drum", [](const Case& c, const Replicate&) {
-                    return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
-                  }});
-  list.push_back({"bulk_filling", "1",
-                  "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
-                  [](const Case& c, const Replicate&) {
-                    return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
-                  }});
-  if (cases::void_filling(mill_case))
-    list.push_back({"void_filling", "1",
-                    "U: bulk volume of the powder over the voids between the balls at rest",
-                    [](const Case& c, const Replicate&) {
-                      return *cases::void_filling(c);  // (obs.15)
-                    }});
-}
-
-void add_stirrer_measures(const Case& mill_case, std::vector<Measure>& list) {
-  if (stirrer(mill_case) == nullptr) return;
-  list.push_back({"rotor_torque", "N m",
-                  "drawn power over the speed of the rotor; without friction of the drive",
-                  [](const Case& c, const Replicate& r) {
-                    return drawn(r) / *cases::shaft_speed(c);  // (obs.16)
-                  }});
-  list.push_back({"power_number", "1",
-                  "Np: drawn power over rho N^3 d^5, with the bulk density rho of the balls, the "
-                  "turns N of the rotor per second and its diameter d",
-                  power_number});
-}
-
 /// [1] Number of powder particles; NaN if their size is not known.
 double particles(const Case& c) {
   if (!c.powder->size || !c.powder->density) return undefined;
@@ -105,97 +66,196 @@ double dose_rate(const Case& c, const Replicate& r) {
   return dissipated_power(r) / (1000 * c.powder->mass);
 }
 
+bool is_tumbling(const Case& c) {
+  return cases::drum_motion(c) != nullptr;
+}
+bool is_stirred(const Case& c) {
+  return stirrer(c) != nullptr;
+}
+
+/// The charge of balls: of a campaign that varies sizes, these are columns.
+Measures charge_measures() {
+  return {{"ball_count", "1", "number of balls of all sets",
+           [](const Case& c, const Replicate&) { return count_of_balls(c); }},
+          {"balls_mass", "g", "mass of all balls",
+           [](const Case& c, const Replicate&) { return 1000 * cases::balls_mass(c.balls); }}};
+}
+
+/// Speed and filling of a drum, as comminution states them.
+Measures drum_measures() {
+  return where(is_tumbling, "tumbling mills",
+               {{"drum_speed",
+                 "rpm",
+                 "speed of the drum",
+                 [](const Case& c, const Replicate&) {
+                   return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
+                 },
+                 {.label = "speed of the drum", .symbol = "$n$"}},
+                {"bulk_filling",
+                 "1",
+                 "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
+                 [](const Case& c, const Replicate&) {
+                   return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
+                 },
+                 {.label = "bulk filling of balls", .symbol = "$J$", .equation = "obs.14"}},
+                {"void_filling",
+                 "1",
+                 "U: bulk volume of the powder over the voids between the balls at rest",
+                 [](const Case& c, const Replicate&) {
+                   return *cases::void_filling(c);  // (obs.15)
+                 },
+                 {.label = "powder filling of the voids",
+                  .symbol = "$U$",
+                  .equation = "obs.15",
+                  .applies = [](const Case& c) { return cases::void_filling(c).has_value(); },
+                  .only = "with `[powder]` of known density"}}});
+}
+
+Measures stirrer_measures() {
+  return where(is_stirred, "`kind = \"attritor\"` in a mill at rest",
+               {{"rotor_torque",
+                 "N m",
+                 "drawn power over the speed of the rotor; without friction of the drive",
+                 [](const Case& c, const Replicate& r) {
+                   return drawn(r) / *cases::shaft_speed(c);  // (obs.16)
+                 },
+                 {.label = "torque of the rotor", .symbol = "$M$", .equation = "obs.16"}},
+                {"power_number",
+                 "1",
+                 "Np: drawn power over rho N^3 d^5, with the bulk density rho of the balls, the "
+                 "turns N of the rotor per second and its diameter d",
+                 power_number,
+                 {.symbol = "$N_{p}$", .equation = "obs.17"}}});
+}
+
+bool has_milling_time(const Case& c) {
+  return cases::milling_time(c).has_value();
+}
+
+std::string about_dose(const Case& c) {
+  return has_milling_time(c)
+             ? "dose rate times the milling time"
+             : "dose rate times the milling time, which the case does not give: [milling] time";
+}
+std::string about_time_to_dose(const Case& c) {
+  return fmt::format("milling time, without pauses, to a dose of {} ([milling] dose)",
+                     show_rounded(dose_asked(c), "J/kg"));
+}
+
 }  // namespace
 
-std::vector<Measure> mill_measures(const Case& mill_case) {
-  std::vector<Measure> list{
+Measures mill_measures() {
+  Measures list{
       {"impacts_per_ball", "1/s",
        "impacts of each ball per second, with other balls and with the jar",
        [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.all); }},
       {"impacts_per_ball_above_threshold", "1/s",
        "impacts of each ball per second with a normal speed u_n of at least the threshold",
        [](const Case& c, const Replicate& r) { return impacts_per_ball(c, r, r.tally.above); }},
-      {"power_imbalance", "1",
+      {"power_imbalance",
+       "1",
        "drawn over dissipated power, minus one: where it is not small, the charge still gains or "
        "loses energy",
-       [](const Case&, const Replicate& r) { return share(drawn(r), dissipated_power(r)) - 1; }},
+       [](const Case&, const Replicate& r) { return share(drawn(r), dissipated_power(r)) - 1; },
+       {.range = any_value}},
+      {"shaft_torque",
+       "N m",
+       "drawn power over the speed of the shaft, per jar; without friction of the drive",
+       [](const Case& c, const Replicate& r) {
+         return drawn(r) / *cases::shaft_speed(c);  // (obs.7)
+       },
+       {.symbol = "$M$",
+        .equation = "obs.7",
+        .applies = [](const Case& c) { return cases::shaft_speed(c) && !is_stirred(c); },
+        .only = "tumbling and planetary mills"}},
   };
-  if (cases::shaft_speed(mill_case) && stirrer(mill_case) == nullptr)
-    list.push_back({"shaft_torque", "N m",
-                    "drawn power over the speed of the shaft, per jar; without friction of the "
-                    "drive",
-                    [](const Case& c, const Replicate& r) {
-                      return drawn(r) / *cases::shaft_speed(c);  // (obs.7)
-                    }});
-  add_charge_measures(list);
-  add_drum_measures(mill_case, list);
-  add_stirrer_measures(mill_case, list);
-  if (mill_case.mill.jars_carried > 1)
-    list.push_back({"drawn_power_of_mill", "W", "drawn power of all jars that the mill carries",
-                    [](const Case& c, const Replicate& r) {
-                      return drawn(r) * static_cast<double>(c.mill.jars_carried);
-                    }});
+  for (Measures (*more)() : {charge_measures, drum_measures, stirrer_measures})
+    std::ranges::move(more(), std::back_inserter(list));
+  list.push_back({"drawn_power_of_mill",
+                  "W",
+                  "drawn power of all jars that the mill carries",
+                  [](const Case& c, const Replicate& r) {
+                    return drawn(r) * static_cast<double>(c.mill.jars_carried);
+                  },
+                  {.applies = [](const Case& c) { return c.mill.jars_carried > 1; },
+                   .only = "with more than one jar"}});
   return list;
 }
 
-std::vector<Measure> dose_measures(const Case& mill_case) {
-  if (!mill_case.powder || !(mill_case.powder->mass > 0)) return {};
-  std::vector<Measure> list{
-      {"specific_energy_dose_rate", "W/g",
-       "dissipated power per mass of powder: an upper bound of what the powder gets", dose_rate},
-      {"specific_energy_dose", "J/g",
-       cases::milling_time(mill_case)
-           ? "dose rate times the milling time"
-           : "dose rate times the milling time, which the case does not give: [milling] time",
-       [](const Case& c, const Replicate& r) {
-         return dose_rate(c, r) * cases::milling_time(c).value_or(undefined);
-       }},
-      {"specific_energy_dose_per_hour", "J/g", "dose of an hour of milling without pauses",
-       [](const Case& c, const Replicate& r) { return one_hour * dose_rate(c, r); }},
-      {"time_to_dose", "s",
-       fmt::format("milling time, without pauses, to a dose of {} ([milling] dose)",
-                   show_rounded(dose_asked(mill_case), "J/kg")),
-       [](const Case& c, const Replicate& r) {
-         return share(dose_asked(c) / 1000, dose_rate(c, r));
-       }},
-      {"specific_impact_power", "W/g",
-       "impact energy of the contact points of all collisions, per second and mass of powder",
-       [](const Case& c, const Replicate& r) {
-         return share(r.tally.all.energy_contact_point, r.time() * 1000 * c.powder->mass);
-       }},
-      {"stress_energy", "J",
-       "mean impact energy m (u_n^2 + u_t^2)/2 of a stress event, a collision above the threshold",
-       [](const Case&, const Replicate& r) { return stress_energy(r); }},
-  };
-  if (cases::milling_time(mill_case))
-    list.insert(
-        list.begin() + 2,
-        {"milling_time", "s", "operating time of the mill without pauses, as the case gives it",
-         [](const Case& c, const Replicate&) { return *cases::milling_time(c); }});
-  if (mill_case.powder->size && mill_case.powder->density)
-    list.push_back({"stress_number_rate", "1/s",
-                    "stress events per second and particle of the powder, one particle an event",
-                    [](const Case& c, const Replicate& r) {
-                      return share(static_cast<double>(r.tally.above.count),
-                                   r.time() * particles(c));
-                    }});
-  return list;
+Measures dose_measures() {
+  const auto weighed_powder = [](const Case& c) { return c.powder && c.powder->mass > 0; };
+  const auto of_known_size = [](const Case& c) { return c.powder->size && c.powder->density; };
+  return where(
+      weighed_powder, "with `[powder]`",
+      {
+          {"specific_energy_dose_rate",
+           "W/g",
+           "dissipated power per mass of powder: an upper bound of what the powder gets",
+           dose_rate,
+           {.heading = "Energy per mass of powder", .key = 4}},
+          {"specific_energy_dose",
+           "J/g",
+           "dose rate times the milling time",
+           [](const Case& c, const Replicate& r) {
+             return dose_rate(c, r) * cases::milling_time(c).value_or(undefined);
+           },
+           {.key = 6, .about = about_dose}},
+          {"milling_time",
+           "s",
+           "operating time of the mill without pauses, as the case gives it",
+           [](const Case& c, const Replicate&) { return *cases::milling_time(c); },
+           {.applies = has_milling_time, .only = "if the case gives it"}},
+          {"specific_energy_dose_per_hour",
+           "J/g",
+           "dose of an hour of milling without pauses",
+           [](const Case& c, const Replicate& r) { return one_hour * dose_rate(c, r); },
+           {.key = 5}},
+          {"time_to_dose",
+           "s",
+           "milling time, without pauses, to a dose ([milling] dose)",
+           [](const Case& c, const Replicate& r) {
+             return share(dose_asked(c) / 1000, dose_rate(c, r));
+           },
+           {.key = 7, .about = about_time_to_dose}},
+          {"specific_impact_power", "W/g",
+           "impact energy of the contact points of all collisions, per second and mass of powder",
+           [](const Case& c, const Replicate& r) {
+             return share(r.tally.all.energy_contact_point, r.time() * 1000 * c.powder->mass);
+           }},
+          {"stress_energy",
+           "J",
+           "mean impact energy m (u_n^2 + u_t^2)/2 of a stress event, a collision above the "
+           "threshold",
+           [](const Case&, const Replicate& r) { return stress_energy(r); },
+           {.symbol = "$E$", .above_threshold = true}},
+          {"stress_number_rate",
+           "1/s",
+           "stress events per second and particle of the powder, one particle an event",
+           [](const Case& c, const Replicate& r) {
+             return share(static_cast<double>(r.tally.above.count), r.time() * particles(c));
+           },
+           {.above_threshold = true,
+            .applies = of_known_size,
+            .only = "of known size and density"}},
+      });
 }
 
-std::vector<Measure> energy_balance_measures() {  // (obs.3)
+Measures energy_balance_measures() {  // (obs.3)
   return {
       {"dissipated_power_of_collisions", "W",
        "power dissipated in finished collisions: the sum of the spectrum",
        [](const Case&, const Replicate& r) {
          return share(above_rounding(r, r.tally.all.lost), r.time());
        }},
-      {"dissipated_power_of_lasting_contacts", "W",
+      {"dissipated_power_of_lasting_contacts",
+       "W",
        "power dissipated in sustained contacts, for which there are no collision records, and in "
        "contacts that had not ended",
        [](const Case&, const Replicate& r) {
          return per_time(r, &scene::EnergyBalance::lost_lasting) +
                 per_time(r, &scene::EnergyBalance::lost_open);
-       }},
+       },
+       {.range = any_value, .label = "dissipated power of sustained contacts"}},
   };
 }
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "mahlwerk/results/quantities/measure.hpp"
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 namespace mahlwerk::results {
 namespace {

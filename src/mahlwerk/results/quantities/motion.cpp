@@ -70,47 +70,58 @@ double root_mean_square_speed(const PlaneField& field) {
   return mass > 0 ? std::sqrt(2 * energy / mass) : undefined;
 }
 
-std::vector<Measure> motion_measures(const Case& mill_case) {
-  std::vector<Measure> list;
-  if (!regime_measures(mill_case).empty())
-    list.push_back({"occupied_share", "1",
-                    "share of the jar's cross-section within reach of balls' centres whose mean "
-                    "density is more than a tenth of that of a uniformly spread charge, in the "
-                    "carrier's frame",
-                    occupied_share});
-  list.push_back({"ball_speed_seen_from_carrier", "m/s",
-                  "root mean square speed of the balls by mass, in a frame that moves with the "
-                  "jar's centre and rotates with its carrier",
-                  [](const Case&, const Replicate& r) {
-                    return root_mean_square_speed(r.charge.in_carrier);
-                  }});
-  list.push_back(
-      {"ball_speed_seen_from_jar", "m/s",
+Measures motion_measures() {
+  return {
+      {"occupied_share",
+       "1",
+       "share of the jar's cross-section within reach of balls' centres whose mean density is more "
+       "than a tenth of that of a uniformly spread charge, in the carrier's frame",
+       occupied_share,
+       {.range = share_of_whole,
+        .equation = "obs.9",
+        .applies = has_regime,
+        .only = "drums and planetary mills"}},
+      {"ball_speed_seen_from_carrier",
+       "m/s",
+       "root mean square speed of the balls by mass, in a frame that moves with the jar's centre "
+       "and rotates with its carrier",
+       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_carrier); },
+       {.label = "ball speed in the frame of the carrier", .symbol = "$v$"}},
+      {"ball_speed_seen_from_jar",
+       "m/s",
        "root mean square speed of the balls by mass, in the jar's frame",
-       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_jar); }});
-  list.push_back({"ball_spin", "rad/s",
-                  "root mean square angular velocity of the balls by mass, in the laboratory",
-                  [](const Case&, const Replicate& r) {
-                    return std::sqrt(share(r.charge.spin_squared, r.charge.mass_total));
-                  }});
-  return list;
+       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_jar); },
+       {.label = "ball speed in the frame of the jar", .symbol = "$v$"}},
+      {"ball_spin",
+       "rad/s",
+       "root mean square angular velocity of the balls by mass, in the laboratory",
+       [](const Case&, const Replicate& r) {
+         return std::sqrt(share(r.charge.spin_squared, r.charge.mass_total));
+       },
+       {.label = "angular velocity of the balls", .symbol = "$ω$"}},
+  };
 }
 
-std::vector<Measure> tangential_measures() {
+Measures tangential_measures() {
   return {
-      {"energy_tangential_mean", "J",
+      {"energy_tangential_mean",
+       "J",
        "mean impact energy of the motion across the normal, m u_t^2/2, spin included",
-       [](const Case&, const Replicate& r) { return mean_across(r.tally.all); }},
+       [](const Case&, const Replicate& r) { return mean_across(r.tally.all); },
+       {.label = "mean tangential energy", .symbol = "$E_{t}$"}},
       {"energy_tangential_mean_above_threshold", "J",
        "mean impact energy of the motion across the normal, m u_t^2/2, spin included; collisions "
        "above the threshold",
        [](const Case&, const Replicate& r) { return mean_across(r.tally.above); }},
       {"tangential_impact_power", "W", "m u_t^2/2 of all collisions per second",
        [](const Case&, const Replicate& r) { return share(across(r.tally.all), r.time()); }},
-      {"grazing_share", "1", "share of the collisions at 80 to 90 degrees from head-on",
+      {"grazing_share",
+       "1",
+       "share of the collisions at 80 to 90 degrees from head-on",
        [](const Case&, const Replicate& r) {
          return grazing(r.tally.total_spectra().angle_all, r.tally.all.count);
-       }},
+       },
+       {.range = share_of_whole}},
       {"grazing_share_above_threshold", "1",
        "share of the collisions at 80 to 90 degrees from head-on; collisions above the threshold",
        [](const Case&, const Replicate& r) {

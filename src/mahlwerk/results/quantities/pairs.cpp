@@ -24,47 +24,8 @@ struct PairKind {
   std::vector<int> pairs;
 };
 
-/// Sums over the collisions of one kind of pair in one replicate.
-struct PairTotals {
-  PairSums all, above;
-};
-
-/// A quantity of one kind of pair in one replicate, whose counted time is `time` [s].
-struct PairMeasure {
-  std::string name, unit, about;
-  double (*compute)(const PairTotals& tally, double time);
-};
-
 double mean_of(const PairSums& sums, double PairSums::*what) {
   return sums.count > 0 ? sums.*what / static_cast<double>(sums.count) : undefined;
-}
-
-const std::vector<PairMeasure>& pair_measures() {
-  static const std::vector<PairMeasure> list{
-      {"collision_rate", "1/s", "collisions of this kind per second",
-       [](const PairTotals& t, double time) { return static_cast<double>(t.all.count) / time; }},
-      {"collision_rate_above_threshold", "1/s",
-       "collisions of this kind per second with a normal speed u_n of at least the threshold",
-       [](const PairTotals& t, double time) { return static_cast<double>(t.above.count) / time; }},
-      {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
-       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_normal); }},
-      {"energy_normal_mean_above_threshold", "J",
-       "mean impact energy of the normal motion; collisions above the threshold",
-       [](const PairTotals& t, double) { return mean_of(t.above, &PairSums::energy_normal); }},
-      {"energy_contact_point_mean", "J", "mean impact energy of the motion of the contact points",
-       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_contact_point); }},
-      {"energy_contact_point_mean_above_threshold", "J",
-       "mean impact energy of the motion of the contact points; collisions above the threshold",
-       [](const PairTotals& t, double) {
-         return mean_of(t.above, &PairSums::energy_contact_point);
-       }},
-      {"collision_power_normal", "W", "power dissipated along the normal by finished collisions",
-       [](const PairTotals& t, double time) { return t.all.lost_normal / time; }},
-      {"collision_power_tangential", "W",
-       "power dissipated across the normal by finished collisions",
-       [](const PairTotals& t, double time) { return t.all.lost_tangential / time; }},
-  };
-  return list;
 }
 
 constexpr std::string_view jar = "jar";
@@ -95,6 +56,34 @@ PairSums sums_of(const Replicate& r, const PairKind& kind, PairSums (*of)(const 
 }
 
 }  // namespace
+
+const std::vector<PairMeasure>& pair_measures() {
+  static const std::vector<PairMeasure> list{
+      {"collision_rate", "1/s", "collisions of this kind per second",
+       [](const PairTotals& t, double time) { return static_cast<double>(t.all.count) / time; }},
+      {"collision_rate_above_threshold", "1/s",
+       "collisions of this kind per second with a normal speed u_n of at least the threshold",
+       [](const PairTotals& t, double time) { return static_cast<double>(t.above.count) / time; }},
+      {"energy_normal_mean", "J", "mean impact energy of the normal motion, m u_n^2/2",
+       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_normal); }},
+      {"energy_normal_mean_above_threshold", "J",
+       "mean impact energy of the normal motion; collisions above the threshold",
+       [](const PairTotals& t, double) { return mean_of(t.above, &PairSums::energy_normal); }},
+      {"energy_contact_point_mean", "J", "mean impact energy of the motion of the contact points",
+       [](const PairTotals& t, double) { return mean_of(t.all, &PairSums::energy_contact_point); }},
+      {"energy_contact_point_mean_above_threshold", "J",
+       "mean impact energy of the motion of the contact points; collisions above the threshold",
+       [](const PairTotals& t, double) {
+         return mean_of(t.above, &PairSums::energy_contact_point);
+       }},
+      {"collision_power_normal", "W", "power dissipated along the normal by finished collisions",
+       [](const PairTotals& t, double time) { return t.all.lost_normal / time; }},
+      {"collision_power_tangential", "W",
+       "power dissipated across the normal by finished collisions",
+       [](const PairTotals& t, double time) { return t.all.lost_tangential / time; }},
+  };
+  return list;
+}
 
 std::vector<Column> pair_columns() {
   return {{"one", "1", "a ball set"},

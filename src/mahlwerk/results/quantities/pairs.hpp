@@ -6,11 +6,25 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Collisions by kind of pair: ball set with ball set, ball set with jar.
 namespace mahlwerk::results {
+
+/// Sums over the collisions of one kind of pair in one replicate.
+struct PairTotals {
+  observe::PairSums all, above;
+};
+
+/// The record of a quantity of one kind of pair, in one replicate whose counted time is `time` [s].
+struct PairMeasure {
+  std::string name, unit, about;
+  double (*compute)(const PairTotals& tally, double time);
+  QuantityTraits traits = {};  ///< of quantities that all collisions together do not have
+};
+const std::vector<PairMeasure>& pair_measures();
 
 /// Summaries of all possible kinds of pairs; empty for a single kind (one ball) and without counted
 /// time.

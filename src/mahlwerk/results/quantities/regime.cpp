@@ -18,6 +18,12 @@
 #include "mahlwerk/results/quantities/regime_rule.hpp"
 
 namespace mahlwerk::results {
+bool has_regime(const cases::Case& mill_case) {
+  const kinematics::Tumbling* drum = cases::drum_motion(mill_case);
+  return (drum != nullptr && drum->speed != 0 && mill_case.gravity > 0) ||
+         kinematics::as<kinematics::Planetary>(*mill_case.mill.motion) != nullptr;
+}
+
 namespace {
 
 using cases::Case;
@@ -32,12 +38,6 @@ const Planetary& planetary(const Case& c) {
   const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
   if (mill == nullptr) throw std::logic_error("a regime is that of a drum or of a planetary mill");
   return *mill;
-}
-
-bool has_regime(const Case& c) {
-  const Tumbling* drum = cases::drum_motion(c);
-  return (drum != nullptr && drum->speed != 0 && c.gravity > 0) ||
-         kinematics::as<Planetary>(*c.mill.motion) != nullptr;
 }
 
 /// Zero of angles, from the plane's right axis, and the sense in which they increase (obs.8). Drum:
@@ -230,44 +230,72 @@ double mean_of(const Outcome& outcome, Sign of) {
   return chosen.empty() ? undefined : sum / static_cast<double>(chosen.size());
 }
 
+std::string about_toe(const Case& c) {
+  return is_drum(c)
+             ? "angle below which 5 % of the charge lies, from the lowest point in the sense "
+               "of rotation"
+             : "angle below which 5 % of the charge lies, in the disc's frame, from the "
+               "outward direction in the jar's sense of rotation";
+}
+
 }  // namespace
 
-std::vector<Measure> regime_measures(const Case& mill_case) {
-  if (!has_regime(mill_case)) return {};
-  const bool drum = is_drum(mill_case);
-  return {
-      {"flight_share", "1",
-       "share of the balls' time without any contact, between the bounces in a bed too",
-       flight_share},
-      {"airborne_share", "1", "share of the charge's mass in flight outside the bed",
-       airborne_share},
-      {"toe_angle", "deg",
-       drum ? "angle below which 5 % of the charge lies, from the lowest point in the sense of "
-              "rotation"
-            : "angle below which 5 % of the charge lies, in the disc's frame, from the outward "
-              "direction in the jar's sense of rotation",
-       toe},
-      {"shoulder_angle", "deg",
-       "angle below which 95 % of the charge lies, measured as the toe angle", shoulder},
-      {"emptiest_sector", "1",
-       "mass in the emptiest 10 degrees about the axis over that of a uniformly spread charge",
-       emptiest_sector},
-      {"wall_slip_ratio", "1",
-       "mean slip speed of balls at the wall over the wall's speed of rotation", wall_slip},
-      {"jar_lag", "1",
-       "root mean square speed of the charge seen from the jar over the wall's speed seen from the "
-       "carrier: 0 if the charge turns with the jar",
-       jar_lag},
-      {"intermittency", "1",
-       "mean square over squared mean of the charge's squared speed seen from the jar: 1 if it "
-       "moves steadily, 2 if it moves half of the time",
-       intermittency},
-      {drum ? "froude_number" : "pinning_ratio", "1",
-       drum ? "centripetal acceleration of the largest ball at the wall over gravity: 1 pins it"
-            : "centripetal acceleration of the largest ball at the wall by the jar's rotation over "
-              "that by the disc's: above 1 the ball is pinned",
-       pinning},
-  };
+Measures regime_measures() {
+  return where(
+      has_regime, "drums and planetary mills",
+      {
+          {"flight_share",
+           "1",
+           "share of the balls' time without any contact, between the bounces in a bed too",
+           flight_share,
+           {.range = share_of_whole,
+            .label = "share of time in flight",
+            .symbol = "$φ$",
+            .heading = "Motion of the charge"}},
+          {"airborne_share",
+           "1",
+           "share of the charge's mass in flight outside the bed",
+           airborne_share,
+           {.range = share_of_whole, .equation = "obs.18"}},
+          {"toe_angle",
+           "deg",
+           "angle below which 5 % of the charge lies, in the sense of rotation",
+           toe,
+           {.range = any_value, .about = about_toe}},
+          {"shoulder_angle",
+           "deg",
+           "angle below which 95 % of the charge lies, measured as the toe angle",
+           shoulder,
+           {.range = any_value}},
+          {"emptiest_sector",
+           "1",
+           "mass in the emptiest 10 degrees about the axis over that of a uniformly spread charge",
+           emptiest_sector,
+           {.range = share_of_whole}},  // at most the mean mass of all sectors
+          {"wall_slip_ratio", "1",
+           "mean slip speed of balls at the wall over the wall's speed of rotation", wall_slip},
+          {"jar_lag", "1",
+           "root mean square speed of the charge seen from the jar over the wall's speed seen from "
+           "the carrier: 0 if the charge turns with the jar",
+           jar_lag},
+          {"intermittency",
+           "1",
+           "mean square over squared mean of the charge's squared speed seen from the jar: 1 if it "
+           "moves steadily, 2 if it moves half of the time",
+           intermittency,
+           {.equation = "obs.19"}},
+          {"froude_number",
+           "1",
+           "centripetal acceleration of the largest ball at the wall over gravity: 1 pins it",
+           pinning,
+           {.applies = is_drum, .only = "drums"}},
+          {"pinning_ratio",
+           "1",
+           "centripetal acceleration of the largest ball at the wall by the jar's rotation over "
+           "that by the disc's: above 1 the ball is pinned",
+           pinning,
+           {.applies = [](const Case& c) { return !is_drum(c); }, .only = "planetary mills"}},
+      });
 }
 
 std::string regime(const Outcome& outcome) {

@@ -12,7 +12,9 @@ namespace mahlwerk::results {
 
 /// Flight share, airborne share, toe and shoulder angles, emptiest sector, slip, lag,
 /// intermittency, pinning; empty for other mills.
-std::vector<Measure> regime_measures(const cases::Case& mill_case);
+Measures regime_measures();
+/// Whether the mill is one with regimes: a drum that turns under gravity, or a planetary mill.
+bool has_regime(const cases::Case& mill_case);
 
 /// "cascading", "cataracting", "slumping", "sliding", "surging", "rigid", "resting", "rolling on
 /// the wall", "centrifuging" (of a drum), "rolling" (of a planetary mill), by the means over the

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
@@ -64,28 +65,38 @@ double scatter_of_readings(const Case& c, const Replicate& r) {
   return std::sqrt(squares / static_cast<double>(all.size() - 1));
 }
 
-std::vector<Measure> power_measures_of_meter() {
-  return {{"motor_power", "W", "power of the motor: idle, and by the balls of all jars",
-           [](const Case& c, const Replicate& r) {
-             return motor_power(c, per_time(r, &scene::EnergyBalance::wall_work));
-           }},
-          {"motor_power_scatter", "W", "standard deviation of the readings of the motor's power",
-           scatter_of_readings}};
+Measures power_meter_measures() {
+  const auto present = [](const Case& c) { return c.sensors.power_meter.has_value(); };
+  return where(present, "with `[power_meter]`",
+               {{"motor_power",
+                 "W",
+                 "power of the motor: idle, and by the balls of all jars",
+                 [](const Case& c, const Replicate& r) {
+                   return motor_power(c, per_time(r, &scene::EnergyBalance::wall_work));
+                 },
+                 {.equation = "sns.1", .heading = "Power meter", .key = 12}},
+                {"motor_power_scatter", "W",
+                 "standard deviation of the readings of the motor's power", scatter_of_readings}});
 }
 
 // Microphone
 
-std::vector<Measure> microphone_measures() {
-  return {{"heard_hit_rate", "1/s", "hits per second that the microphone hears",
-           [](const Case&, const Replicate& r) {
-             const LogHistogram heard = r.sensors.microphone->heard();
-             return share(static_cast<double>(heard.total()), r.time());
-           }},
-          {"heard_hit_energy_mean", "J", "mean normal energy of the hits that it hears",
-           [](const Case&, const Replicate& r) {
-             const LogHistogram heard = r.sensors.microphone->heard();
-             return share(heard.sum(), static_cast<double>(heard.total()));
-           }}};
+Measures microphone_measures() {
+  const auto present = [](const Case& c) { return c.sensors.microphone.has_value(); };
+  return where(present, "with `[microphone]`",
+               {{"heard_hit_rate",
+                 "1/s",
+                 "hits per second that the microphone hears",
+                 [](const Case&, const Replicate& r) {
+                   const LogHistogram heard = r.sensors.microphone->heard();
+                   return share(static_cast<double>(heard.total()), r.time());
+                 },
+                 {.equation = "sns.3", .heading = "Microphone", .key = 13}},
+                {"heard_hit_energy_mean", "J", "mean normal energy of the hits that it hears",
+                 [](const Case&, const Replicate& r) {
+                   const LogHistogram heard = r.sensors.microphone->heard();
+                   return share(heard.sum(), static_cast<double>(heard.total()));
+                 }}});
 }
 
 // Accelerometer
@@ -131,20 +142,25 @@ std::vector<double> sum_of(const AccelerationSignal& s) {
   return sum;
 }
 
-std::vector<Measure> accelerometer_measures() {
-  return {
-      {"acceleration_rms", "m/s2", "root mean square of the accelerometer's signal",
-       [](const Case& c, const Replicate& r) { return root_mean_square(sum_of(signal_of(c, r))); }},
-      {"acceleration_rms_of_impacts", "m/s2", "part of it by the impacts of balls alone",
-       [](const Case& c, const Replicate& r) {
-         return root_mean_square(signal_of(c, r).of_impacts);
-       }},
-      {"acceleration_peak", "m/s2", "largest absolute value of the signal",
-       [](const Case& c, const Replicate& r) {
-         double largest = undefined;
-         for (const double a : sum_of(signal_of(c, r))) largest = std::fmax(largest, std::abs(a));
-         return largest;
-       }}};
+Measures accelerometer_measures() {
+  const auto present = [](const Case& c) { return c.sensors.accelerometer.has_value(); };
+  return where(
+      present, "with `[accelerometer]`",
+      {{"acceleration_rms",
+        "m/s2",
+        "root mean square of the accelerometer's signal",
+        [](const Case& c, const Replicate& r) { return root_mean_square(sum_of(signal_of(c, r))); },
+        {.equation = "sns.6", .heading = "Accelerometer"}},
+       {"acceleration_rms_of_impacts", "m/s2", "part of it by the impacts of balls alone",
+        [](const Case& c, const Replicate& r) {
+          return root_mean_square(signal_of(c, r).of_impacts);
+        }},
+       {"acceleration_peak", "m/s2", "largest absolute value of the signal",
+        [](const Case& c, const Replicate& r) {
+          double largest = undefined;
+          for (const double a : sum_of(signal_of(c, r))) largest = std::fmax(largest, std::abs(a));
+          return largest;
+        }}});
 }
 
 // Thermocouple
@@ -185,27 +201,26 @@ ThermocoupleRecord thermocouple_record(const Case& c, double power) {
   return record;
 }
 
-std::vector<Measure> thermocouple_measures() {
-  return {{"thermocouple_reading", "degC",
-           "reading of the thermocouple at the end of the last milling",
-           [](const Case& c, const Replicate& r) {
-             const ThermocoupleRecord record = thermocouple_record(c, dissipated_power(r));
-             return record.readings[record.last_milling] - kelvin_at_zero_celsius;
-           }}};
+Measures thermocouple_measures() {
+  const auto present = [](const Case& c) { return c.sensors.thermocouple.has_value(); };
+  return where(present, "with `[thermocouple]`",
+               {{"thermocouple_reading",
+                 "degC",
+                 "reading of the thermocouple at the end of the last milling",
+                 [](const Case& c, const Replicate& r) {
+                   const ThermocoupleRecord record = thermocouple_record(c, dissipated_power(r));
+                   return record.readings[record.last_milling] - kelvin_at_zero_celsius;
+                 },
+                 {.range = any_value, .equation = "sns.8", .heading = "Thermocouple"}}});
 }
 
 }  // namespace
 
-std::vector<Measure> sensor_measures(const Case& mill_case) {
-  std::vector<Measure> all;
-  const auto add = [&](bool present, std::vector<Measure> more) {
-    if (present) all.insert(all.end(), more.begin(), more.end());
-  };
-  const cases::Sensors& sensors = mill_case.sensors;
-  add(sensors.power_meter.has_value(), power_measures_of_meter());
-  add(sensors.microphone.has_value(), microphone_measures());
-  add(sensors.accelerometer.has_value(), accelerometer_measures());
-  add(sensors.thermocouple.has_value(), thermocouple_measures());
+Measures sensor_measures() {
+  Measures all;
+  for (Measures (*sensor)() :
+       {power_meter_measures, microphone_measures, accelerometer_measures, thermocouple_measures})
+    std::ranges::move(sensor(), std::back_inserter(all));
   return all;
 }
 

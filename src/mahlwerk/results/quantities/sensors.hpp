@@ -4,15 +4,15 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // What the sensors of a case show (docs/theory/sensors.md). Records over time are those of the
 // first averaged replicate, as a sensor sees one run; quantities are means over replicates.
 namespace mahlwerk::results {
 
 /// Quantities of the sensors that the case has.
-std::vector<Measure> sensor_measures(const cases::Case& mill_case);
+Measures sensor_measures();
 
 // Tables without rows if the case has no such sensor.
 Table power_readings(const Outcome& outcome);         ///< power_meter.csv: a row per reading

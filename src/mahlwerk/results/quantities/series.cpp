@@ -2,35 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/quantities/series.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/results/quantities/measure.hpp"
+
 namespace mahlwerk::results {
-namespace {
-
-struct Kind {
-  std::string_view name;
-  double (*of)(const Window&);
-};
-
-constexpr std::array series_kinds{
-    Kind{"dissipated_power", [](const Window& w) { return w.lost / w.length; }},
-    Kind{"drawn_power", [](const Window& w) { return w.wall_work / w.length; }},
-    Kind{"collision_rate", [](const Window& w) { return w.collisions / w.length; }},
-    Kind{"collision_rate_above_threshold", [](const Window& w) { return w.above / w.length; }},
-    Kind{"energy_normal_mean", [](const Window& w) { return w.energy_normal / w.collisions; }},
-    Kind{"energy_contact_point_mean",
-         [](const Window& w) { return w.energy_contact_point / w.collisions; }},
-};
-
-}  // namespace
-
 const std::vector<std::string>& series_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> list;
-    for (const Kind& kind : series_kinds) list.emplace_back(kind.name);
+    for (const Measure& m : all_measures())
+      if (m.traits.over_time != nullptr) list.push_back(m.name);
     return list;
   }();
   return names;
@@ -38,10 +20,10 @@ const std::vector<std::string>& series_names() {
 
 std::vector<double> series(const std::vector<Window>& windows, std::string_view name) {
   std::vector<double> values;
-  const auto kind = std::ranges::find(series_kinds, name, &Kind::name);
-  if (kind == series_kinds.end()) return values;
+  const Measure* record = record_of(name);
+  if (record == nullptr || record->traits.over_time == nullptr) return values;
   for (const Window& w : windows)
-    if (const double v = kind->of(w); std::isfinite(v)) values.push_back(v);
+    if (const double v = record->traits.over_time(w); std::isfinite(v)) values.push_back(v);
   return values;
 }
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Distributions of collisions: spectrum.csv, spectra_by_pair.csv and related tables.
 namespace mahlwerk::results {

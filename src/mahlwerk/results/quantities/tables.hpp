@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Tables of a result, one function per file (docs/formats.md).
 namespace mahlwerk::results {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Maps of hits and wear on the jar's wall, and density and velocity fields of the charge.
 namespace mahlwerk::results {

@@ -81,19 +81,24 @@ double wall_wear_rate(const Case& mill_case, double slid, double erosion) {
   return wear_rate(mill_case, slid, erosion, mill_case.jar.substance.hardness);
 }
 
-std::vector<Measure> wear_measures(const Case& mill_case) {
-  if (!mill_case.wear) return {};
-  std::vector<Measure> list{
-      {"wear_rate_balls", "kg/s", "mass worn off all balls per second", balls_wear},
-      {"wear_rate_jar", "kg/s", "mass worn off the jar per second", jar_wear}};
-  if (mill_case.powder && mill_case.powder->mass > 0)
-    list.push_back({"contamination_rate", "ug/g/h",
-                    "worn mass of balls and jar per mass of powder and hour of milling",
-                    [](const Case& c, const Replicate& r) {
-                      constexpr double hour = 3600;
-                      return 1e6 * hour * (balls_wear(c, r) + jar_wear(c, r)) / c.powder->mass;
-                    }});
-  return list;
+Measures wear_measures() {
+  const auto wears = [](const Case& c) { return c.wear.has_value(); };
+  const auto weighed_powder = [](const Case& c) { return c.powder && c.powder->mass > 0; };
+  return where(wears, "with `[wear]`",
+               {{"wear_rate_balls",
+                 "kg/s",
+                 "mass worn off all balls per second",
+                 balls_wear,
+                 {.heading = "Wear"}},
+                {"wear_rate_jar", "kg/s", "mass worn off the jar per second", jar_wear},
+                {"contamination_rate",
+                 "ug/g/h",
+                 "worn mass of balls and jar per mass of powder and hour of milling",
+                 [](const Case& c, const Replicate& r) {
+                   constexpr double hour = 3600;
+                   return 1e6 * hour * (balls_wear(c, r) + jar_wear(c, r)) / c.powder->mass;
+                 },
+                 {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}}});
 }
 
 Table wear(const Outcome& outcome) {
@@ -121,25 +126,34 @@ Table wear(const Outcome& outcome) {
   return table;
 }
 
-std::vector<Measure> heat_measures(const Case& mill_case) {
-  if (!mill_case.heat) return {};
-  return {
-      {"temperature_balls", "degC", "temperature of the balls at the end of the last milling",
-       [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; }},
-      {"temperature_jar", "degC", "temperature of the jar at the end of the last milling",
-       [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; }},
-      {"flash_rise_mean", "K",
-       "mean flash temperature rise at the contact of a collision, weighted by the energy lost; an "
-       "upper estimate, as the heat that powder takes is neglected",
-       [](const Case&, const Replicate& r) {
-         double rise = 0, lost = 0;
-         for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {
-           rise += r.tally.by_pair[pair].flash;
-           lost += r.tally.by_pair[pair].spectra.energy_lost.sum();
-         }
-         return share(rise, lost);
-       }},
-  };
+Measures heat_measures() {
+  const auto warms = [](const Case& c) { return c.heat.has_value(); };
+  return where(
+      warms, "with `[heat]`",
+      {
+          {"temperature_balls",
+           "degC",
+           "temperature of the balls at the end of the last milling",
+           [](const Case& c, const Replicate& r) { return at_the_end(c, r).balls - zero_celsius; },
+           {.range = any_value, .heading = "Temperatures", .key = 8}},
+          {"temperature_jar",
+           "degC",
+           "temperature of the jar at the end of the last milling",
+           [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; },
+           {.range = any_value}},
+          {"flash_rise_mean", "K",
+           "mean flash temperature rise at the contact of a collision, weighted by the energy "
+           "lost; an "
+           "upper estimate, as the heat that powder takes is neglected",
+           [](const Case&, const Replicate& r) {
+             double rise = 0, lost = 0;
+             for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {
+               rise += r.tally.by_pair[pair].flash;
+               lost += r.tally.by_pair[pair].spectra.energy_lost.sum();
+             }
+             return share(rise, lost);
+           }},
+      });
 }
 
 Table temperatures(const Outcome& outcome) {

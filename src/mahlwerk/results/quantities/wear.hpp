@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/table.hpp"
 
 // Wear and temperatures of balls and jar (docs/theory/wear-heat.md).
 namespace mahlwerk::results {
@@ -14,12 +14,12 @@ namespace mahlwerk::results {
 double wall_wear_rate(const cases::Case& mill_case, double slid, double erosion);
 
 /// Wear of balls and jar, and contamination of the powder; empty without [wear].
-std::vector<Measure> wear_measures(const cases::Case& mill_case);
+Measures wear_measures();
 /// wear.csv: a row per ball set and face of the jar; no rows without [wear].
 Table wear(const Outcome& outcome);
 
 /// Temperatures at the end of milling; empty without [heat].
-std::vector<Measure> heat_measures(const cases::Case& mill_case);
+Measures heat_measures();
 /// temperature.csv: temperatures over milling and pauses; no rows without [heat].
 Table temperatures(const Outcome& outcome);
 

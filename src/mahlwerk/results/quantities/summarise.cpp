@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/summarise.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -56,15 +57,15 @@ Summary summarise(const Outcome& outcome) {
     Quantity& q = made.quantities[i];
     if (!outcome.mill_case.uncertainty)
       q.ci95_time = above_rounding_of(q.value, ci95_over_time(chosen, q.name));
-    if (!all[i].worst) continue;
+    if (!all[i].traits.worst) continue;
     q.value = worst(made.by_replicate, i);
     q.ci95 = undefined;
   }
-  made.quantities.push_back(
-      {"settling_time", settling_time(chosen), undefined, "s",
-       "initial transient within the counted time, by the dissipated power (MSER-5)"});
-  made.quantities.push_back({"replicates", static_cast<double>(chosen.size()), undefined, "1",
-                             "number of independent replicates in the means"});
+  const std::array of_whole{settling_time(chosen), static_cast<double>(chosen.size())};
+  for (std::size_t i = 0; i < of_whole.size(); ++i) {
+    const Measure& m = measures_of_whole()[i];
+    made.quantities.push_back({m.name, of_whole[i], undefined, m.unit, m.about});
+  }
   made.pairs = by_pair(outcome);
   if (cases::distinct_replicates(outcome.mill_case) == 1)  // they differ by their starts only
     made.two_states = two_states(outcome, all, made.by_replicate);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/results/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 
 #include <algorithm>
 #include <cmath>

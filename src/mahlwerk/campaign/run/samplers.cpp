@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/campaign/run/samplers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mahlwerk/campaign/run/lammps_runs.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+
+namespace mahlwerk::campaign {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Samples the fields of the charge a few times in each window.
+class ChargeSampler final : public Sampler {
+ public:
+  explicit ChargeSampler(results::Replicate& result) : charge_(&result.charge) {}
+  void begin(double) override {}
+  /// Plans as many samples as cost little compared with the work of a window.
+  void begin_window(double begin, double length, std::optional<std::int64_t> work) override {
+    constexpr std::int64_t most = 20;
+    begin_ = begin;
+    length_ = length;
+    if (work) samples_ = static_cast<int>(std::clamp<std::int64_t>(*work, 1, most));
+    taken_ = 0;
+  }
+  /// The golden ratio spreads the times over all phases of a periodic motion.
+  double next() const override {
+    if (length_ == 0 || taken_ == samples_) return never;
+    constexpr double golden = 0.6180339887498949;  // (obs.6)
+    const double jitter = std::fmod(golden * static_cast<double>(ever_ + 1), 1.0);
+    return begin_ + length_ * (taken_ + jitter) / samples_;
+  }
+  void take(Moment& moment) override {
+    for (; next() <= moment.now().time; ++taken_, ++ever_)
+      charge_->sample(moment.time_of_balls(), moment.balls(), length_ / samples_);
+  }
+  void serialize(Archive& archive) override { archive(begin_)(length_)(samples_)(taken_)(ever_); }
+
+ private:
+  observe::Charge* charge_;
+  double begin_ = 0, length_ = 0;  // [s] of the window
+  int samples_ = 4, taken_ = 0;    // in it
+  std::int64_t ever_ = 0;
+};
+
+/// Reads the work of the jar at the intervals of the power meter.
+class PowerMeterSampler final : public Sampler {
+ public:
+  PowerMeterSampler(const cases::Case& mill_case, results::Replicate& result)
+      : interval_(mill_case.sensors.power_meter->interval),
+        end_(mill_case.run.time),
+        readings_(&result.sensors.power_meter) {}
+  void begin(double time) override { begin_ = time; }
+  /// The last reading is at the end of the run, whatever the rounding of the interval.
+  double next() const override {
+    constexpr double rounding = 1e-6;
+    const double at = interval_ * static_cast<double>(count_ + 1);
+    return begin_ + (std::abs(at - end_) < rounding * interval_ ? end_ : at);
+  }
+  void take(Moment& moment) override {
+    readings_->push_back({moment.now().time, moment.now().wall_work});
+    while (next() <= moment.now().time) ++count_;
+  }
+  void serialize(Archive& archive) override { archive(count_); }
+
+ private:
+  double interval_, end_, begin_ = never;  // [s]
+  std::vector<results::WorkReading>* readings_;
+  std::int64_t count_ = 0;
+};
+
+/// Writes the frames that the case asks for.
+class FrameSampler final : public Sampler {
+ public:
+  FrameSampler(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> files)
+      : times_(mill_case), files_(std::move(files)) {}
+  void begin(double time) override { times_.begin(time); }
+  double next() const override { return times_.next(); }
+  void take(Moment& moment) override {
+    for (; times_.next() <= moment.now().time; times_.advance())
+      files_->add(moment.time_of_balls(), moment.balls(), moment.engine().forces());
+  }
+
+ private:
+  results::FrameTimes times_;
+  std::unique_ptr<results::FrameFiles> files_;
+};
+
+/// Keeps the frames of the film that reports show.
+class ReplaySampler final : public Sampler {
+ public:
+  ReplaySampler(const cases::Case& mill_case, results::Replicate& result)
+      : mill_case_(&mill_case), replay_(&result.replay) {}
+  void begin(double time) override {
+    const bool in_lammps = mill_case_->run.engine == cases::EngineName::lammps;
+    *replay_ = observe::Replay(cases::chamber(*mill_case_),
+                               static_cast<std::size_t>(cases::balls_count(mill_case_->balls)),
+                               time, mill_case_->run.time,
+                               in_lammps ? lammps_steps(*mill_case_).frame_time() : 0);
+  }
+  double next() const override { return replay_->next_frame_time(); }
+  void take(Moment& moment) override {
+    while (replay_->next_frame_time() <= moment.now().time)
+      replay_->add(moment.time_of_balls(), moment.balls());
+  }
+
+ private:
+  const cases::Case* mill_case_;
+  observe::Replay* replay_;
+};
+
+}  // namespace
+
+const std::vector<scene::Ball>& Moment::balls() {
+  if (!balls_) balls_ = engine_->balls();
+  return *balls_;
+}
+
+void Sampler::begin_window(double, double, std::optional<std::int64_t>) {}
+void Sampler::serialize(Archive&) {}
+
+Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
+                  results::Replicate& result) {
+  Samplers made;
+  if (mill_case.sensors.power_meter)
+    made.push_back(std::make_unique<PowerMeterSampler>(mill_case, result));
+  if (frames) made.push_back(std::make_unique<FrameSampler>(mill_case, std::move(frames)));
+  made.push_back(std::make_unique<ChargeSampler>(result));
+  return made;
+}
+
+std::unique_ptr<Sampler> replay_sampler(const cases::Case& mill_case, results::Replicate& result) {
+  return std::make_unique<ReplaySampler>(mill_case, result);
+}
+
+}  // namespace mahlwerk::campaign

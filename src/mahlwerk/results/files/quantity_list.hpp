@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mahlwerk/results/files/json_value.hpp"
+
+// The register of quantities as text, for users and other programs.
+namespace mahlwerk::results {
+
+/// All quantities of summary.json, one object each, in its order: name, unit, about, label, symbol,
+/// least, most, heading, equation, only, series (docs/formats.md).
+Json quantity_list();
+/// The same as a table for the terminal, under the headings of results.
+std::string quantity_index();
+/// One quantity in words; empty if there is none of that name.
+std::string quantity_in_words(std::string_view name);
+
+}  // namespace mahlwerk::results
