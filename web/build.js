@@ -16,15 +16,16 @@ import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { deflateRawSync } from "node:zlib";
 import { build } from "esbuild";
+import { vocabulary } from "./test/vocabulary.js";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const target = ["chrome103", "firefox113", "safari16.4"];
 const order = ["vibrating-vial", "mixer-mill", "planetary-mill", "tumbling-drum", "shaker-mill", "quartz"];
 
-/// Modules that are made here: "worker-source", "example-cases", and the engine.
+/// Modules that are made here: "worker-source", "example-cases", "test-vocabulary", and the engine.
 function made(modules) {
   return { name: "made", setup(task) {
-    task.onResolve({ filter: /^(worker-source|example-cases)$/ }, ({ path }) => ({ path, namespace: "made" }));
+    task.onResolve({ filter: /^(worker-source|example-cases|test-vocabulary)$/ }, ({ path }) => ({ path, namespace: "made" }));
     task.onLoad({ filter: /.*/, namespace: "made" },
       ({ path }) => ({ contents: JSON.stringify(modules[path]), loader: "json" }));
   } };
@@ -90,6 +91,7 @@ async function main() {
   const bin = resolve(values.bin);
   const wasm = mock ? Buffer.alloc(0) : readFileSync(join(bin, "mahlwerk.wasm"));
   const plugins = [chosenEngine(engine, bin)];
+  if (mock) plugins.push(made({ "test-vocabulary": vocabulary() }));
   const modules = { "worker-source": await workerSource(plugins), "example-cases": cases() };
   const { outputFiles, metafile } = await build(options("src/main.js", [made(modules)]));
   rmSync(folder, { recursive: true, force: true });

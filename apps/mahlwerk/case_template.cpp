@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -126,7 +127,7 @@ class PartWriter {
     for (const bool required : {true, false})  // what must be given comes first
       for (const KeyInfo* key : keys) {
         const bool chosen = key->name() == "kind" || key->name() == "model";
-        if (!chosen && (key->required || !start_of(*key).empty()) == required) put(*key, file);
+        if (!chosen && (key->required || !key->start.empty()) == required) put(*key, file);
       }
   }
 
@@ -137,7 +138,6 @@ class PartWriter {
   }
 
  private:
-  std::string_view start_of(const KeyInfo& key) const { return start_value(kind_, key.name()); }
   const cases::CatalogueValue* of_entry(const std::string& name) const {
     if (!entry_) return nullptr;
     const auto found = entry_->values.find(name);
@@ -163,7 +163,7 @@ class PartWriter {
     if (material_.put(out_, key)) return;
     if (!key.required) return out_.left_out(key, key.default_value, default_remark(key));
     if (name == "file") return out_.value(key, file, "a sample file was written for you");
-    out_.value(key, start_of(key), replace_it);
+    out_.value(key, key.start, replace_it);
   }
   static std::string default_remark(const KeyInfo& key) {
     return key.default_source.empty() ? "" : "default: " + key.default_source;
@@ -202,8 +202,7 @@ void put_defaults(TemplateText& out, std::string_view section,
 }
 
 const KeyInfo& key_named(std::string_view key) {
-  const auto& all = cases::all_keys();
-  return *std::ranges::find(all, key, &KeyInfo::key);
+  return *cases::find_key(key);
 }
 
 /// A fifth of the jar's diameter, in whole millimetres.
@@ -249,6 +248,17 @@ void check_kind(const std::string& kind, std::string_view section, const char* o
                          "unknown-word"});
 }
 
+/// The sections that the template does not write: "[powder], [liquid], ...".
+std::string other_sections() {
+  constexpr std::array written{"",        "mill",          "jar", "balls",
+                               "contact", "contact.pairs", "run", "observe"};
+  std::string names;
+  for (const cases::SectionSpec& s : cases::section_list())
+    if (std::ranges::find(written, s.name) == written.end())
+      names += fmt::format("{}[{}]", names.empty() ? "" : ", ", s.name);
+  return names;
+}
+
 }  // namespace
 
 void complete(CaseParts& parts, const cases::Catalogue& catalogue) {
@@ -287,13 +297,13 @@ std::string case_template(const CaseParts& parts, const cases::Catalogue& catalo
       "# change it. Where there is none, three dots stand for it. In brackets: unit and "
       "range.\n\n");
   out.line(fmt::format("title = \"{}\"", mill ? mill->title : "A mill of kind " + parts.mill_kind));
-  const bool falls = parts.jar_kind == "periodic_box";
+  const bool falls = parts.jar_kind == "periodic-box";
   if (falls)
     out.value(key_named("gravity"), "0 m/s2", "in a periodic box balls would fall without end");
   put_defaults(out, "", {"title", falls ? "gravity" : ""});
   out.section("mill", "the mill and its motion");
   PartWriter mill_part(out, "mill", parts.mill_kind, mill, catalogue);
-  if (parts.jar_kind == "periodic_cylinder") mill_part.set("jar_axis", "horizontal");
+  if (parts.jar_kind == "periodic-cylinder") mill_part.set("jar_axis", "horizontal");
   mill_part.write(parts.motion_file);
   out.section("jar", "inner shape and sizes of the jar");
   if (mill && mill->jars.size() > 1)
@@ -310,10 +320,8 @@ std::string case_template(const CaseParts& parts, const cases::Catalogue& catalo
   out.section("observe", "statistics and records");
   put_defaults(out, "observe", {});
   out.line("");
-  out.comment(
-      "More sections: [powder], [wear], [heat], [capture], [breakage], [fragments], [grinding], "
-      "[kinetics], [sweep], [optimise], [match], [fit]. `mahlwerk describe powder` shows the "
-      "keys.");
+  out.comment(fmt::format("More sections: {}. `mahlwerk describe powder` shows the keys.",
+                          other_sections()));
   return out.text();
 }
 

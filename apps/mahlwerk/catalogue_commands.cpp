@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// list and describe: contents of the catalogue, and the keys of a case file.
+// list and describe: contents of the catalogue, and the keys and units of a case file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "mahlwerk/results/files/quantity_list.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "output.hpp"
+#include "unit_pages.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -27,7 +28,7 @@ std::vector<std::string> requested_categories(const std::string& target) {
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media, or keys or quantities",
+                         "use one of mills, jars, materials, media, keys, units or quantities",
                          "unknown-name"});
 }
 
@@ -67,6 +68,13 @@ int list(const Request& request) {
       json_to_stdout(keys_as_json(all_sections()));
     else
       to_stdout(key_index() + "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
+    return success;
+  }
+  if (request.target == "units") {
+    if (request.json)
+      json_to_stdout(units_as_json());
+    else
+      to_stdout(unit_table());
     return success;
   }
   if (request.target == "quantities") {
@@ -168,15 +176,17 @@ int describe(const Request& request) {
 }  // namespace
 
 Command list_command() {
-  return {"list",
-          "list the contents of the catalogue: mills, jars, materials or media; the keys of a "
-          "case file; or the quantities of a result",
-          {{.name = "CATEGORY",
-            .target = &Request::target,
-            .about = "mills, jars, materials or media (default: all four), keys, or quantities",
-            .completions = "mills jars materials media keys quantities"},
-           json()},
-          list};
+  return {
+      "list",
+      "list the contents of the catalogue: mills, jars, materials or media; the keys or the units "
+      "of "
+      "a case file; or the quantities of a result",
+      {{.name = "CATEGORY",
+        .target = &Request::target,
+        .about = "mills, jars, materials or media (default: all four), keys, units or quantities",
+        .completions = "mills jars materials media keys units quantities"},
+       json()},
+      list};
 }
 
 Command describe_command() {

@@ -17,6 +17,7 @@ using cases::KeySection;
 using results::Json;
 
 constexpr std::size_t line_width = 110;
+constexpr std::size_t engine_count = 3;  ///< event, soft, lammps
 
 /// "mill"; "top" for the keys outside sections.
 std::string_view section_word(const KeySection& section) {
@@ -75,6 +76,12 @@ Json text_or_null(const std::string& text) {
   return text.empty() ? Json() : Json(text);
 }
 
+Json usual_json(const UsualRange& usual) {
+  if (usual.most.empty()) return {};
+  return Json::object(
+      {{"least", std::string(usual.least)}, {"most", std::string(usual.most)}, {"log", usual.log}});
+}
+
 Json as_json(const KeyInfo& key, const KeySection& section) {
   const bool number = key.type == "number" || key.type == "integer";
   Json made = Json::object({{"key", std::string(key.name())},
@@ -90,7 +97,12 @@ Json as_json(const KeyInfo& key, const KeySection& section) {
                             {"words", key.words},
                             {"meanings", key.meanings},
                             {"required", key.required},
-                            {"instead_of", text_or_null(key.instead_of)}});
+                            {"instead_of", text_or_null(key.instead_of)},
+                            {"label", key.label},
+                            {"symbol", text_or_null(key.symbol)},
+                            {"start", text_or_null(key.start)},
+                            {"usual", usual_json(key.usual)},
+                            {"engines", key.engines}});
   Json others = Json::array(), under = Json::object();
   for (const KeyInfo& other : section.keys)
     if (other.instead_of == key.key) others.push_back(std::string(other.name()));
@@ -155,6 +167,8 @@ std::string key_meaning(const KeyInfo& key, bool brief) {
   if (brief) return text;
   add(condition(key));
   if (!key.default_source.empty()) add("default: " + key.default_source);
+  if (key.engines.size() < engine_count)
+    add(fmt::format("read by {}", fmt::join(key.engines, ", ")));
   return text;
 }
 

@@ -9,71 +9,13 @@
 #include <numbers>
 
 namespace mahlwerk::app {
-namespace {
-
-constexpr auto start_values = std::to_array<StartValue>({
-    {"vibration", "frequency", "25 Hz"},
-    {"vibration", "amplitude", "5 mm"},
-    {"planetary", "orbit_radius", "100 mm"},
-    {"planetary", "speed", "300 rpm"},
-    {"planetary", "ratio", "1:-2"},
-    {"tumbling", "speed", "70 %"},
-    {"arc-shaker", "frequency", "25 Hz"},
-    {"arc-shaker", "arm", "136 mm"},
-    {"arc-shaker", "swing", "3.8 deg"},
-    {"figure-eight", "frequency", "17.5 Hz"},
-    {"figure-eight", "stroke_along", "30 mm"},
-    {"figure-eight", "stroke_across", "12.5 mm"},
-    {"circular", "radius", "15 mm"},
-    {"circular", "speed", "1000 rpm"},
-    {"sphere", "diameter", "40 mm"},
-    {"capsule", "diameter", "20 mm"},
-    {"capsule", "height", "25 mm"},
-    {"cylinder", "diameter", "50 mm"},
-    {"cylinder", "height", "50 mm"},
-    {"rounded-cylinder", "diameter", "50 mm"},
-    {"rounded-cylinder", "height", "50 mm"},
-    {"rounded-cylinder", "fillet", "8 mm"},
-    {"box", "width", "50 mm"},
-    {"box", "depth", "50 mm"},
-    {"box", "height", "50 mm"},
-    {"periodic_box", "width", "50 mm"},
-    {"periodic_box", "depth", "50 mm"},
-    {"periodic_box", "height", "50 mm"},
-    {"periodic_cylinder", "diameter", "200 mm"},
-    {"periodic_cylinder", "length", "100 mm"},
-    {"lifter_cylinder", "diameter", "200 mm"},
-    {"lifter_cylinder", "height", "100 mm"},
-    {"lifter_cylinder", "lifters", "8"},
-    {"lifter_cylinder", "lifter_height", "10 mm"},
-    {"lifter_cylinder", "lifter_width", "15 mm"},
-    {"attritor", "diameter", "100 mm"},
-    {"attritor", "height", "120 mm"},
-    {"attritor", "shaft_diameter", "20 mm"},
-    {"attritor", "shaft_clearance", "10 mm"},
-    {"attritor", "arms", "4"},
-    {"attritor", "arm_diameter", "8 mm"},
-    {"attritor", "arm_span", "80 mm"},
-    {"attritor", "arm_clearance", "20 mm"},
-    {"attritor", "arm_spacing", "20 mm"},
-    {"attritor", "rotor_speed", "300 rpm"},
-    {"mesh", "unit", "mm"},
-});
-
-}  // namespace
-
-std::string_view start_value(std::string_view kind, std::string_view key) {
-  for (const StartValue& v : start_values)
-    if (v.kind == kind && v.key == key) return v.value;
-  return {};
-}
 
 std::string_view start_jar(std::string_view mill_kind) {
   return mill_kind == "arc-shaker" ? "capsule" : "cylinder";
 }
 
 StartBalls start_balls(std::string_view jar_kind) {
-  if (jar_kind == "periodic_cylinder" || jar_kind == "lifter_cylinder")
+  if (jar_kind == "periodic-cylinder" || jar_kind == "lifter-cylinder")
     return {"20 mm", "filling", "15 %"};
   if (jar_kind == "attritor") return {"10 mm", "filling", "20 %"};
   return {"8 mm", "count", "10"};

@@ -5,16 +5,10 @@
 #include <string>
 #include <string_view>
 
-// Values that `mahlwerk new` writes where neither the user nor the catalogue gives any. They belong
-// to no machine and are marked as assumed in the case.
+// Parts that `mahlwerk new` writes where neither the user nor the catalogue gives any, besides the
+// values of KeyInfo::start. They belong to no machine and are marked as assumed in the case.
 namespace mahlwerk::app {
 
-struct StartValue {
-  std::string_view kind, key, value;
-};
-
-/// The value of a required key of a mill or jar of this kind; empty if there is none.
-std::string_view start_value(std::string_view kind, std::string_view key);
 /// The jar for a mill without a jar in the catalogue, and balls for a jar.
 std::string_view start_jar(std::string_view mill_kind);
 struct StartBalls {

@@ -51,7 +51,7 @@ def mill(rng, size):
 def jar(rng, size, exact):
     d, h = size, size * rng.uniform(0.6, 2)
     kinds = ["cylinder", "capsule", "rounded-cylinder", "sphere", "box"]
-    kind = rng.choice(kinds if exact else kinds + ["lifter_cylinder"])
+    kind = rng.choice(kinds if exact else kinds + ["lifter-cylinder"])
     lines = {
         "cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"',
         "capsule": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"',
@@ -60,7 +60,7 @@ def jar(rng, size, exact):
         "sphere": f'diameter = "{d:.5g} mm"',
         "box": f'width = "{d:.5g} mm"\ndepth = "{d * rng.uniform(0.7, 1.5):.5g} mm"\n'
                f'height = "{h:.5g} mm"',
-        "lifter_cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"\nlifters = 4\n'
+        "lifter-cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"\nlifters = 4\n'
                            f'lifter_height = "{0.06 * d:.5g} mm"\nlifter_width = "{0.08 * d:.5g} mm"',
     }[kind]
     return f'[jar]\nkind = "{kind}"\n{lines}\n', kind

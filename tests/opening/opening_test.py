@@ -225,7 +225,7 @@ frames = "10 ms"
 frames_format = "vtk"
 """
 DRUM = PARTS.format(mill='kind = "tumbling"\nspeed = "60 rpm"\njar_axis = "horizontal"', time=400,
-                    diameter=0.1, jar="""kind = "lifter_cylinder"
+                    diameter=0.1, jar="""kind = "lifter-cylinder"
 height = "60 mm"
 lifters = 3
 lifter_height = "10 mm"

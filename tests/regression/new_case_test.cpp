@@ -105,7 +105,7 @@ TEST_F(NewCase, replaces_no_file_and_writes_none_that_is_faulty) {
 TEST_F(NewCase, without_a_mill_lists_what_can_be_given) {
   const ProgramResult e = mahlwerk("new");
   EXPECT_EQ(e.code, 0);
-  for (const char* word : {"retsch-mm400", "planetary", "spex-vial-62ml", "lifter_cylinder"})
+  for (const char* word : {"retsch-mm400", "planetary", "spex-vial-62ml", "lifter-cylinder"})
     EXPECT_NE(e.output.find(word), std::string::npos) << word;
   const ProgramResult wrong = mahlwerk("new --mill retsch-mm40 my.toml");
   EXPECT_EQ(wrong.code, 2);

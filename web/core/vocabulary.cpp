@@ -9,6 +9,7 @@
 #include "key_pages.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
 #include "session.hpp"
+#include "unit_pages.hpp"
 
 namespace mahlwerk::web {
 
@@ -21,8 +22,9 @@ results::Json vocabulary() {
       list.push_back(app::entry_json(known.find(category, name)));
     entries[category] = std::move(list);
   }
-  return results::Json::object(
-      {{"keys", app::keys_as_json(app::all_sections())}, {"catalogue", std::move(entries)}});
+  return results::Json::object({{"keys", app::keys_as_json(app::all_sections())},
+                                {"units", app::units_as_json()},
+                                {"catalogue", std::move(entries)}});
 }
 
 }  // namespace mahlwerk::web

@@ -6,7 +6,8 @@
 
 namespace mahlwerk::web {
 
-/// The keys of a case as `mahlwerk list keys --json` prints them, under "keys", and the entries of
+/// The keys and units of a case as `mahlwerk list keys --json` and `list units --json` print them,
+/// under "keys" and "units", and the entries of
 /// the catalogue as `mahlwerk list --json` does, by category, under "catalogue".
 results::Json vocabulary();
 

@@ -6,7 +6,7 @@
 import { entryOf, parse, rawOf, write } from "../src/case/toml_text.js";
 import { split } from "../src/case/quantity.js";
 import catalogue from "./data/catalogue.json";
-import vocabulary from "./data/vocabulary.json";
+import { keys as vocabulary, units } from "test-vocabulary";
 import { filmOf } from "./mock_film.js";
 import { grindingOf, reportOf, sizesOf, spectrumOf, summaryOf, timeseriesOf } from "./mock_tables.js";
 
@@ -87,7 +87,7 @@ class MockEngine {
   version = "0.1.0 (test)";
 
   vocabulary() {
-    return { keys: vocabulary, catalogue };
+    return { keys: vocabulary, units, catalogue };
   }
 
   check(toml, set) {

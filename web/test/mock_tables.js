@@ -19,12 +19,16 @@ function normal(draw) {
 const powerOf = ({ drive, restitution }) => 4e-5 * drive ** 3 * (1.2 - restitution);
 const energyOf = ({ drive }) => 1e-5 * drive ** 2;
 
+/// Labels as those of most quantities: their names in words.
+const labelled = (summary) => Object.fromEntries(Object.entries(summary).map(([key, value]) =>
+  [key, key.startsWith("_") ? value : { label: key.replaceAll("_", " "), ...value }]));
+
 export function summaryOf(settings, simulated, replicate, notices) {
   const scatter = 0.3 / Math.sqrt(Math.max(simulated, 1e-3));
   const draw = random(replicate + 1 + Math.round(simulated * 10));
   const quantity = (value, unit, about) => ({ value: value * (1 + 0.3 * scatter * normal(draw)),
     ci95: value * scatter, ci95_time: value * scatter, unit, about });
-  return {
+  return labelled({
     _about: { mahlwerk: "0.1.0", schema: 2, title: settings.title, engine: settings.engine, notices,
       complete: true },
     _key_quantities: ["dissipated_power", "collision_rate_above_threshold",
@@ -44,7 +48,7 @@ export function summaryOf(settings, simulated, replicate, notices) {
     contact_time_share: quantity(0.07, "1", "share of the balls' time spent in sustained contact"),
     deepest_overlap: { value: 1e-12, ci95: null, ci95_time: null, unit: "1", about: "deepest overlap" },
     simulated_time: { value: simulated, ci95: null, ci95_time: null, unit: "s", about: "simulated time" },
-  };
+  });
 }
 
 export function spectrumOf(settings, simulated, replicate) {

@@ -136,7 +136,7 @@ async function mills_and_jars_can_be_chosen({ page, url }) {
   await open(page, url);
   const [mill, jar] = [page.locator("fieldset select").first(), "model fritsch-45ml-steel"];
   await mill.selectOption("model fritsch-p7-classic");
-  expect("the text", /model = "fritsch-p7-classic"[^]*speed = "400 rpm"/.test(await caseText(page)));
+  expect("the text", /model = "fritsch-p7-classic"[^]*speed = "300 rpm"/.test(await caseText(page)));
   expect("a fitting jar", await page.locator("fieldset").nth(1).locator("select").first().inputValue(), jar);
   await page.waitForSelector('body:not([data-case="unchecked"])');
   expect("no fault", await page.locator(".fault-line:not([hidden])").count(), 0);

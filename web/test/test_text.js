@@ -6,13 +6,14 @@
 import { readFileSync } from "node:fs";
 import { withJar, withKind, withMill } from "../src/case/mill_choice.js";
 import { knownOf } from "../src/case/known.js";
-import { convert, split } from "../src/case/quantity.js";
+import { convert, split, unitsFor, useUnits } from "../src/case/quantity.js";
 import { differences, parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
 import { mergedSpectrum } from "../src/run/merge.js";
 import { valuesBetween } from "../src/run/sweep_values.js";
 import { quantityText } from "../src/format.js";
 import { verdictOf } from "../src/results/verdict.js";
 import { expect } from "./check.js";
+import { vocabulary } from "./vocabulary.js";
 
 const file = (path) => readFileSync(new URL(path, import.meta.url), "utf8");
 
@@ -47,20 +48,27 @@ function testText() {
 }
 
 function testChoice() {
-  const { catalogue } = knownOf({ keys: [], catalogue: JSON.parse(file("data/catalogue.json")) });
+  const known = knownOf({ ...vocabulary(), catalogue: JSON.parse(file("data/catalogue.json")) });
   const vial = file("../examples/vibrating-vial.toml");
-  const mill = withMill(vial, catalogue, "fritsch-p7-classic");
+  const mill = withMill(vial, known, "fritsch-p7-classic");
   expect("the mill of the catalogue", [read(mill, "mill.model"), read(mill, "mill.speed"),
-    read(mill, "mill.kind"), read(mill, "mill.frequency")], ["fritsch-p7-classic", "400 rpm", null, null]
+    read(mill, "mill.kind"), read(mill, "mill.frequency")], ["fritsch-p7-classic", "300 rpm", null, null]
     .map((value) => value ?? undefined));
   expect("a jar that the mill carries", read(mill, "jar.model"), "fritsch-45ml-steel");
-  expect("a jar of a kind", read(withKind(mill, "jar", "sphere"), "jar.diameter"), "40 mm");
+  expect("a jar of a kind", read(withKind(mill, known.vocabulary, "jar", "sphere"), "jar.diameter"), "40 mm");
   expect("a jar of the catalogue", read(withJar(vial, "spex-vial-62ml"), "jar.diameter"), undefined);
 }
 
 function testNumbers() {
+  useUnits(vocabulary().units);
   expect("a quantity", split("1e-3 kg/m3"), { number: 1e-3, unit: "kg/m3" });
   expect("rpm to Hz", convert(600, "rpm", "Hz"), 10);
+  expect("minutes to seconds", convert(1.5, "min", "s"), 90);
+  expect("a length in inches", convert(2, "in", "mm"), 50.8);
+  expect("degrees Celsius to kelvin", convert(20, "degC", "K"), 293.15);
+  expect("units of a length", unitsFor("mm"), ["m", "cm", "mm", "um"]);
+  expect("an inch, too, where a case has one", unitsFor("in").includes("in"), true);
+  expect("a sieve is no measure", split("200 mesh"), null);
   expect("no conversion", convert(1, "rpm", "%"), null);
   expect("values of a sweep", valuesBetween(1, 100, 3, true), [1, 10, 100]);
   for (const { text, ...told } of JSON.parse(file("../../tests/unit/report/numbers.json")))

@@ -28,6 +28,20 @@ constexpr Range positive{.least = 0, .without_least = true};
 constexpr Range not_negative{.least = 0};
 constexpr Range not_zero{.without_zero = true};
 
+/// Usual values of a key, as written in a case: the ends of a slider. They are no limits.
+struct UsualRange {
+  std::string_view least = "", most = "";
+  bool log = false;  ///< whether equal ratios, not equal steps, are equally far apart
+};
+
+/// How pages, plots and new cases present a value.
+struct Presentation {
+  std::string_view label = "";   ///< name on an axis and in a form; empty: the key in words
+  std::string_view symbol = "";  ///< in the texts of plots: "$f$"
+  std::string_view start = "";   ///< value of a new case if neither user nor catalogue gives one
+  UsualRange usual = {};
+};
+
 /// One numeric parameter of a model, for users. Parser, help, docs and results read this
 /// description.
 template <class Model>
@@ -39,6 +53,13 @@ struct Field {
   std::string_view about;                         ///< one sentence
   std::optional<double> standard = std::nullopt;  ///< the default; none: the parameter is required
   std::string_view source = "";                   ///< where the default comes from
+  Presentation presentation = {};
+
+  constexpr Field with(const Presentation& p) const {
+    Field made = *this;
+    made.presentation = p;
+    return made;
+  }
 };
 
 }  // namespace mahlwerk

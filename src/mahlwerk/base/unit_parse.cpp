@@ -38,7 +38,8 @@ double common_divisor(double a, double b) {
 [[noreturn]] void unknown_unit(std::string_view symbol) {
   std::vector<std::string> known;
   for (const Unit& u : all_units()) known.emplace_back(u.symbol);
-  known.insert(known.end(), {"degC", "1/min", "rad/s", "m/s", "kg/m3", "g/cm3", "m/s2", "J/kg"});
+  known.insert(known.end(),
+               {"degC", "mesh", "1/min", "rad/s", "m/s", "kg/m3", "g/cm3", "m/s2", "J/kg"});
   const std::string near = nearest_word(symbol, known);
   throw UnitError(near.empty()
                       ? fmt::format("there is no unit \"{}\"", symbol)
@@ -97,6 +98,9 @@ void multiply_factor(ParsedUnit& m, std::string_view factor, int sign) {
   const std::string_view symbol = factor.substr(0, end);
   if (symbol.empty()) unknown_unit(factor);
   if (symbol == "degC") throw UnitError("\"degC\" cannot be part of a compound unit; use \"K\"");
+  if (symbol == "mesh")
+    throw UnitError(
+        "\"mesh\" is a sieve's number and no unit of its own; write for instance \"75 um\"");
   multiply(m, find_unit(symbol), sign * parse_power(factor.substr(end), symbol));
 }
 

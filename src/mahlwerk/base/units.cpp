@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "mahlwerk/base/elementary.hpp"
@@ -53,6 +54,18 @@ Parts split(std::string_view whole) {
 
 bool celsius(std::string_view unit) {
   return unit == "degC" || unit == "\u00b0C";
+}
+
+/// A number in a unit that is no multiple of an SI unit, in SI units: degC, and mesh as the opening
+/// of a test sieve. No value for other units.
+std::optional<Quantity> special(const Parts& p) {
+  if (celsius(p.unit)) return Quantity{p.number + ice_point, {.temperature = 1}};
+  if (p.unit != "mesh") return std::nullopt;
+  const auto opening = mesh_opening(p.number);
+  if (!opening)
+    throw UnitError(fmt::format("ASTM E11 has no sieve of {} mesh; the nearest: {}", p.digits,
+                                nearest_meshes(p.number)));
+  return Quantity{*opening, {.length = 1}};
 }
 
 /// Converts `value` from the unit `from` to the unit `to`.
@@ -127,8 +140,7 @@ std::string_view example_unit(std::string_view unit) {
 
 Quantity parse_quantity(std::string_view text) {
   const Parts p = split(text);
-  if (celsius(p.unit))
-    return {finite_or_fault(p.number + ice_point, text), Dimension{.temperature = 1}};
+  if (const auto q = special(p)) return {finite_or_fault(q->value, text), q->dimension};
   const ParsedUnit m = parse_unit(p.unit);
   return {finite_or_fault(converted(p.number, m.scale, {}), text), m.dimension};
 }
@@ -137,16 +149,13 @@ double parse_in(std::string_view text, std::string_view unit) {
   const Parts p = split(text);
   if (celsius(unit)) return celsius(p.unit) ? p.number : parse_in(text, "K") - ice_point;
   const ParsedUnit wanted = parse_unit(unit);
-  if (celsius(p.unit) && wanted.dimension == Dimension{.temperature = 1})
-    return finite_or_fault(converted(p.number + ice_point, {}, wanted.scale), text);
+  const std::optional<Quantity> absolute = special(p);
+  if (absolute && wanted.dimension == absolute->dimension)
+    return finite_or_fault(converted(absolute->value, {}, wanted.scale), text);
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
                                 example_unit(unit)));
-  ParsedUnit found;
-  if (celsius(p.unit))
-    found.dimension = {.temperature = 1};
-  else
-    found = parse_unit(p.unit);
+  const ParsedUnit found = absolute ? ParsedUnit{{}, absolute->dimension} : parse_unit(p.unit);
   if (found.dimension != wanted.dimension)
     throw UnitError(fmt::format("\"{}\" is not {}; write for instance \"{}\"", trimmed(text),
                                 kind_of(unit), example_of(unit)));

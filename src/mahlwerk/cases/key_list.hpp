@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -36,7 +37,7 @@ class KeyList : public CaseVisitor {
   }
   void alternative(const NumberSpec& spec) override { add_number(spec, false); }
   void integer(const IntegerSpec& spec, std::int64_t&) override {
-    KeyInfo info = of_type("integer", spec.key, spec.about);
+    KeyInfo info = of_type("integer", spec.key, spec.about, spec.presentation);
     info.range = {.least = static_cast<double>(spec.least), .most = static_cast<double>(spec.most)};
     if (spec.standard) info.default_value = std::to_string(*spec.standard);
     info.default_source = spec.default_text.empty() ? spec.source : spec.default_text;
@@ -44,7 +45,7 @@ class KeyList : public CaseVisitor {
     add(std::move(info));
   }
   void flag(const Flag& flag, bool&) override {
-    KeyInfo info = of_type("flag", flag.key, flag.about);
+    KeyInfo info = of_type("flag", flag.key, flag.about, {}, flag.engines);
     info.words = {"true", "false"};
     info.default_value = flag.standard ? "true" : "false";
     info.default_source = flag.source;
@@ -56,14 +57,14 @@ class KeyList : public CaseVisitor {
     add(std::move(info), spec.instead);
   }
   void custom(const CustomKey& spec, const std::function<std::string()>&) override {
-    KeyInfo info = of_type(spec.type, spec.key, spec.about);
+    KeyInfo info = of_type(spec.type, spec.key, spec.about, spec.presentation);
     info.required = spec.required;
     info.default_source = spec.default_text;
     add(std::move(info), spec.instead);
   }
   bool choose(const Choice& choice, std::size_t& word_index) override {
     if (!decides(now_, of_)) return true;
-    KeyInfo info = of_type("word", choice.key, choice.about);
+    KeyInfo info = of_type("word", choice.key, choice.about, choice.presentation, choice.engines);
     const std::string key = info.key;
     const auto own = chosen_.find(key);
     if (own != chosen_.end()) word_index = own->second;
@@ -87,18 +88,28 @@ class KeyList : public CaseVisitor {
   const std::map<std::string, Chosen>& choices() const { return choices_; }
 
  private:
-  KeyInfo of_type(std::string_view type, std::string_view key, std::string_view about) const {
+  KeyInfo of_type(std::string_view type, std::string_view key, std::string_view about,
+                  const Presentation& presentation = {}, Engines read_by = {}) const {
     KeyInfo info;
     info.key = dotted(key);
     info.type = type;
     info.about = about;
+    info.label = presentation.label.empty() ? key : presentation.label;
+    if (presentation.label.empty()) std::ranges::replace(info.label, '_', ' ');
+    info.symbol = presentation.symbol;
+    info.start = presentation.start;
+    info.usual = presentation.usual;
+    const std::array reads{read_by.event, read_by.soft, read_by.lammps};
+    const std::array names{EngineName::event, EngineName::soft, EngineName::lammps};
+    for (std::size_t i = 0; i < reads.size(); ++i)
+      if (reads[i]) info.engines.emplace_back(name_of(names[i]));
     return info;
   }
   std::string dotted(std::string_view key) const {
     return now_.empty() ? std::string(key) : now_ + "." + std::string(key);
   }
   void add_number(const NumberSpec& spec, bool required) {
-    KeyInfo info = of_type("number", spec.key, spec.about);
+    KeyInfo info = of_type("number", spec.key, spec.about, spec.presentation, spec.engines);
     info.unit = spec.unit;
     info.range = spec.range;
     info.required = required;

@@ -13,11 +13,6 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// A section of a case, with the key that chooses its kind.
-struct SectionSpec {
-  std::string_view name, choice, about;
-  bool many_runs = false;  ///< whether it is about many runs
-};
 constexpr std::array sections{
     SectionSpec{"", "", "keys at the top of the file, before the first section"},
     SectionSpec{"mill", "kind", "the mill and its motion"},
@@ -70,10 +65,15 @@ Case full_case() {
 }
 
 /// Whether two descriptions of a key differ in their default only.
-bool same_value(const KeyInfo& a, KeyInfo b) {
-  b.default_value = a.default_value;
-  b.default_source = a.default_source;
-  return a == b;
+bool same_value(const KeyInfo& a, const KeyInfo& b) {
+  const auto ends = [](const Range& r) {
+    return std::tuple(r.least, r.most, r.without_least, r.without_most);
+  };
+  const auto values = [](const KeyInfo& k) {
+    return std::tie(k.key, k.type, k.unit, k.words, k.meanings, k.about, k.required, k.instead_of,
+                    k.under, k.engines);
+  };
+  return values(a) == values(b) && ends(a.range) == ends(b.range);
 }
 
 /// The keys of a section under all combinations of words that lead to new keys. Words may be fixed.
@@ -225,19 +225,17 @@ void add_section(std::vector<KeySection>& all, const SectionSpec& spec) {
 
 }  // namespace
 
+std::span<const SectionSpec> section_list() {
+  return sections;
+}
+
 std::string_view KeyInfo::name() const {
   return std::string_view(key).substr(key.rfind('.') + 1);
 }
 
 bool KeyInfo::operator==(const KeyInfo& o) const {
-  const auto ends = [](const Range& r) {
-    return std::tuple(r.least, r.most, r.without_least, r.without_most);
-  };
-  return std::tie(key, type, unit, words, meanings, about, default_value, default_source, required,
-                  instead_of, under) == std::tie(o.key, o.type, o.unit, o.words, o.meanings,
-                                                 o.about, o.default_value, o.default_source,
-                                                 o.required, o.instead_of, o.under) &&
-         ends(range) == ends(o.range);
+  return same_value(*this, o) && default_value == o.default_value &&
+         default_source == o.default_source;
 }
 
 const std::vector<KeyInfo>& all_keys() {
@@ -251,6 +249,19 @@ const std::vector<KeyInfo>& all_keys() {
     return found;
   }();
   return keys;
+}
+
+const KeyInfo* find_key(std::string_view dotted) {
+  std::string key;  // without the numbers of sections
+  for (std::size_t from = 0; from < dotted.size();) {
+    const std::size_t to = std::min(dotted.find('.', from), dotted.size());
+    const std::string_view part = dotted.substr(from, to - from);
+    if (part.find_first_not_of("0123456789") != std::string_view::npos)
+      key += (key.empty() ? "" : ".") + std::string(part);
+    from = to + 1;
+  }
+  const auto at = std::ranges::find(all_keys(), key, &KeyInfo::key);
+  return at == all_keys().end() ? nullptr : &*at;
 }
 
 const std::vector<KeySection>& key_sections() {

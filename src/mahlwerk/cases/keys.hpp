@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,15 @@
 #include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk::cases {
+
+/// A section of a case, with the key that chooses its kind.
+struct SectionSpec {
+  std::string_view name, choice, about;  ///< without a name: the keys outside sections
+  bool many_runs = false;                ///< whether it is about many runs
+};
+
+/// The sections of a case, in the order in which cases are written.
+std::span<const SectionSpec> section_list();
 
 /// A key of a case file.
 struct KeyInfo {
@@ -25,6 +35,11 @@ struct KeyInfo {
   std::string default_value, default_source;
   bool required = false;   ///< a case must give the key, or one that it may give instead of it
   std::string instead_of;  ///< the key that this one replaces: "jar.height" for "jar.volume"
+  std::string label;       ///< name on an axis and in a form: "vibration frequency"
+  std::string symbol;      ///< in the texts of plots: "$f$"; may be empty
+  std::string start;       ///< value of a new case if neither user nor catalogue gives one
+  UsualRange usual;        ///< usual values; empty: not known
+  std::vector<std::string> engines;  ///< those that read the value, by name; "auto" is not named
   /// Choices of the section under which the key has a meaning: key -> words. Empty: always.
   std::map<std::string, std::vector<std::string>> under;
 
@@ -35,6 +50,9 @@ struct KeyInfo {
 /// Every key that a case may have under any model, in the order in which cases are written; without
 /// the keys of [sweep], [optimise], [match], [fit] and [uncertainty].
 const std::vector<KeyInfo>& all_keys();
+/// The key of this name, in lists with or without index; null if there is none. A key that several
+/// kinds have is described as for the first of them.
+const KeyInfo* find_key(std::string_view dotted);
 
 /// The keys of a section, or those that only one of its kinds has.
 struct KeySection {

@@ -57,7 +57,7 @@ class CaseReader {
     check_fit(c_, fit.locations, findings_);
     c_.origins = std::move(findings_.origins);
     c_.remarks = std::move(findings_.remarks);
-    drop_irrelevant_assumptions(c_);
+    if (findings_.faults.empty()) drop_irrelevant_assumptions(c_);
     auto more = findings_.faults.empty() ? faults(c_) : inconsistencies(c_);
     std::ranges::move(more, std::back_inserter(findings_.faults));
     if (!findings_.faults.empty()) throw InputError(in_order(std::move(findings_.faults)));
@@ -214,13 +214,8 @@ class CaseReader {
 
   void read_top() {
     SectionReader in(&root_, "", findings_);
-    for (const std::string_view name :
-         {"mill",        "jar",        "balls",         "powder",       "contact",
-          "liquid",      "run",        "observe",       "wear",         "heat",
-          "capture",     "breakage",   "fragments",     "grinding",     "kinetics",
-          "power_meter", "microphone", "accelerometer", "thermocouple", "sweep",
-          "optimise",    "match",      "fit",           "uncertainty",  "milling"})
-      in.find(name);
+    for (const SectionSpec& one : section_list())
+      if (!one.name.empty() && one.name.find('.') == std::string_view::npos) in.find(one.name);
     if (const auto title = in.text("title")) {
       c_.title = *title;
     } else {

@@ -34,24 +34,34 @@ struct Attritor {
   static constexpr auto fields() {
     using A = Attritor;
     return std::array{
-        Field<A>{"diameter", "m", &A::diameter, positive, "inner diameter of the vessel"},
-        Field<A>{"height", "m", &A::height, positive, "inner height of the vessel"},
-        Field<A>{"shaft_diameter", "m", &A::shaft_diameter, positive, "diameter of the shaft"},
+        Field<A>{"diameter", "m", &A::diameter, positive, "inner diameter of the vessel"}.with(
+            diameter_of_jar("100 mm")),
+        Field<A>{"height", "m", &A::height, positive, "inner height of the vessel"}.with(
+            height_of_jar("120 mm")),
+        Field<A>{"shaft_diameter", "m", &A::shaft_diameter, positive, "diameter of the shaft"}.with(
+            {.start = "20 mm"}),
         Field<A>{"shaft_clearance", "m", &A::shaft_clearance, not_negative,
-                 "between the shaft's end and the bottom"},
+                 "between the shaft's end and the bottom"}
+            .with({.start = "10 mm"}),
         Field<A>{"arms",
                  "",
                  &A::arms,
                  {.least = 1, .most = 1000},
-                 "how many bars go through the shaft, each square to the one below"},
+                 "how many bars go through the shaft, each square to the one below"}
+            .with({.start = "4"}),
         Field<A>{"arm_diameter", "m", &A::arm_diameter, positive,
-                 "diameter of an arm, round at its tips"},
-        Field<A>{"arm_span", "m", &A::arm_span, positive, "from tip to tip of an arm"},
+                 "diameter of an arm, round at its tips"}
+            .with({.start = "8 mm"}),
+        Field<A>{"arm_span", "m", &A::arm_span, positive, "from tip to tip of an arm"}.with(
+            {.start = "80 mm"}),
         Field<A>{"arm_clearance", "m", &A::arm_clearance, positive,
-                 "between the bottom and the axis of the lowest arm"},
-        Field<A>{"arm_spacing", "m", &A::arm_spacing, positive, "between the axes of two arms"},
+                 "between the bottom and the axis of the lowest arm"}
+            .with({.start = "20 mm"}),
+        Field<A>{"arm_spacing", "m", &A::arm_spacing, positive, "between the axes of two arms"}
+            .with({.start = "20 mm"}),
         Field<A>{"rotor_speed", "rad/s", &A::rotor_speed, any_number,
-                 "of the stirrer about the vessel's axis, relative to the vessel"}};
+                 "of the stirrer about the vessel's axis, relative to the vessel"}
+            .with({.start = "300 rpm"})};
   }
   void complete() { faces = 4 + static_cast<int>(arms); }
   std::string flaw() const;

@@ -27,9 +27,12 @@ struct Box {
   }
   static constexpr auto fields() {
     return std::array{
-        Field<Box>{"width", "m", &Box::width, positive, "inner width, along the jar's own x"},
-        Field<Box>{"depth", "m", &Box::depth, positive, "inner depth, along the jar's own y"},
-        Field<Box>{"height", "m", &Box::height, positive, "inner height, along the jar's axis"}};
+        Field<Box>{"width", "m", &Box::width, positive, "inner width, along the jar's own x"}.with(
+            {.start = "50 mm"}),
+        Field<Box>{"depth", "m", &Box::depth, positive, "inner depth, along the jar's own y"}.with(
+            {.start = "50 mm"}),
+        Field<Box>{"height", "m", &Box::height, positive, "inner height, along the jar's axis"}
+            .with(height_of_jar("50 mm"))};
   }
 
   Gap gap(int face, const Vec3& p) const {

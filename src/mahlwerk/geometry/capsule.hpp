@@ -23,9 +23,11 @@ struct Capsule {
   static constexpr std::string_view face_name(int) { return "wall"; }
   static constexpr auto fields() {
     return std::array{
-        Field<Capsule>{"diameter", "m", &Capsule::diameter, positive, "inner diameter"},
+        Field<Capsule>{"diameter", "m", &Capsule::diameter, positive, "inner diameter"}.with(
+            diameter_of_jar("20 mm")),
         Field<Capsule>{"height", "m", &Capsule::height, not_negative,
-                       "height of the cylindrical part, without the caps"}};
+                       "height of the cylindrical part, without the caps"}
+            .with(height_of_jar("25 mm"))};
   }
 
   /// Vector from the nearest point of the axis segment (the core) to `p` [m].

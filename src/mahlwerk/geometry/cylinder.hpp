@@ -25,8 +25,10 @@ struct Cylinder {
   }
   static constexpr auto fields() {
     return std::array{
-        Field<Cylinder>{"diameter", "m", &Cylinder::diameter, positive, "inner diameter"},
-        Field<Cylinder>{"height", "m", &Cylinder::height, positive, "inner height"}};
+        Field<Cylinder>{"diameter", "m", &Cylinder::diameter, positive, "inner diameter"}.with(
+            diameter_of_jar("50 mm")),
+        Field<Cylinder>{"height", "m", &Cylinder::height, positive, "inner height"}.with(
+            height_of_jar("50 mm"))};
   }
 
   Gap gap(int face, const Vec3& p) const {

@@ -26,7 +26,7 @@ struct LifterCylinder {
   SinCos side{0, 1};         // of the angle of its sides
   std::vector<SinCos> bars;  // of the angle of each about the axis
 
-  static constexpr std::string_view name = "lifter_cylinder";
+  static constexpr std::string_view name = "lifter-cylinder";
   static constexpr std::string_view about = "a cylinder with lifter bars along its shell";
   static constexpr bool axisymmetric = false;
   static std::string face_name(int face) {
@@ -36,16 +36,20 @@ struct LifterCylinder {
     using L = LifterCylinder;
     constexpr double right = 0.5 * std::numbers::pi;
     return std::array{
-        Field<L>{"diameter", "m", &L::diameter, positive, "inner diameter of the shell"},
-        Field<L>{"height", "m", &L::height, positive, "inner height"},
+        Field<L>{"diameter", "m", &L::diameter, positive, "inner diameter of the shell"}.with(
+            diameter_of_jar("200 mm")),
+        Field<L>{"height", "m", &L::height, positive, "inner height"}.with(height_of_jar("100 mm")),
         Field<L>{"lifters",
                  "",
                  &L::lifters,
                  {.least = 1, .most = 1000},
-                 "how many bars, evenly round the shell"},
+                 "how many bars, evenly round the shell"}
+            .with({.start = "8"}),
         Field<L>{"lifter_height", "m", &L::lifter_height, positive,
-                 "how far a bar stands out from the shell, at its middle"},
-        Field<L>{"lifter_width", "m", &L::lifter_width, positive, "width of a bar at its foot"},
+                 "how far a bar stands out from the shell, at its middle"}
+            .with({.start = "10 mm"}),
+        Field<L>{"lifter_width", "m", &L::lifter_width, positive, "width of a bar at its foot"}
+            .with({.start = "15 mm"}),
         Field<L>{"lifter_face_angle",
                  "rad",
                  &L::lifter_face_angle,

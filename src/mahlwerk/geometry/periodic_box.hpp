@@ -14,7 +14,7 @@ namespace mahlwerk::geometry {
 struct PeriodicBox {
   double width = 0, depth = 0, height = 0;  // [m] along x, y, z
 
-  static constexpr std::string_view name = "periodic_box";
+  static constexpr std::string_view name = "periodic-box";
   static constexpr std::string_view about =
       "a box without walls: what leaves by one side comes in by the opposite one";
   static constexpr int faces = 0;
@@ -22,9 +22,11 @@ struct PeriodicBox {
   static constexpr std::string_view face_name(int) { return "none"; }
   static constexpr auto fields() {
     using P = PeriodicBox;
-    return std::array{Field<P>{"width", "m", &P::width, positive, "period along x"},
-                      Field<P>{"depth", "m", &P::depth, positive, "period along y"},
-                      Field<P>{"height", "m", &P::height, positive, "period along z"}};
+    return std::array{
+        Field<P>{"width", "m", &P::width, positive, "period along x"}.with({.start = "50 mm"}),
+        Field<P>{"depth", "m", &P::depth, positive, "period along y"}.with({.start = "50 mm"}),
+        Field<P>{"height", "m", &P::height, positive, "period along z"}.with(
+            height_of_jar("50 mm"))};
   }
 
   Vec3 periods() const { return {width, depth, height}; }

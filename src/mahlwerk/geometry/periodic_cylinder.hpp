@@ -14,7 +14,7 @@ struct PeriodicCylinder {
   double diameter = 0;  // [m]
   double length = 0;    // [m] period along the axis
 
-  static constexpr std::string_view name = "periodic_cylinder";
+  static constexpr std::string_view name = "periodic-cylinder";
   static constexpr std::string_view about =
       "a cylinder without ends, periodic along its axis: a piece of a long drum";
   static constexpr int faces = 1;
@@ -22,8 +22,10 @@ struct PeriodicCylinder {
   static constexpr std::string_view face_name(int) { return "side"; }
   static constexpr auto fields() {
     using P = PeriodicCylinder;
-    return std::array{Field<P>{"diameter", "m", &P::diameter, positive, "inner diameter"},
-                      Field<P>{"length", "m", &P::length, positive, "period along the axis"}};
+    return std::array{Field<P>{"diameter", "m", &P::diameter, positive, "inner diameter"}.with(
+                          diameter_of_jar("200 mm")),
+                      Field<P>{"length", "m", &P::length, positive, "period along the axis"}.with(
+                          {.start = "100 mm"})};
   }
   void complete() {}
 

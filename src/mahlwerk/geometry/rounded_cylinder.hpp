@@ -28,11 +28,12 @@ struct RoundedCylinder {
   static constexpr auto fields() {
     using R = RoundedCylinder;
     return std::array{
-        Field<R>{"diameter", "m", &R::diameter, positive, "inner diameter"},
-        Field<R>{"height", "m", &R::height, positive, "inner height"},
-        Field<R>{
-            "fillet", "m", &R::fillet, positive,
-            "radius of the fillet between side and ends, at most half the diameter and height"}};
+        Field<R>{"diameter", "m", &R::diameter, positive, "inner diameter"}.with(
+            diameter_of_jar("50 mm")),
+        Field<R>{"height", "m", &R::height, positive, "inner height"}.with(height_of_jar("50 mm")),
+        Field<R>{"fillet", "m", &R::fillet, positive,
+                 "radius of the fillet between side and ends, at most half the diameter and height"}
+            .with({.start = "8 mm"})};
   }
 
   Gap gap(int face, const Vec3& p) const {

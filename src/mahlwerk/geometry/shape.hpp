@@ -48,6 +48,16 @@ struct SafeTime {
   double time = 0;     ///< [s] no touch is possible in it, whatever the acceleration within bounds
 };
 
+/// How the inner diameter and height of a jar are presented, with the value of a new case.
+constexpr UsualRange jar_heights{"2 mm", "500 mm", true};
+constexpr Presentation diameter_of_jar(std::string_view start) {
+  return {
+      .label = "jar diameter", .symbol = "$D$", .start = start, .usual = {"5 mm", "500 mm", true}};
+}
+constexpr Presentation height_of_jar(std::string_view start) {
+  return {.label = "jar height", .start = start, .usual = jar_heights};
+}
+
 /// A jar shape. `normal_rate(face, p, v)` is d(inward)/dt [1/s] at a point that passes p at v; its
 /// product with -v is the inward acceleration of a point that moves along the parallel surface
 /// (geo.2). `time_to_curvature_jump(face, p, v)` [s] is the time until a point on a straight line

@@ -21,7 +21,8 @@ struct Sphere {
   static constexpr std::string_view face_name(int) { return "wall"; }
   static constexpr auto fields() {
     return std::array{
-        Field<Sphere>{"diameter", "m", &Sphere::diameter, positive, "inner diameter"}};
+        Field<Sphere>{"diameter", "m", &Sphere::diameter, positive, "inner diameter"}.with(
+            diameter_of_jar("40 mm"))};
   }
 
   Gap gap(int, const Vec3& p) const {

@@ -23,13 +23,18 @@ struct ArcShaker {
   static constexpr auto fields() {
     using A = ArcShaker;
     return std::array{
-        Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"},
-        Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"},
+        Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"}.with(
+            {.symbol = "$f$", .start = "25 Hz", .usual = frequencies}),
+        Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"}.with(
+            {.label = "length of the arm", .start = "136 mm", .usual = {"50 mm", "400 mm"}}),
         Field<A>{"swing",
                  "rad",
                  &A::swing,
                  {.least = 0, .most = std::numbers::pi / 2},
-                 "largest angle of the arm to either side"}};
+                 "largest angle of the arm to either side"}
+            .with({.label = "swing to either side",
+                   .start = "3.8 deg",
+                   .usual = {"0.5 deg", "20 deg"}})};
   }
 
   double omega() const { return 2 * std::numbers::pi * frequency; }

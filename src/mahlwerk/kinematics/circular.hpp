@@ -19,9 +19,11 @@ struct Circular : NonRotating {
   static constexpr auto fields() {
     using C = Circular;
     return std::array{
-        Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"},
+        Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"}.with(
+            {.start = "15 mm"}),
         Field<C>{"speed", "rad/s", &C::speed, not_zero,
-                 "turns of the circle per unit of time; a negative one goes the other way round"}};
+                 "turns of the circle per unit of time; a negative one goes the other way round"}
+            .with(speed_of_mill("1000 rpm"))};
   }
 
   FrameMotion frame_motion(double t) const {

@@ -30,11 +30,14 @@ struct FigureEight {
     using F = FigureEight;
     constexpr std::string_view none = "no such motion unless said";
     return std::array{
-        Field<F>{"frequency", "Hz", &F::frequency, positive, "cycles per second"},
+        Field<F>{"frequency", "Hz", &F::frequency, positive, "cycles per second"}.with(
+            {.symbol = "$f$", .start = "17.5 Hz", .usual = frequencies}),
         Field<F>{"stroke_along", "m", &F::stroke_along, not_negative,
-                 "semi-amplitude along x, the jar's axis, at the frequency"},
+                 "semi-amplitude along x, the jar's axis, at the frequency"}
+            .with({.start = "30 mm"}),
         Field<F>{"stroke_across", "m", &F::stroke_across, not_negative,
-                 "semi-amplitude along y, across, at twice the frequency"},
+                 "semi-amplitude along y, across, at twice the frequency"}
+            .with({.start = "12.5 mm"}),
         Field<F>{"stroke_up", "m", &F::stroke_up, not_negative,
                  "semi-amplitude along z, upwards, at the frequency", 0.0, none},
         Field<F>{"phase_across", "rad", &F::phase_across, any_number, "phase of the motion across",

@@ -31,6 +31,13 @@ struct Bounds {
   double angular_acceleration = 0;  ///< [rad/s2] of the jar
 };
 
+/// Usual frequencies of shaken mills, and how the speed of a rotating one is presented.
+constexpr UsualRange frequencies{"1 Hz", "60 Hz"};
+constexpr Presentation speed_of_mill(std::string_view start,
+                                     UsualRange usual = {"10 rpm", "1100 rpm"}) {
+  return {.label = "speed of the mill", .symbol = "$ω$", .start = start, .usual = usual};
+}
+
 /// A motion. `rotation(t)` is the rotation since mounting, `spin(t)` the angular velocity,
 /// `angular_acceleration(t)` its derivative. `period()` [s] is that of the frame motion and spin,
 /// infinite if there is none. `fixed_axis()` is the constant unit direction of the spin, zero if

@@ -20,13 +20,18 @@ struct Planetary {
   static constexpr Vec3 jar_axis = upright;
   static constexpr auto fields() {
     using P = Planetary;
-    return std::array{Field<P>{"orbit_radius", "m", &P::orbit_radius, positive,
-                               "distance between the axes of disc and jar"},
-                      Field<P>{"speed", "rad/s", &P::speed, not_zero,
-                               "speed of the disc; a negative one turns the mill the other way"},
-                      Field<P>{"ratio", "", &P::ratio, any_number,
-                               "jar speed over disc speed, relative to the disc unless "
-                               "ratio_convention says otherwise; \"1:-2\" is -2"}};
+    return std::array{
+        Field<P>{"orbit_radius", "m", &P::orbit_radius, positive,
+                 "distance between the axes of disc and jar"}
+            .with({.start = "100 mm", .usual = {"20 mm", "300 mm"}}),
+        Field<P>{"speed", "rad/s", &P::speed, not_zero,
+                 "speed of the disc; a negative one turns the mill the other way"}
+            .with(speed_of_mill("300 rpm")),
+        Field<P>{"ratio", "", &P::ratio, any_number,
+                 "jar speed over disc speed, relative to the disc unless "
+                 "ratio_convention says otherwise; \"1:-2\" is -2"}
+            .with(
+                {.label = "speed ratio", .symbol = "$k$", .start = "1:-2", .usual = {"-4", "2"}})};
   }
 
   double jar_spin() const { return speed * (1 + ratio); }

@@ -17,7 +17,8 @@ struct Tumbling {
   static constexpr Vec3 jar_axis = lying;
   static constexpr auto fields() {
     return std::array{Field<Tumbling>{"speed", "rad/s", &Tumbling::speed, any_number,
-                                      "speed of the drum, or % of its critical speed"}};
+                                      "speed of the drum, or % of its critical speed"}
+                          .with(speed_of_mill("70 %", {"5 %", "130 %"}))};
   }
 
   FrameMotion frame_motion(double) const { return {}; }

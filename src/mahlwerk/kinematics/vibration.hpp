@@ -22,16 +22,25 @@ struct Vibration : NonRotating {
   static constexpr auto fields() {
     using V = Vibration;
     return std::array{
-        Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"},
+        Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"}.with(
+            {.label = "vibration frequency",
+             .symbol = "$f$",
+             .start = "25 Hz",
+             .usual = frequencies}),
         Field<V>{"amplitude", "m", &V::amplitude, not_negative,
-                 "half the stroke: the jar moves this far to either side"},
+                 "half the stroke: the jar moves this far to either side"}
+            .with({.label = "vibration amplitude",
+                   .symbol = "$A$",
+                   .start = "5 mm",
+                   .usual = {"0.5 mm", "60 mm"}}),
         Field<V>{"tilt",
                  "rad",
                  &V::tilt,
                  {0, std::numbers::pi},
                  "angle of the line from the vertical",
                  0.0,
-                 "vertical, as in paper A"},
+                 "vertical, as in paper A"}
+            .with({.usual = {"0 deg", "90 deg"}}),
         Field<V>{"heading", "rad", &V::heading, any_number,
                  "direction of a tilted line around the vertical, from x", 0.0, "along x"}};
   }

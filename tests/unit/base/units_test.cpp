@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/unit_table.hpp"
 
 namespace mahlwerk::units_test {
 namespace {
@@ -101,6 +103,66 @@ TEST(Units, of_comminution_and_mechanochemistry) {
   EXPECT_EQ(parse_in("5 cc", "m3"), 5e-6);
   EXPECT_EQ(parse_in("1 ft", "m"), 0.3048);
   EXPECT_EQ(parse_in("1 lb", "kg"), 0.45359237);
+}
+
+TEST(Units, of_plants_and_of_compounds) {
+  EXPECT_EQ(parse_in("3 MJ", "J"), 3e6);
+  EXPECT_EQ(parse_in("1.2 GW", "W"), 1.2e9);
+  EXPECT_EQ(parse_in("3.6 t/h", "kg/s"), 1);  // 3600 kg in 3600 s
+  EXPECT_EQ(parse_in("600 t/h", "kg/h"), 6e5);
+  EXPECT_EQ(parse_in("11 kWh/t", "J/kg"), 39600);  // 11 * 3.6e6 J over 1000 kg
+  EXPECT_EQ(parse_in("2 MJ/t", "J/kg"), 2000);
+  EXPECT_EQ(parse_in("250 cP", "mPa s"), 250);  // 1 cP is 1 mPa s
+  EXPECT_EQ(parse_in("10 bar", "MPa"), 1);
+}
+
+// Openings: ASTM E11-20, table 1.
+TEST(Units, mesh_is_the_opening_of_that_sieve_of_astm_e11) {
+  EXPECT_EQ(parse_in("3.5 mesh", "m"), 5.6e-3);
+  EXPECT_EQ(parse_in("4 mesh", "m"), 4.75e-3);
+  EXPECT_EQ(parse_in("18 mesh", "mm"), 1);
+  EXPECT_EQ(parse_in("200 mesh", "m"), 75e-6);
+  EXPECT_EQ(parse_in("325mesh", "um"), 45);
+  EXPECT_EQ(parse_in("635 mesh", "m"), 20e-6);
+  EXPECT_EQ(parse_quantity("100 mesh").value, 150e-6);
+  EXPECT_EQ(parse_quantity("100 mesh").dimension, (Dimension{.length = 1}));
+  EXPECT_EQ(fault_of("180 mesh", "m"),
+            "ASTM E11 has no sieve of 180 mesh; the nearest: 170 mesh, 200 mesh");
+  EXPECT_EQ(fault_of("-200 mesh", "m"),
+            "ASTM E11 has no sieve of -200 mesh; the nearest: 3.5 mesh");
+  EXPECT_EQ(fault_of("1000 mesh", "m"),
+            "ASTM E11 has no sieve of 1000 mesh; the nearest: 635 mesh");
+  EXPECT_EQ(fault_of("200 mesh", "kg"), "\"200 mesh\" is not a mass; write for instance \"10 g\"");
+  EXPECT_TRUE(contains(fault_of("5 kg/mesh", "kg/m"), "75 um"));
+}
+
+// ISO 565 rounds a series in which each opening is 2^(1/4) = 1.189 times the next: expected 1.189,
+// tolerance 0.03, as the coarsest rounding is 1.7 mm / 1.4 mm. 25 um and 20 um stand outside it.
+TEST(Units, openings_of_sieves_fall_by_the_fourth_root_of_two) {
+  double before = *mesh_opening(4);
+  int count = 1;
+  for (int number = 5; number <= 635; ++number) {
+    const auto opening = mesh_opening(number);
+    if (!opening) continue;
+    if (number <= 450) EXPECT_NEAR(before / *opening, 1.189, 0.03) << number << " mesh";
+    before = *opening;
+    ++count;
+  }
+  EXPECT_EQ(count, 32);
+}
+
+// A program that converts with the listed factors finds what the parser finds, to the rounding of
+// one product (2^-52 relative) and one sum.
+TEST(Units, listed_factors_are_those_of_the_parser) {
+  const auto units = listed_units();
+  EXPECT_GE(units.size(), all_units().size() + 10);
+  for (const ListedUnit& u : units) {
+    const double expected = parse_in("3" + std::string(u.symbol), u.si);
+    EXPECT_NEAR(3 * u.factor + u.offset, expected, 1e-15 * std::abs(expected)) << u.symbol;
+  }
+  for (const char* offered : {"", "%", "mm", "um", "rpm", "Hz", "min", "ml", "g/cm3", "GPa", "deg"})
+    EXPECT_TRUE(std::ranges::find(units, std::string_view(offered), &ListedUnit::symbol)->offered)
+        << offered;
 }
 
 TEST(Units, numbers_and_per_cent) {

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "mahlwerk/base/units.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::keys_test {
@@ -132,6 +133,60 @@ TEST(Keys, a_key_that_needs_another_choice_says_which) {
   for (const KeyInfo& key : section_of("balls").keys)
     if (key.name() == "spread") spreads.push_back(key.range.most);
   EXPECT_EQ(spreads, (std::vector{0.3, 2.0}));
+}
+
+TEST(Keys, each_has_a_label_and_an_engine_that_reads_it) {
+  for (const KeyInfo& key : all_keys()) {
+    EXPECT_FALSE(key.label.empty()) << key.key;
+    EXPECT_EQ(key.label.find('_'), std::string::npos) << key.key;
+    EXPECT_FALSE(key.engines.empty()) << key.key;
+  }
+  EXPECT_EQ(find_key("balls.2.diameter")->label, "ball diameter");
+  EXPECT_EQ(find_key("mill.frequency")->symbol, "$f$");
+  EXPECT_EQ(find_key("contact.pairs.1.rolling_friction")->label, "rolling friction");
+  EXPECT_EQ(find_key("mill.colour"), nullptr);
+}
+
+/// The value of a text in the key's unit; a drum's speed and fillings may be per cent, and a speed
+/// ratio "1:-2".
+std::optional<double> value_in(std::string_view text, const KeyInfo& key) {
+  if (text.find(':') != std::string_view::npos) return std::nullopt;
+  if (text.ends_with('%') && !key.unit.empty()) return std::nullopt;
+  return parse_in(text, key.unit);
+}
+
+TEST(Keys, a_mill_or_jar_can_be_started_from_the_values_of_its_required_keys) {
+  int count = 0;
+  for (const KeySection& section : key_sections()) {
+    if ((section.section != "mill" && section.section != "jar") || section.kind.empty()) continue;
+    for (const KeyInfo& key : section.keys) {
+      if (!key.required || key.name() == "file") continue;
+      ++count;
+      ASSERT_FALSE(key.start.empty()) << section.kind << ": " << key.key;
+      if (key.type != "number") continue;
+      if (const auto value = value_in(key.start, key))
+        EXPECT_TRUE(key.range.holds(*value)) << key.key;
+    }
+  }
+  EXPECT_GE(count, 40);
+}
+
+TEST(Keys, usual_values_are_a_range_within_the_allowed_one_that_holds_the_start) {
+  int count = 0;
+  for (const KeySection& section : key_sections())
+    for (const KeyInfo& key : section.keys) {
+      if (key.usual.most.empty()) continue;
+      ++count;
+      const auto least = value_in(key.usual.least, key), most = value_in(key.usual.most, key);
+      if (!least) continue;
+      EXPECT_LT(*least, *most) << key.key;
+      EXPECT_TRUE(key.range.holds(*least) && key.range.holds(*most)) << key.key;
+      if (key.usual.log) EXPECT_GT(*least, 0) << key.key;
+      if (key.start.empty()) continue;
+      const auto start = value_in(key.start, key);
+      EXPECT_TRUE(!start || (*least <= *start && *start <= *most)) << key.key;
+    }
+  EXPECT_GE(count, 25);
 }
 
 TEST(Keys, each_is_in_the_docs) {

@@ -20,7 +20,7 @@ constexpr std::string_view drum = R"(title = "Drum"
 kind = "tumbling"
 speed = "60 rpm"
 [jar]
-kind = "lifter_cylinder"
+kind = "lifter-cylinder"
 diameter = "200 mm"
 height = "60 mm"
 lifters = 8
@@ -43,12 +43,25 @@ TEST(JarWithParts, lifter_bars_are_read_and_are_faces) {
   EXPECT_EQ(face_names(*c.jar.shape).back(), "lifter8");
 }
 
+TEST(JarWithParts, kind_with_underscores_is_read_with_a_note) {
+  const Case now = read_sample(std::string(drum));
+  const Case old =
+      read_sample(with(std::string(drum), "kind = \"lifter", "kind = \"lifter_cylinder\""));
+  EXPECT_TRUE(now.remarks.empty());
+  ASSERT_EQ(old.remarks.size(), 1U);
+  EXPECT_EQ(old.remarks[0].code, "old-spelling");
+  EXPECT_NE(old.remarks[0].text.find("lifter-cylinder"), std::string::npos);
+  EXPECT_EQ(write(old), write(now)) << "the same case, so the same results and hashes";
+  EXPECT_EQ(faults_of(with(std::string(drum), "kind = \"lifter", "kind = \"lifter_drum\""))[0].code,
+            "unknown-word");
+}
+
 TEST(JarWithParts, sizes_that_do_not_go_together_are_one_fault) {
   const std::vector<Fault> found = faults_of(with(std::string(drum), "lifters", "lifters = 40"));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "impossible-jar");
   EXPECT_EQ(found[0].what,
-            "there is no such lifter_cylinder: the lifters are so wide that they cover the whole "
+            "there is no such lifter-cylinder: the lifters are so wide that they cover the whole "
             "shell");
 }
 
@@ -66,7 +79,7 @@ constexpr std::string_view open_drum = R"(title = "Drum without ends"
 kind = "tumbling"
 speed = "60 rpm"
 [jar]
-kind = "periodic_cylinder"
+kind = "periodic-cylinder"
 diameter = "200 mm"
 length = "50 mm"
 [[balls]]

@@ -69,7 +69,7 @@ TEST(Positions, faults_name_the_ball) {
 TEST(Positions, in_a_periodic_box_images_count) {
   std::string text = with(with(drum, "kind = \"tumbling\"", "kind = \"still\""), "speed", "");
   text = with(with(text, "kind = \"cylinder\"",
-                   "kind = \"periodic_box\"\nwidth = \"100 mm\"\ndepth = \"100 mm\""),
+                   "kind = \"periodic-box\"\nwidth = \"100 mm\"\ndepth = \"100 mm\""),
               "diameter = \"200", "");
   text = "gravity = \"0 m/s2\"\n" + with(text, "diameter = \"10",
                                          "diameter = \"10 mm\"\npositions = [[\"49 mm\", \"0 m\", "

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "unit/cases/sample.hpp"
@@ -219,6 +220,30 @@ TEST(Twisting, makes_the_event_engine_read_the_moduli_and_says_where_it_does_not
   EXPECT_EQ(codes(read_sample(vial, {marshall, {"contact.lasting", "tc"}, {"run.engine", "soft"}})),
             "ignored-keys ")
       << "the soft engine has it everywhere";
+}
+
+// Expected: the keys that a case gives and whose description does not name the engine.
+TEST(IgnoredKeys, are_those_that_the_engine_does_not_read) {
+  const std::vector<Override> given{
+      {"contact.softening", "0.5"},        {"contact.tangential_restitution", "0.2"},
+      {"contact.lasting_speed", "1 mm/s"}, {"run.hop", "false"},
+      {"run.time_step", "1 us"},           {"contact.rolling_friction", "0.02"}};
+  const Case c = read_sample(vial, given);
+  for (const EngineName engine :
+       {EngineName::event, EngineName::soft, EngineName::lammps, EngineName::automatic}) {
+    const Notices notes = ignored_keys(c, engine);
+    const std::string text = notes.empty() ? "" : notes.back().text;
+    for (const Override& one : given) {
+      const KeyInfo& key = *find_key(one.key);
+      const bool read = engine == EngineName::automatic ||
+                        std::ranges::find(key.engines, name_of(engine)) != key.engines.end();
+      EXPECT_EQ(text.find(one.key) == std::string::npos, read) << one.key << ": " << text;
+    }
+  }
+  EXPECT_EQ(find_key("contact.softening")->engines, (std::vector<std::string>{"soft", "lammps"}));
+  EXPECT_EQ(find_key("run.hop")->engines, std::vector<std::string>{"soft"});
+  EXPECT_EQ(find_key("contact.lasting_speed")->engines, std::vector<std::string>{"event"});
+  EXPECT_EQ(find_key("contact.rolling_friction")->engines.size(), 3U);
 }
 
 }  // namespace

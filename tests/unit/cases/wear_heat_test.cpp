@@ -143,7 +143,7 @@ TEST(ReadHeat, out_of_range) {
 }
 
 TEST(ReadHeat, a_periodic_box_has_no_wall_to_warm) {
-  const std::string box = with(with(with(vial, "kind = \"capsule", "kind = \"periodic_box\""),
+  const std::string box = with(with(with(vial, "kind = \"capsule", "kind = \"periodic-box\""),
                                     "diameter", "width = \"40 mm\"\ndepth = \"40 mm\""),
                                "volume", "height = \"40 mm\"");
   const std::string still =

@@ -49,6 +49,8 @@ TEST(AxisLabels, have_name_symbol_and_unit) {
   EXPECT_EQ(key_axis("mill.frequency", "Hz"), "vibration frequency, $f$ (Hz)");
   EXPECT_EQ(key_axis("mill.ratio", ""), "speed ratio, $k$ (–)");
   EXPECT_EQ(key_axis("contact.lasting", ""), "lasting");
+  EXPECT_EQ(key_axis("balls.2.diameter", "mm"), "ball diameter, $d$ (mm)");
+  EXPECT_EQ(key_axis("powder.ball_to_powder", ""), "ball to powder (–)");
 }
 
 TEST(LawWords, are_the_equation_in_the_units_of_the_axes_and_its_r_squared) {

@@ -44,21 +44,23 @@ export function millOf(sections, catalogue) {
 
 /// A quantity that the program determines, by the word "auto" or because the case leaves it out. Its
 /// unit is that of the example.
-function automatic({ key, about, example }, address, value) {
+function automatic(base, { example }) {
   const { unit } = split(example);
-  return { address, key, about, value, fallback: null, kind: "quantity", quantity: { number: 0, unit },
-    stated: false, automatic: true };
+  return { ...base, fallback: null, kind: "quantity", quantity: { number: 0, unit }, stated: false,
+    automatic: true };
 }
 
 function fieldOf(known, section, entry, key) {
   const address = section.address ? `${section.address}.${key}` : key;
   const value = entry?.value ?? null;
   const number = ["number", "integer"].includes(known?.type);
+  const base = { address, key, label: known?.label ?? key.replaceAll("_", " "), about: known?.about ?? "",
+    value, fallback: known?.default ?? null, usual: known?.usual ?? null,
+    whole: known?.type === "integer" };
   if (number && known.default_source?.startsWith('"auto"') && [null, "auto"].includes(value))
-    return automatic(known, address, value);
+    return automatic(base, known);
   const quantity = split(value ?? known?.default ?? known?.example);
   const words = known?.words?.length > 0 ? known.words : null;
-  const base = { address, key, about: known?.about ?? "", value, fallback: known?.default ?? null };
   if (words && known.type === "word") return { ...base, kind: "word", words,
     meanings: known.meanings ?? [] };
   if (number && quantity && (value === null || split(value)))
@@ -67,7 +69,7 @@ function fieldOf(known, section, entry, key) {
   return null;
 }
 
-/// Fields of one section: `{ address, key, about, kind, value, quantity, words }`.
+/// Fields of one section: `{ address, key, label, about, kind, value, usual, quantity, words }`.
 export function fieldsOf(vocabulary, section, kind = null) {
   const known = keysOf(vocabulary, section.name, kind);
   const wanted = new Set([...section.keys.keys()]);

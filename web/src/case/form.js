@@ -106,7 +106,7 @@ export class Form {
     const options = field.kind === "material"
       ? this.catalogue.materials.map(({ name, title }) => ({ value: name, name: title }))
       : field.words.map((word, i) => ({ value: word, name: text.word(word), title: field.meanings[i] }));
-    return new SelectField(text.label(field.key), [{ options }], change,
+    return new SelectField(text.label(field.label), [{ options }], change,
       { about: field.about });
   }
 
@@ -125,8 +125,8 @@ export class Form {
   choose(where, value) {
     const [key, name] = value.split(" ");
     const { text: old } = this.store;
-    const changed = key === "kind" ? withKind(old, where, name)
-      : where === "jar" ? withJar(old, name) : withMill(old, this.catalogue, name);
+    const changed = key === "kind" ? withKind(old, this.vocabulary, where, name)
+      : where === "jar" ? withJar(old, name) : withMill(old, this, name);
     this.store.setText(changed, "form");
   }
 

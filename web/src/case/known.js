@@ -3,6 +3,8 @@
 
 // What the engine knows, as the form needs it: keys of cases, and entries of the catalogue.
 
+import { useUnits } from "./quantity.js";
+
 const valueOf = (values, end) => (values[`frequency_${end}`] ?? values[`speed_${end}`])?.value;
 
 /// An entry; `least` and `most` are the range of frequency or speed, `fixed` the keys that it gives.
@@ -10,7 +12,8 @@ const entryOf = ({ name, title, kind, jars = [], values = {} }) => ({ name, titl
   least: valueOf(values, "least"), most: valueOf(values, "most"), fixed: new Set(Object.keys(values)),
   unverified: Object.values(values).some(({ unverified, assumed }) => unverified || assumed) });
 
-export function knownOf({ keys, catalogue }) {
+export function knownOf({ keys, units, catalogue }) {
+  useUnits(units);
   const { mills, jars, materials } = catalogue;
   return { vocabulary: keys, catalogue: { mills: mills.map(entryOf), jars: jars.map(entryOf),
     materials: materials.map(entryOf) } };

@@ -1,38 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Changes of mill and jar: an entry of the catalogue, or a kind with example numbers.
+// Changes of mill and jar: an entry of the catalogue, or a kind with first values.
 
+import { keysOf } from "./field_list.js";
+import { convert, split } from "./quantity.js";
 import { entryOf, parse, remove, write } from "./toml_text.js";
 
-// What the catalogue leaves open for its mills, by kind: a first value.
-const first = {
-  vibration: { frequency: "20 Hz" },
-  planetary: { speed: "400 rpm" },
-  tumbling: { speed: "70 %" },
-  "arc-shaker": { frequency: "25 Hz", arm: "136 mm", swing: "3.8 deg" },
-  "figure-eight": {},
-  circular: { speed: "1000 rpm" },
-};
+/// The keys that a kind needs; `start` is a first value.
+function neededKeys(vocabulary, where, kind) {
+  return keysOf(vocabulary, where, kind)
+    .filter(({ key, required }) => required && !["kind", "model"].includes(key));
+}
 
-const firstOfKind = {
-  vibration: { frequency: "10 Hz", amplitude: "25 mm" },
-  planetary: { orbit_radius: "70 mm", speed: "400 rpm", ratio: "1:-2" },
-  tumbling: { speed: "70 %" },
-  "arc-shaker": { frequency: "25 Hz", arm: "136 mm", swing: "3.8 deg" },
-  "figure-eight": { frequency: "17.67 Hz", stroke_along: "29.5 mm", stroke_across: "12.5 mm" },
-  circular: { radius: "17 mm", speed: "1000 rpm" },
-  capsule: { diameter: "20 mm", height: "20 mm" },
-  cylinder: { diameter: "40 mm", height: "40 mm" },
-  "rounded-cylinder": { diameter: "40 mm", height: "40 mm", fillet: "5 mm" },
-  sphere: { diameter: "40 mm" },
-  box: { width: "40 mm", depth: "40 mm", height: "40 mm" },
-};
+/// First values for the keys that a kind needs, except those that are `given`.
+const startOf = (vocabulary, where, kind, given = new Set()) =>
+  Object.fromEntries(neededKeys(vocabulary, where, kind)
+    .filter(({ key, start }) => start !== null && !given.has(key))
+    .map(({ key, start }) => [key, split(start)?.unit === "" ? Number(start) : start]));
 
 /// Kinds that can be chosen without a file.
 export const kindsOf = (vocabulary, where) =>
-  vocabulary.filter(({ section, kind }) => section === where && kind in firstOfKind)
+  vocabulary.filter(({ section, kind }) => section === where && kind)
+    .filter(({ kind }) => neededKeys(vocabulary, where, kind).every(({ start }) => start !== null))
     .map(({ kind, about }) => ({ kind, about }));
+
+/// The value, or the nearest that the mill offers.
+function offeredBy(mill, value) {
+  const [start, least, most] = [value, mill.least, mill.most].map((each) => split(each ?? ""));
+  const inUnit = (end) => end && convert(end.number, end.unit, start.unit);
+  if (inUnit(most) !== null && start.number > inUnit(most)) return mill.most;
+  return inUnit(least) !== null && start.number < inUnit(least) ? mill.least : value;
+}
 
 /// The text without the keys of a section that belong to a mill or jar.
 function emptied(text, where) {
@@ -68,9 +67,10 @@ const carriesJar = (text, catalogue, jars) => {
 };
 
 /// The text with a mill of the catalogue, and with one of its jars if the present one does not fit.
-export function withMill(text, catalogue, name) {
+export function withMill(text, { vocabulary, catalogue }, name) {
   const mill = catalogue.mills.find((each) => each.name === name);
-  const open = Object.entries(first[mill.kind] ?? {}).filter(([key]) => !mill.fixed.has(key));
+  const open = Object.entries(startOf(vocabulary, "mill", mill.kind, mill.fixed)).map(([key, value]) =>
+    [key, ["frequency", "speed"].includes(key) ? offeredBy(mill, value) : value]);
   text = filled(named(emptied(text, "mill"), "mill", "model", name), "mill", Object.fromEntries(open));
   return carriesJar(text, catalogue, mill.jars) ? text
     : withJar(text, mill.jars[Math.floor(mill.jars.length / 2)]);
@@ -78,7 +78,6 @@ export function withMill(text, catalogue, name) {
 
 export const withJar = (text, name) => named(emptied(text, "jar"), "jar", "model", name);
 
-/// The text with a mill or jar of a kind, with example numbers.
-export const withKind = (text, where, kind) =>
-  filled(named(emptied(text, where), where, "kind", kind), where, firstOfKind[kind]);
-
+/// The text with a mill or jar of a kind, with first values.
+export const withKind = (text, vocabulary, where, kind) =>
+  filled(named(emptied(text, where), where, "kind", kind), where, startOf(vocabulary, where, kind));

@@ -16,12 +16,12 @@ export class QuantityField {
     const hint = field.about ? `${id}-about` : null;
     this.number = element("input", { id, type: "number", step: "any", inputMode: "decimal",
       required: true, "aria-describedby": hint, oninput: () => this.typed() });
-    this.unit = element("select", { "aria-label": text.unitOf(text.label(field.key)),
+    this.unit = element("select", { "aria-label": text.unitOf(text.label(field.label)),
       onchange: () => this.convert() });
     this.slider = element("input", { type: "range", min: 0, max: sliderSteps, step: 1,
-      "aria-label": text.sliderOf(text.label(field.key)), oninput: () => this.slid() });
+      "aria-label": text.sliderOf(text.label(field.label)), oninput: () => this.slid() });
     this.root = element("div", { className: "field", title: field.about },
-      element("label", { for: id, textContent: text.label(field.key) }),
+      element("label", { for: id, textContent: text.label(field.label) }),
       element("div", { className: "number" }, this.number, this.unit), this.slider,
       hint && element("span", { id: hint, className: "for-readers", textContent: field.about }));
     this.root.dataset.address = field.address;
@@ -51,7 +51,7 @@ export class QuantityField {
 
   fitSlider() {
     const { number, unit } = this.current;
-    this.range = rangeOf(this.field.address, number, unit, this.mill);
+    this.range = rangeOf(this.field, number, unit, this.mill);
     this.slider.value = placeOf(this.range, number);
     this.say();
   }

@@ -5,36 +5,6 @@
 
 import { convert, rounded, split } from "./quantity.js";
 
-// Least and most, with the unit; `log`: equal ratios instead of equal steps; `whole`: whole numbers.
-const usual = {
-  "mill.frequency": { least: 1, most: 60, unit: "Hz" },
-  "mill.amplitude": { least: 0.5, most: 60, unit: "mm" },
-  "mill.speed": { least: 10, most: 1100, unit: "rpm" },
-  "mill.speed %": { least: 5, most: 130, unit: "%" },
-  "mill.swing": { least: 0.5, most: 20, unit: "deg" },
-  "mill.arm": { least: 50, most: 400, unit: "mm" },
-  "mill.orbit_radius": { least: 20, most: 300, unit: "mm" },
-  "mill.ratio": { least: -4, most: 2, unit: "" },
-  "mill.tilt": { least: 0, most: 90, unit: "deg" },
-  "jar.diameter": { least: 5, most: 500, unit: "mm", log: true },
-  "jar.height": { least: 2, most: 500, unit: "mm", log: true },
-  "jar.volume": { least: 1, most: 1000, unit: "ml", log: true },
-  "balls.count": { least: 1, most: 200, unit: "", log: true, whole: true },
-  "balls.diameter": { least: 1, most: 60, unit: "mm", log: true },
-  "balls.filling": { least: 1, most: 50, unit: "%" },
-  "balls.density": { least: 1000, most: 16000, unit: "kg/m3" },
-  "powder.mass": { least: 0.1, most: 100, unit: "g", log: true },
-  "powder.size": { least: 0.01, most: 5, unit: "mm", log: true },
-  "contact.restitution": { least: 0, most: 1, unit: "" },
-  "contact.tangential_restitution": { least: -1, most: 1, unit: "" },
-  "contact.friction": { least: 0, most: 1, unit: "" },
-  "run.time": { least: 0.1, most: 100, unit: "s", log: true },
-  "run.settle": { least: 0, most: 5, unit: "s" },
-  "run.replicates": { least: 1, most: 20, unit: "", whole: true },
-};
-
-const withoutNumber = (address) => address.replace(/\.\d+\./, ".");
-
 /// Range of a machine of the catalogue, in its own words.
 function rangeOfMill(mill, unit) {
   const [least, most] = [split(mill?.least ?? ""), split(mill?.most ?? "")];
@@ -44,15 +14,19 @@ function rangeOfMill(mill, unit) {
   return { least: least ? convert(least.number, least.unit, unit) : to / 20, most: to };
 }
 
+/// The usual range of a field in `unit`, or null.
+function usualOf({ usual, whole }, unit) {
+  const ends = usual && [usual.least, usual.most].map(split)
+    .map((end) => convert(end.number, end.unit, unit));
+  return ends && ends[0] !== null ? { least: ends[0], most: ends[1], log: usual.log, whole } : null;
+}
+
 /// `{ least, most, log, whole }` in `unit`, such that it contains `number`.
-export function rangeOf(address, number, unit, mill) {
-  const key = withoutNumber(address);
-  const known = usual[unit === "%" && `${key} %` in usual ? `${key} %` : key];
-  const ends = known && [known.least, known.most].map((end) => convert(end, known.unit, unit));
-  let range = { ...known, least: number / 5, most: number * 5, log: known?.log ?? !known };
-  if (ends && ends[0] !== null) range = { ...known, least: ends[0], most: ends[1] };
-  if (/^mill\.(frequency|speed)$/.test(key)) Object.assign(range, rangeOfMill(mill, unit) ?? {});
-  if (number === 0 && !known) Object.assign(range, { least: 0, most: 1, log: false });
+export function rangeOf(field, number, unit, mill) {
+  const around = number === 0 ? { least: 0, most: 1, log: false }
+    : { least: number / 5, most: number * 5, log: true };
+  const range = { ...around, whole: field.whole, ...usualOf(field, unit) };
+  if (/^mill\.(frequency|speed)$/.test(field.address)) Object.assign(range, rangeOfMill(mill, unit) ?? {});
   if (range.least > range.most) [range.least, range.most] = [range.most, range.least];
   return { ...range, least: Math.min(range.least, number), most: Math.max(range.most, number) };
 }

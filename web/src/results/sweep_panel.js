@@ -65,8 +65,8 @@ export class SweepPanel {
     const plan = fields.map(({ address }) => address).join();
     if (plan !== this.plan) {
       const chosen = this.key.value;
-      this.key.replaceChildren(...fields.map(({ address, key }) => element("option",
-        { value: address, textContent: `${text.label(key)} (${address})` })));
+      this.key.replaceChildren(...fields.map(({ address, label }) => element("option",
+        { value: address, textContent: `${text.label(label)} (${address})` })));
       if (fields.some(({ address }) => address === chosen)) this.key.value = chosen;
     }
     if (plan !== this.plan || !this.touched) this.suggest();
@@ -78,7 +78,7 @@ export class SweepPanel {
     const field = this.fields().find(({ address }) => address === this.key.value);
     if (!field) return;
     const { number: at, unit } = field.quantity;
-    const range = rangeOf(field.address, at, unit, millOf(this.store.sections, this.catalogue));
+    const range = rangeOf(field, at, unit, millOf(this.store.sections, this.catalogue));
     const within = (value) => Number(Math.min(Math.max(value, range.least), range.most).toPrecision(2));
     const whole = range.whole ? Math.round : (value) => value;
     this.from.value = whole(within(at * 0.5));

@@ -3,7 +3,7 @@
 
 // All words of the page, in English. Another language is another module of the same shape.
 
-import { labels, words } from "./en_names.js";
+import { words } from "./en_names.js";
 
 const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
@@ -60,7 +60,7 @@ export const text = {
   ballSet: (number) => `Balls, set ${number}`,
   addBalls: "Add a set of balls",
   removeBalls: "Remove",
-  label: (key) => labels[key] ?? plain(key)[0].toUpperCase() + plain(key).slice(1),
+  label: (label) => label[0].toUpperCase() + label.slice(1),
   word: (word) => words[word] ?? plain(word),
   kind: (kind) => words[kind] ?? plain(kind),
   model: (where) => (where === "mill" ? "Mill" : "Jar"),

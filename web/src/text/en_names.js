@@ -1,18 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// English names of keys and words, and the sentences of the examples.
-
-export const labels = {
-  frequency: "Frequency", speed: "Speed", amplitude: "Amplitude", ratio: "Speed ratio",
-  orbit_radius: "Orbit radius", arm: "Length of the arm", swing: "Swing to either side",
-  diameter: "Diameter", height: "Height", volume: "Volume", count: "Number of balls",
-  filling: "Filling", material: "Material", density: "Density", mass: "Mass", size: "Grain size",
-  restitution: "Restitution", tangential_restitution: "Tangential restitution", friction: "Friction",
-  rolling_friction: "Rolling friction", time: "Simulated time", settle: "Settling, not counted",
-  replicates: "Replicates", engine: "Engine", distribution: "Distribution",
-  law: "Contact law", jars_carried: "Jars carried", jar_axis: "Axis of the jar",
-};
+// English names of words, and the sentences of the examples.
 
 export const words = {
   auto: "chosen by the program", event: "event engine", soft: "soft engine (contact forces)",

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -17,6 +18,15 @@
 #include "mahlwerk/cases/file/register.hpp"
 
 namespace mahlwerk::cases {
+
+/// The engines that may read a value. A value that the engine of a run does not read is no
+/// assumption of its results.
+struct Engines {
+  bool event = true, soft = true, lammps = true;
+};
+constexpr Engines event_only{.soft = false, .lammps = false};
+constexpr Engines soft_only{.event = false, .lammps = false};
+constexpr Engines soft_and_lammps{.event = false};
 
 /// A number that a section may or must give: a Field without its pointer to member.
 struct NumberSpec {
@@ -30,6 +40,8 @@ struct NumberSpec {
   /// Range in which the true value may lie if the default is assumed; its source is that of the
   /// default.
   std::optional<Range> plausible = std::nullopt;
+  Presentation presentation = {};
+  Engines engines = {};
 
   constexpr NumberSpec(std::string_view k, std::string_view u, Range r, std::string_view a,
                        std::optional<double> s = std::nullopt, std::string_view from = "")
@@ -41,7 +53,19 @@ struct NumberSpec {
         range(f.range),
         about(f.about),
         standard(f.standard),
-        source(f.source) {}
+        source(f.source),
+        presentation(f.presentation) {}
+
+  constexpr NumberSpec with(const Presentation& p) const {
+    NumberSpec made = *this;
+    made.presentation = p;
+    return made;
+  }
+  constexpr NumberSpec read_by(Engines those) const {
+    NumberSpec made = *this;
+    made.engines = those;
+    return made;
+  }
 
   NumberSpec with_default(double value, std::string_view from) const {
     NumberSpec made = *this;
@@ -75,6 +99,13 @@ struct Choice {
   std::string_view source = "";
   std::string_view about = "";
   std::vector<std::string_view> meanings = {};  ///< of the words, in their order
+  Presentation presentation = {};
+  Engines engines = {};
+
+  Choice read_by(Engines those) && {
+    engines = those;
+    return std::move(*this);
+  }
 };
 
 /// An integer that a section may or must give.
@@ -85,6 +116,7 @@ struct IntegerSpec {
   std::optional<std::int64_t> standard = std::nullopt;  ///< default; none: the key is required
   std::string_view source = "";
   std::string_view default_text = "";  ///< default in words, where it follows from other values
+  Presentation presentation = {};
 };
 
 /// A key that takes true or false.
@@ -93,6 +125,7 @@ struct Flag {
   bool standard;
   std::string_view source;
   std::string_view about = "";
+  Engines engines = {};
 };
 
 /// A key that takes a text: a name or a file.
@@ -111,6 +144,7 @@ struct CustomKey {
   bool required = false;
   std::string_view default_text = "";
   std::string_view instead = "";  ///< the other key of two that exclude each other
+  Presentation presentation = {};
 };
 
 class SectionReader;

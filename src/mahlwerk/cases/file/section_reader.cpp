@@ -22,6 +22,14 @@ std::string as_written(std::string_view key, const Node& node) {
                 : fmt::format("{} = {}", key, node.text);
 }
 
+/// The word of `words` that has hyphens where `word` has underscores; empty if there is none.
+std::string respelt(std::string word, const std::vector<std::string>& words) {
+  if (word.find('_') == std::string::npos || std::ranges::find(words, word) != words.end())
+    return {};
+  std::ranges::replace(word, '_', '-');
+  return std::ranges::find(words, word) != words.end() ? word : std::string();
+}
+
 }  // namespace
 
 std::string range_text(const Range& range, std::string_view unit) {
@@ -257,9 +265,17 @@ std::string SectionReader::choice(const Choice& choice) {
       record_default(choice.key, fmt::format("\"{}\"", choice.standard), choice.source);
     return choice.standard;
   }
-  const auto word = text(choice.key);
-  if (!word || std::ranges::find(choice.words, *word) != choice.words.end())
-    return word.value_or("");
+  auto word = text_at(choice.key, *node);
+  if (!word) return "";
+  if (const std::string now = respelt(*word, choice.words); !now.empty()) {
+    findings_.remarks.push_back(note(
+        "old-spelling", fmt::format("{}: {} = \"{}\" is an old spelling, which the next version "
+                                    "refuses. Write \"{}\".",
+                                    node->where, choice.key, *word, now)));
+    word = now;
+  }
+  record_origin(choice.key, fmt::format("\"{}\"", *word), node);
+  if (std::ranges::find(choice.words, *word) != choice.words.end()) return *word;
   const std::string near = nearest_word(*word, choice.words);
   fault(*node, fmt::format("there is no {} = \"{}\"", choice.key, *word),
         (near.empty() ? "" : fmt::format("did you mean \"{}\"? ", near)) +

@@ -134,12 +134,15 @@ std::vector<Vec3> read_motion(SectionReader& in, const VectorList& list, const B
 }
 
 constexpr NumberSpec mass_of_set("mass", "kg", positive, "mass of all balls of this set");
-constexpr NumberSpec filling_of_set("filling", "", {.least = 0, .most = 1, .without_least = true},
-                                    "volume of the balls over volume of the jar");
+constexpr NumberSpec filling_of_set =
+    NumberSpec("filling", "", {.least = 0, .most = 1, .without_least = true},
+               "volume of the balls over volume of the jar")
+        .with({.label = "solid filling of balls", .usual = {"1 %", "50 %"}});
 
-constexpr NumberSpec bulk_filling_of_set(
-    "bulk_filling", "", {.least = 0, .most = 1, .without_least = true},
-    "J: bulk volume of the balls, with 40 % voids, over volume of the jar");
+constexpr NumberSpec bulk_filling_of_set =
+    NumberSpec("bulk_filling", "", {.least = 0, .most = 1, .without_least = true},
+               "J: bulk volume of the balls, with 40 % voids, over volume of the jar")
+        .with({.label = "bulk filling of balls", .symbol = "$J$"});
 
 /// The number of balls, given directly, by mass, by filling of the jar, or by initial positions.
 std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
@@ -192,7 +195,16 @@ void describe_count(KeyVisitor& v, BallSet& set) {
   vectors(velocity_list, set.velocities);
   vectors(spin_list, set.spins);
   if (set.positions.empty() || v.visits_all())
-    v.integer({"count", 1, max_balls, "number of balls", 1, "one ball"}, set.count);
+    v.integer({.key = "count",
+               .least = 1,
+               .most = max_balls,
+               .about = "number of balls",
+               .standard = 1,
+               .source = "one ball",
+               .presentation = {.label = "number of balls",
+                                .symbol = "$N$",
+                                .usual = {"1", "200", true}}},
+              set.count);
 }
 
 /// False after a fault.
@@ -229,7 +241,8 @@ void describe_layers(KeyVisitor& v, BallSet& set) {
 }
 
 void describe_material(KeyVisitor& v, BallSet& set) {
-  const NumberSpec density("density", "kg/m3", positive, "density of a ball");
+  const NumberSpec density = NumberSpec("density", "kg/m3", positive, "density of a ball")
+                                 .with({.usual = {"1000 kg/m3", "16000 kg/m3"}});
   if (SectionReader* in = v.reader()) {
     const auto given = read_density(*in, density, set.material);
     if (!given)

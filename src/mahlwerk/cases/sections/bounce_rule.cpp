@@ -26,8 +26,10 @@ constexpr std::string_view clean_metal =
     "clean metal, uncalibrated, range 0.3-0.9 (literature disagrees)";
 
 const NumberSpec& restitution_value() {
-  static const NumberSpec spec("restitution", "", restitution_range,
-                               "normal speed after a bounce over that before it");
+  static const NumberSpec spec =
+      NumberSpec("restitution", "", restitution_range,
+                 "normal speed after a bounce over that before it")
+          .with({.label = "coefficient of restitution", .symbol = "$e$", .usual = {"0", "1"}});
   return spec;
 }
 
@@ -208,8 +210,10 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
       "tangential_restitution", "", tangential_range,
       "slip after a bounce over that before it: 1 smooth, 0 no slip, -1 perfectly "
       "rough");
-  tangential = tangential.with_default(
-      0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
+  tangential =
+      tangential.read_by(event_only)
+          .with({.usual = {"-1", "1"}})
+          .with_default(0, walton ? "no slip below the Coulomb limit" : "no slip after a bounce");
   if (all != nullptr) tangential = tangential.with_default(all->tangential_restitution, of_contact);
   v.number(tangential, rule.tangential_restitution);
   if (!walton) {
@@ -220,7 +224,8 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
   NumberSpec friction =
       NumberSpec("friction", "", not_negative, "Coulomb's friction coefficient mu")
           .with_default(0.3, "uncalibrated, 0.1-0.6")
-          .with_plausible(plausible_friction);
+          .with_plausible(plausible_friction)
+          .with({.label = "friction coefficient", .symbol = "$µ$", .usual = {"0", "1"}});
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, of_contact);
   v.number(friction, rule.friction);

@@ -42,7 +42,7 @@ void describe_contact_time(KeyVisitor& v, Contact& contact, const Case& c) {
     time = time.with_default_text(
         "0.1 ms at 1 g or less; in stronger fields shorter by their square root (man.4)");
   if (strength > 1) time = time.with_default(usual / std::sqrt(strength), stronger);
-  v.number(time, contact.contact_time);
+  v.number(time.read_by(event_only), contact.contact_time);
 }
 
 /// The numbers of the event engine, and `softening` of the soft engine.
@@ -54,19 +54,20 @@ void describe_numbers(KeyVisitor& v, Contact& contact, const Case& c) {
     friction = friction.with_default_text("the friction of bounces; 0.3 if they have none");
   else if (std::isfinite(contact.rule.friction))
     friction = friction.with_default(contact.rule.friction, "the friction of bounces");
-  v.number(friction, contact.lasting_friction);
-  v.number({"lasting_speed", "m/s", not_negative,
-            "a ball pressed to the wall that rebounds slower stays in sustained contact", 1e-4,
-            "far below the speeds of interest"},
+  v.number(friction.read_by(event_only), contact.lasting_friction);
+  v.number(NumberSpec("lasting_speed", "m/s", not_negative,
+                      "a ball pressed to the wall that rebounds slower stays in sustained contact",
+                      1e-4, "far below the speeds of interest")
+               .read_by(event_only),
            contact.lasting_speed);
   describe_contact_time(v, contact, c);
-  v.number({"softening",
-            "",
-            {.least = 0, .most = 1, .without_least = true},
-            "factor on every Young's modulus: below 1, time steps and overlaps are larger",
-            1.0,
-            "moduli as they are"},
-           contact.softening);
+  constexpr Range factors{.least = 0, .most = 1, .without_least = true};
+  v.number(
+      NumberSpec("softening", "", factors,
+                 "factor on every Young's modulus: below 1, time steps and overlaps are larger",
+                 1.0, "moduli as they are")
+          .read_by(soft_and_lammps),
+      contact.softening);
 }
 
 /// The parameters of [contact] besides the bounce rule, or those of a pair with `all` as defaults.
@@ -156,17 +157,18 @@ const ContactModel* describe(KeyVisitor& v, Contact& contact, const Case& c) {
   if (v.reader() != nullptr) describe_touch(v, contact, model, nullptr);
   const bool several = balls_count(c.balls) > 1;
   const bool lists = v.tries_all_words();
-  v.word({"lasting",
-          {"roll", "tc", "none"},
-          lists     ? ""
-          : several ? "tc"
-                    : "roll",
-          lists     ? "\"tc\" for several balls, \"roll\" for one"
-          : several ? "with several balls, sustained contacts follow the TC rule"
-                    : "a ball may stay in contact, and roll or slide",
-          "how the event engine treats a ball that bounces ever faster",
-          {"it stays in contact and rolls or slides; for one ball",
-           "a bounce within contact_time of the last one is elastic", "no treatment"}},
+  v.word(Choice{"lasting",
+                {"roll", "tc", "none"},
+                lists     ? ""
+                : several ? "tc"
+                          : "roll",
+                lists     ? "\"tc\" for several balls, \"roll\" for one"
+                : several ? "with several balls, sustained contacts follow the TC rule"
+                          : "a ball may stay in contact, and roll or slide",
+                "how the event engine treats a ball that bounces ever faster",
+                {"it stays in contact and rolls or slides; for one ball",
+                 "a bounce within contact_time of the last one is elastic", "no treatment"}}
+             .read_by(event_only),
          contact.lasting);
   return model;
 }

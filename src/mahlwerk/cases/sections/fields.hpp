@@ -36,7 +36,8 @@ template <class Owner>
 constexpr auto touch_fields() {
   return std::array{
       Field<Owner>{"rolling_friction", "", &Owner::rolling_friction, not_negative,
-                   "rolling resistance over normal force", 0.01, "uncalibrated, 0-0.1"},
+                   "rolling resistance over normal force", 0.01, "uncalibrated, 0-0.1"}
+          .with({.label = "rolling friction", .symbol = "$µ_{r}$"}),
       Field<Owner>{"surface_energy", "J/m2", &Owner::surface_energy, not_negative,
                    "energy of one surface, half the work of separation"},
       Field<Owner>{"cohesion", "J/m3", &Owner::cohesion, not_negative,

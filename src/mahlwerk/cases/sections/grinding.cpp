@@ -193,7 +193,10 @@ void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c) {
 
 void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   constexpr Range times{.least = 0, .most = 1e8, .without_least = true};  // three years
-  describe_milling_time(v, {"time", "s", times, "how long the mill grinds"}, g.time);
+  describe_milling_time(v,
+                        NumberSpec("time", "s", times, "how long the mill grinds")
+                            .with({.label = "milling time", .symbol = "$t$"}),
+                        g.time);
   describe_method(v, g);
   describe_smallest(v, g, c);
   describe_per_octave(v, g, powder::tracks_strength(*g.breakage));

@@ -32,7 +32,9 @@ constexpr bool has_fillet = requires(S s) {
 template <class S>
 constexpr bool is_plain = geometry::has_exact_touches<S>;
 
-constexpr NumberSpec inner_volume("volume", "m3", positive, "inner volume");
+constexpr NumberSpec inner_volume =
+    NumberSpec("volume", "m3", positive, "inner volume")
+        .with({.label = "jar volume", .usual = {"1 ml", "1000 ml", true}});
 
 /// The size that follows from a volume: the volume is linear in the height, or cubic in the
 /// diameter of a sphere.

@@ -22,9 +22,14 @@ void refuse_meaningless(SectionReader& in, std::string_view key, std::string_vie
 template <class L>
 void describe_switch(KeyVisitor& v, L& law, const contact::LawSwitch<L>& one) {
   const std::string first(one.words[0]), second(one.words[1]);
-  v.word(
-      {one.key, {first, second}, first, one.source, one.about, {one.meanings[0], one.meanings[1]}},
-      law.*one.second);
+  v.word(Choice{one.key,
+                {first, second},
+                first,
+                one.source,
+                one.about,
+                {one.meanings[0], one.meanings[1]}}
+             .read_by(soft_and_lammps),
+         law.*one.second);
 }
 
 std::vector<std::string_view> rolling_meanings() {
@@ -80,8 +85,10 @@ void describe_law(KeyVisitor& v, ContactModel* model) {
   const auto numbers = [&]<class L>(L& law) {
     std::optional<double> left_out;
     for (const auto& f : L::fields()) {
-      const NumberSpec spec =
-          NumberSpec(f).with_default_text(f.default_text).in_place_of(f.instead_of);
+      const NumberSpec spec = NumberSpec(f)
+                                  .with_default_text(f.default_text)
+                                  .in_place_of(f.instead_of)
+                                  .read_by(soft_and_lammps);
       if (contact::is_given(law, f))
         v.number(spec, law.*f.value);
       else
@@ -129,25 +136,31 @@ bool describe(KeyVisitor& v, ContactModel& model) {
                             .words = {},
                             .standard = contact_laws().front(),
                             .source = "elastic spheres that stick and slip, the usual law of mills",
-                            .about = "contact law of the soft engine"},
+                            .about = "contact law of the soft engine",
+                            .presentation = {.label = "contact law"},
+                            .engines = soft_and_lammps},
                            *model.law);
-  const bool rolling = v.word(
-      {"rolling", rolling_words(), "cdt", "a constant torque against the rolling, as in paper B",
-       "rolling resistance of the soft engine", rolling_meanings()},
-      model.rolling);
+  const bool rolling = v.word(Choice{"rolling", rolling_words(), "cdt",
+                                     "a constant torque against the rolling, as in paper B",
+                                     "rolling resistance of the soft engine", rolling_meanings()}
+                                  .read_by(soft_and_lammps),
+                              model.rolling);
   ContactModel* known = law && rolling ? &model : nullptr;
   describe_switches(v, model);
   if (has_use(v, rolling_damping.key, known))
-    v.number(NumberSpec(rolling_damping), model.rolling_damping);
+    v.number(NumberSpec(rolling_damping).read_by(soft_only), model.rolling_damping);
   describe_law(v, known);
   v.flag({"curved_walls", false, "walls count as flat under a ball",
-          "whether the effective radius of a contact with a wall includes the wall's curvature"},
+          "whether the effective radius of a contact with a wall includes the wall's curvature",
+          soft_and_lammps},
          model.curved_walls);
   v.flag({"rescaled_unloading", false, "the tangential spring is not rescaled while unloading",
-          "whether the tangential spring is rescaled while the normal force decreases (dem.21)"},
+          "whether the tangential spring is rescaled while the normal force decreases (dem.21)",
+          soft_only},
          model.rescaled_unloading);
   v.flag({"partial_slip", false, "a tangential spring of full stiffness, as in paper B",
-          "whether the tangential stiffness falls as slip spreads over the contact area (dem.40)"},
+          "whether the tangential stiffness falls as slip spreads over the contact area (dem.40)",
+          soft_and_lammps},
          model.partial_slip);
   if (v.reader() != nullptr && model.partial_slip && model.rescaled_unloading)
     refuse_meaningless(*v.reader(), "rescaled_unloading", "partial_slip", "true");

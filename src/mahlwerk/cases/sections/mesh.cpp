@@ -198,7 +198,11 @@ void describe_mesh(KeyVisitor& v, Jar& jar) {
   v.custom(
       {"file", "inner surface of the jar (STL), relative to the case file", true, "text", true},
       [&] { return in_quotes(jar.mesh.file); });
-  v.custom({"unit", "unit of length of the numbers in the file", true, "text", true},
+  v.custom({.key = "unit",
+            .about = "unit of length of the numbers in the file",
+            .type = "text",
+            .required = true,
+            .presentation = {.start = "mm"}},
            [&] { return in_quotes(jar.mesh.unit); });
   v.word(mesh_origin(), jar.mesh.centred);
 }

@@ -219,7 +219,8 @@ void describe_axis(KeyVisitor& v, Mill& mill) {
                                standard == kinematics::upright ? "vertical" : "horizontal",
                                "as such mills are built",
                                "direction of the axis of the mounted jar",
-                               {"upright jar", "lying jar; along x"}},
+                               {"upright jar", "lying jar; along x"},
+                               {.label = "axis of the jar"}},
                               word_index);
   if (word_index < axes.size()) mill.jar_axis = sound ? axes[word_index] : standard;
 }
@@ -249,7 +250,8 @@ void describe_tilt(KeyVisitor& v, Mill& mill) {
   const NumberSpec spec("tilt", "rad", tilts,
                         "angle by which the whole mill leans: its x axis, that of a drum, rises");
   std::optional<double> given = mill.tilt == 0 ? std::nullopt : std::optional(mill.tilt);
-  v.optional_number(spec.with_default_text("0 deg, a level mill"), given);
+  v.optional_number(
+      spec.with_default_text("0 deg, a level mill").with({.usual = {"0 deg", "90 deg"}}), given);
   mill.tilt = given.value_or(0);
 }
 

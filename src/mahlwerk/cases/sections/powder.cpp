@@ -17,15 +17,20 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr NumberSpec mass_of_powder("mass", "kg", positive, "mass of the powder");
+constexpr NumberSpec mass_of_powder = NumberSpec("mass", "kg", positive, "mass of the powder")
+                                          .with({.usual = {"0.1 g", "100 g", true}});
+constexpr Presentation grain_size{.label = "grain size", .usual = {"0.01 mm", "5 mm", true}};
 constexpr NumberSpec ball_to_powder("ball_to_powder", "", positive,
                                     "mass of the balls over mass of the powder");
-constexpr NumberSpec filling_of_powder("filling", "",
-                                       {.least = 0, .most = 1, .without_least = true},
-                                       "solid volume of the powder over volume of the jar");
-constexpr NumberSpec void_filling_of_powder(
-    "void_filling", "", positive,
-    "U: bulk volume of the powder, with 40 % voids, over the voids between the balls at rest");
+constexpr NumberSpec filling_of_powder =
+    NumberSpec("filling", "", {.least = 0, .most = 1, .without_least = true},
+               "solid volume of the powder over volume of the jar")
+        .with({.label = "powder filling"});
+constexpr NumberSpec void_filling_of_powder =
+    NumberSpec("void_filling", "", positive,
+               "U: bulk volume of the powder, with 40 % voids, over the voids between the balls at "
+               "rest")
+        .with({.label = "powder filling of the voids", .symbol = "$U$"});
 constexpr NumberSpec density_of_solid("density", "kg/m3", positive, "density of the solid");
 constexpr NumberSpec size_of_grains("grain_size", "m", positive,
                                     "diameter of the spheres that represent the powder");
@@ -125,14 +130,17 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
   if (feed.law == Law::equal) {
     refuse({"spread"});
     v.optional_number(NumberSpec("size", "m", positive, "grain size of the powder as fed")
-                          .with_default_text("none; [capture] and [grinding] need it"),
+                          .with_default_text("none; [capture] and [grinding] need it")
+                          .with(grain_size),
                       powder.size);
     if (in != nullptr) feed.size = powder.size.value_or(0);
   }
   if (feed.law == Law::lognormal || feed.law == Law::rosin_rammler) {
     const bool normal = feed.law == Law::lognormal;
-    v.number({"size", "m", positive,
-              normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass"},
+    v.number(NumberSpec(
+                 "size", "m", positive,
+                 normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass")
+                 .with(grain_size),
              feed.size);
     v.number({"spread", "", feed_spreads(feed.law),
               normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"},

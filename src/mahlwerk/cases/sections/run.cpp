@@ -80,7 +80,8 @@ void describe_settle(KeyVisitor& v, Run& run) {
     return v.custom({key, about, true, "text"}, [&] { return std::string(word); });
   v.optional_number(
       NumberSpec(key, "s", settle_times, about)
-          .with_default_text("\"auto\": counting begins once power and hits have no trend"),
+          .with_default_text("\"auto\": counting begins once power and hits have no trend")
+          .with({.label = "settling, not counted", .usual = {"0 s", "5 s"}}),
       run.settle);
 }
 
@@ -89,9 +90,11 @@ void describe_times(KeyVisitor& v, Run& run) {
   SectionReader* in = v.reader();
   if (in != nullptr && waits(in->find("time"))) run.until.emplace();
   if (!run.until)
-    v.number({"time", "s", run_times,
-              "simulated time that counts; or \"until 2 %\": until `until` is known this well"},
-             run.time);
+    v.number(
+        NumberSpec{"time", "s", run_times,
+                   "simulated time that counts; or \"until 2 %\": until `until` is known this well"}
+            .with({.label = "simulated time", .symbol = "$t$", .usual = {"0.1 s", "100 s", true}}),
+        run.time);
   else if (in == nullptr)
     describe_until(v, run);  // a reader reads it after the other keys
   describe_settle(v, run);
@@ -149,8 +152,9 @@ void describe_sensitivity(KeyVisitor& v, Run& run) {
 void describe_step(KeyVisitor& v, Run& run) {
   const NumberSpec step = NumberSpec("time_step", "s", positive,
                                      "time step of the soft engine, and in LAMMPS")
-                              .in_place_of("time_step_fraction"),
-                   share(step_share);
+                              .in_place_of("time_step_fraction")
+                              .read_by(soft_and_lammps),
+                   share = NumberSpec(step_share).read_by(soft_and_lammps);
   SectionReader* in = v.reader();
   const bool timed =
       in != nullptr ? in->one_of({step.key, share.key}) == step.key : run.time_step.has_value();
@@ -182,11 +186,17 @@ void describe(KeyVisitor& v, Run& run) {
            run.start_frame);
   describe_step(v, run);
   v.flag({"hop", true, "the soft engine skips time steps in free flight",
-          "whether the soft engine skips time steps while nothing touches; at most 32 balls"},
+          "whether the soft engine skips time steps while nothing touches; at most 32 balls",
+          soft_only},
          run.free_flight_skip);
-  v.integer(
-      {"replicates", 1, max_replicates, "runs that differ only by chance", 5, "as in paper A"},
-      run.replicates);
+  v.integer({.key = "replicates",
+             .least = 1,
+             .most = max_replicates,
+             .about = "runs that differ only by chance",
+             .standard = 5,
+             .source = "as in paper A",
+             .presentation = {.usual = {"1", "20"}}},
+            run.replicates);
   describe_start(v, run);
   describe_sensitivity(v, run);
 }

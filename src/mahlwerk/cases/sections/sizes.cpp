@@ -16,6 +16,9 @@ namespace {
 
 using SizeLaw = Distribution::Law;
 
+constexpr Presentation ball_diameter{
+    .label = "ball diameter", .symbol = "$d$", .usual = {"1 mm", "60 mm", true}};
+
 /// The parameters of a normal, lognormal or uniform distribution. False after a fault.
 bool describe_spread(KeyVisitor& v, Distribution& d) {
   if (d.law == SizeLaw::uniform) {
@@ -29,8 +32,9 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
     return d.largest > d.smallest;
   }
   const bool normal = d.law == SizeLaw::normal;
-  v.number({"diameter", "m", positive,
-            normal ? "mean diameter, by number" : "median diameter, by number"},
+  v.number(NumberSpec("diameter", "m", positive,
+                      normal ? "mean diameter, by number" : "median diameter, by number")
+               .with(ball_diameter),
            d.diameter);
   constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
   constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
@@ -86,7 +90,8 @@ bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
            d.law);
   refuse_others(v, d.law);
   if (d.law == SizeLaw::equal) {
-    v.number({"diameter", "m", positive, "diameter of a ball"}, diameter);
+    v.number(NumberSpec("diameter", "m", positive, "diameter of a ball").with(ball_diameter),
+             diameter);
     return true;
   }
   bool sound = true;

@@ -4,44 +4,71 @@
 // The values of a case that its results depend on: marks assumptions and finds ignored keys.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
+#include <set>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-/// Whether an engine reads a value. A value that it does not read is no assumption of its results.
-/// "auto" may read all values.
-bool engine_reads(std::string_view dotted, const Case& c, EngineName engine) {
-  static const std::vector<std::string_view> of_soft{
-      "law",          "rolling",        "rolling_damping",
-      "softening",    "curved_walls",   "rescaled_unloading",
-      "partial_slip", "time_step",      "time_step_fraction",
-      "hop",          "youngs_modulus", "poisson_ratio"};
-  static const std::vector<std::string_view> of_event{
-      "lasting", "lasting_friction", "lasting_speed", "contact_time", "tangential_restitution"};
-  static const std::vector<std::string_view> not_in_lammps{"hop", "rolling_damping",
-                                                           "rescaled_unloading"};
-  if (engine == EngineName::automatic) return true;
-  const auto& of_other = engine == EngineName::event ? of_soft : of_event;
-  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);  // npos + 1 == 0 without a dot
-  const bool elastic = key == "youngs_modulus" || key == "poisson_ratio";
-  if (engine == EngineName::lammps && std::ranges::find(not_in_lammps, key) != not_in_lammps.end())
-    return false;
-  const bool twists = c.contact.model.twisting != contact::Twisting::none;  // (evt.24)
-  if (dotted.starts_with("kinetics.") || (elastic && (c.capture || twists)))
-    return true;  // powder models, too
-  const bool of_law = std::ranges::find(law_keys(), key) != law_keys().end();
-  return std::ranges::find(of_other, key) == of_other.end() &&
-         !(of_law && engine == EngineName::event);
+/// The last part of a dotted key.
+std::string_view name_in(std::string_view dotted) {
+  return dotted.substr(dotted.rfind('.') + 1);  // npos + 1 == 0 without a dot
 }
+
+/// Lists the keys of a case that an engine does not read.
+class UnreadKeys : public CaseVisitor {
+ public:
+  UnreadKeys(Case& c, EngineName engine) : engine_(engine) {
+    // The event engine reads elastic constants for capture and twisting friction (evt.24) only.
+    elastic_unread_ = engine == EngineName::event && !c.capture &&
+                      c.contact.model.twisting == contact::Twisting::none;
+    if (engine != EngineName::automatic) describe(*this, c);  // "auto" may read all values
+  }
+
+  bool contain(std::string_view dotted) const { return keys_.contains(dotted); }
+
+  void section(std::string_view name, std::size_t number) override {
+    prefix_ = name.empty()  ? ""
+              : number == 0 ? fmt::format("{}.", name)
+                            : fmt::format("{}.{}.", name, number);
+  }
+  void number(const NumberSpec& spec, double&) override {
+    const bool elastic = spec.key == "youngs_modulus" || spec.key == "poisson_ratio";
+    note(spec.key, elastic && elastic_unread_ ? soft_and_lammps : spec.engines);
+  }
+  void optional_number(const NumberSpec& spec, std::optional<double>&) override {
+    note(spec.key, spec.engines);
+  }
+  void integer(const IntegerSpec&, std::int64_t&) override {}
+  void flag(const Flag& flag, bool&) override { note(flag.key, flag.engines); }
+  void text(const TextSpec&, std::string&) override {}
+  bool choose(const Choice& choice, std::size_t&) override {
+    note(choice.key, choice.engines);
+    return true;
+  }
+  void custom(const CustomKey&, const std::function<std::string()>&) override {}
+
+ private:
+  void note(std::string_view key, Engines engines) {
+    const bool read = engine_ == EngineName::event  ? engines.event
+                      : engine_ == EngineName::soft ? engines.soft
+                                                    : engines.lammps;
+    if (!read) keys_.insert(prefix_ + std::string(key));
+  }
+
+  EngineName engine_;
+  bool elastic_unread_ = false;
+  std::string prefix_;
+  std::set<std::string, std::less<>> keys_;
+};
 
 /// Whether a value is needed: properties for wear and heat only with [wear] or [heat].
 bool is_relevant(std::string_view dotted, const Case& c) {
-  const std::string_view key = dotted.substr(dotted.rfind('.') + 1);
+  const std::string_view key = name_in(dotted);
   if (key == "hardness") {  // a default yield pressure follows from it
     const auto* law = std::get_if<contact::ThorntonNing>(
         &static_cast<const contact::Laws&>(*c.contact.model.law));
@@ -56,9 +83,10 @@ bool is_relevant(std::string_view dotted, const Case& c) {
 }  // namespace
 
 void drop_irrelevant_assumptions(Case& c) {
+  const UnreadKeys unread(c, c.run.engine);
   for (Origin& origin : c.origins) {
     const bool asked = is_relevant(origin.key, c);
-    origin.assumed = origin.assumed && asked && engine_reads(origin.key, c, c.run.engine);
+    origin.assumed = origin.assumed && asked && !unread.contain(origin.key);
     origin.unverified = origin.unverified && asked;
   }
 }
@@ -81,11 +109,12 @@ Notices free_twisting(const Case& c, EngineName engine) {
 Notices ignored_keys(const Case& c, EngineName engine) {
   std::string keys;
   Notices notes = free_twisting(c, engine);
+  Case copy = c;  // describe() needs a mutable case; UnreadKeys does not change it
+  const UnreadKeys unread(copy, engine);
   for (const Origin& origin : c.origins) {
     const bool given =
         !origin.source.starts_with("default: ") && !origin.source.starts_with("catalogue");
-    if (given && !engine_reads(origin.key, c, engine))
-      keys += (keys.empty() ? "" : ", ") + origin.key;
+    if (given && unread.contain(origin.key)) keys += (keys.empty() ? "" : ", ") + origin.key;
   }
   if (!keys.empty())
     notes.push_back(note(

@@ -25,7 +25,8 @@ struct ShiKojovic {
     return std::array{
         Field<M>{"t10_most", "", &M::t10_most, shares,
                  "share finer than a tenth of the size after the hardest hits, M"},
-        Field<M>{"f_mat", "kg/J/m", &M::f_mat, positive, "strength of the material, f_mat"},
+        Field<M>{"f_mat", "kg/J/m", &M::f_mat, positive, "strength of the material, f_mat"}.with(
+            {.symbol = "$f_{Mat}$"}),
         Field<M>{"x_e_min", "J m/kg", &M::x_e_min, not_negative,
                  "size times the least specific energy that breaks, x E_min"}};
   }

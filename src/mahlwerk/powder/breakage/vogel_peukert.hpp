@@ -22,9 +22,11 @@ struct VogelPeukert {
   static constexpr auto fields() {
     using M = VogelPeukert;
     return std::array{Field<M>{"f_mat", "kg/J/m", &M::f_mat, positive,
-                               "strength of the material: how soon its grains break, f_Mat"},
+                               "strength of the material: how soon its grains break, f_Mat"}
+                          .with({.symbol = "$f_{Mat}$"}),
                       Field<M>{"x_w_min", "J m/kg", &M::x_w_min, not_negative,
-                               "size times the least specific energy that breaks, x W_min"}};
+                               "size times the least specific energy that breaks, x W_min"}
+                          .with({.symbol = "$xW_{m,min}$"})};
   }
   double breakage_probability(double size, double energy) const {  // (brk.1)
     const double above = size * energy - x_w_min;

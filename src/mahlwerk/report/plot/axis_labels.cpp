@@ -4,42 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include "mahlwerk/cases/keys.hpp"
 
 namespace mahlwerk::report {
 namespace {
-
-struct Named {
-  std::string_view name, words, symbol;
-  std::string_view unit = "";  // of values without unit
-};
-
-/// Keys whose last word alone is ambiguous, or that have a symbol.
-constexpr std::array keys{Named{"mill.frequency", "vibration frequency", "$f$"},
-                          Named{"mill.amplitude", "vibration amplitude", "$A$"},
-                          Named{"mill.speed", "speed of the mill", "$ω$"},
-                          Named{"mill.ratio", "speed ratio", "$k$", "–"},
-                          Named{"jar.diameter", "jar diameter", "$D$"},
-                          Named{"balls.diameter", "ball diameter", "$d$"},
-                          Named{"balls.count", "number of balls", "$N$", "–"},
-                          Named{"balls.filling", "solid filling of balls", ""},
-                          Named{"balls.bulk_filling", "bulk filling of balls", "$J$"},
-                          Named{"powder.void_filling", "powder filling of the voids", "$U$"},
-                          Named{"powder.filling", "powder filling", ""},
-                          Named{"contact.friction", "friction coefficient", "$µ$", "–"},
-                          Named{"contact.rolling_friction", "rolling friction", "$µ_{r}$", "–"},
-                          Named{"contact.restitution", "coefficient of restitution", "$e$", "–"},
-                          Named{"breakage.f_mat", "", "$f_{Mat}$"},
-                          Named{"breakage.x_w_min", "", "$xW_{m,min}$"},
-                          Named{"run.time", "simulated time", "$t$"},
-                          Named{"grinding.time", "milling time", "$t$"}};
-
-template <class List>
-Named entry(const List& list, std::string_view name) {
-  const auto at = std::ranges::find(list, name, &Named::name);
-  return at == list.end() ? Named{} : *at;
-}
 
 std::string axis_text(std::string words, std::string_view symbol, std::string_view unit) {
   if (!symbol.empty()) words += fmt::format(", {}", symbol);
@@ -53,7 +21,8 @@ std::string symbol_of_quantity(std::string_view quantity) {
 }
 
 std::string symbol_of_key(std::string_view key) {
-  return std::string(entry(keys, key).symbol);
+  const cases::KeyInfo* known = cases::find_key(key);
+  return known == nullptr ? "" : known->symbol;
 }
 
 std::string quantity_axis(std::string_view quantity, const Multiple& m) {
@@ -63,13 +32,11 @@ std::string quantity_axis(std::string_view quantity, const Multiple& m) {
 }
 
 std::string key_axis(std::string_view key, std::string_view unit) {
-  const Named known = entry(keys, key);
-  std::string words(known.words);
-  if (words.empty()) {
-    words = key.substr(key.rfind('.') + 1);
-    std::ranges::replace(words, '_', ' ');
-  }
-  return axis_text(std::move(words), known.symbol, unit.empty() ? known.unit : unit);
+  const cases::KeyInfo* known = cases::find_key(key);
+  if (known == nullptr) return axis_text(std::string(key), "", unit);
+  const bool number = known->type == "number" || known->type == "integer";
+  const std::string_view none = number && known->unit.empty() ? "–" : "";
+  return axis_text(known->label, known->symbol, unit.empty() ? none : unit);
 }
 
 }  // namespace mahlwerk::report
