@@ -144,7 +144,9 @@ TEST(Units, openings_of_sieves_fall_by_the_fourth_root_of_two) {
   for (int number = 5; number <= 635; ++number) {
     const auto opening = mesh_opening(number);
     if (!opening) continue;
-    if (number <= 450) EXPECT_NEAR(before / *opening, 1.189, 0.03) << number << " mesh";
+    if (number <= 450) {
+      EXPECT_NEAR(before / *opening, 1.189, 0.03) << number << " mesh";
+    }
     before = *opening;
     ++count;
   }
