@@ -56,8 +56,10 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
   for (const results::Measure& m : results::all_measures()) known.push_back(m.name);
   const std::string near = cases::nearest_name(name, known);
   throw InputError(Fault{
-      "describe", "neither the catalogue nor the keys of a case file have '" + name + "'",
-      near.empty() ? "see 'mahlwerk list' for the catalogue and 'mahlwerk list keys' for the keys"
+      "describe",
+      "neither the catalogue nor the keys of a case file nor the quantities of a result have '" +
+          name + "'",
+      near.empty() ? "see 'mahlwerk list', 'mahlwerk list keys' and 'mahlwerk list quantities'"
                    : "did you mean '" + near + "'?",
       "unknown-name"});
 }
@@ -154,7 +156,10 @@ int describe(const Request& request) {
   const std::vector<cases::CatalogueEntry> entries = entries_named(request.target);
   if (sections.empty() && entries.empty()) {
     if (const std::string words = results::quantity_in_words(request.target); !words.empty()) {
-      to_stdout(words);
+      if (request.json)
+        json_to_stdout(results::quantity_record(request.target));
+      else
+        to_stdout(words);
       return success;
     }
     report_unknown(request.target);

@@ -70,6 +70,10 @@ class Quantity:
         """Value, half-width and unit as the program prints them: "136 ± 15 /s"."""
         return _core.readable(self.value, self.half_width, self.unit or "1", *self.range)
 
+    def of_value(self, value: float) -> Quantity:
+        """The same quantity with another value, which is known exactly."""
+        return Quantity(self.name, value, 0.0, self.unit, self.about, None, self.label, self.range)
+
     def __str__(self) -> str:
         return self.text()
 

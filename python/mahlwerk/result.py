@@ -237,7 +237,10 @@ class Result:
 
     def _over_assumed(self, name: str) -> str:
         ends = self.assumed_range(name)
-        return "" if ends is None else f"  ({ends[0]:.2g} to {ends[1]:.2g} over assumed values)"
+        if ends is None:
+            return ""
+        low, high = (self[name].of_value(end).text() for end in ends)
+        return f"  ({low} to {high} over assumed values)"
 
     def __repr__(self) -> str:
         said = "" if self.complete else ", incomplete"

@@ -17,11 +17,12 @@ namespace {
 
 /// A row: both values in the same multiple of the unit, the ratio, and "≠" if they differ.
 using CompareLine = std::array<std::string, 5>;
-CompareLine line_of(std::string title, const EnginePair& b, std::string_view unit) {
+CompareLine line_of(std::string title, const EnginePair& b, std::string_view unit,
+                    results::Range range = {}) {
   const double size = std::fmax(std::abs(b.event.mean), std::abs(b.soft.mean));
   const double ratio = b.ratio();
-  return {std::move(title), readable(b.event.mean, b.event.ci95, unit, size).text(),
-          readable(b.soft.mean, b.soft.ci95, unit, size).text(),
+  return {std::move(title), readable_within(b.event.mean, b.event.ci95, unit, range, size).text(),
+          readable_within(b.soft.mean, b.soft.ci95, unit, range, size).text(),
           std::isfinite(ratio) ? readable(ratio, b.ratio_ci95(), "").text() : "-",
           b.differs() ? "≠" : ""};
 }
@@ -35,7 +36,7 @@ std::string bin_text(const ComparedBin& b, std::string_view unit) {
 std::vector<CompareLine> lines_of(const std::vector<ComparedBin>& bins, std::string_view unit) {
   std::vector<CompareLine> lines;
   for (auto b = bins.rbegin(); b != bins.rend(); ++b)  // highest bin first
-    lines.push_back(line_of(bin_text(*b, unit), b->rate, "1/s"));
+    lines.push_back(line_of(bin_text(*b, unit), b->rate, "1/s", results::not_negative));
   return lines;
 }
 
@@ -141,7 +142,7 @@ std::string boxes(const char* engine, const EngineDiagnostics& side) {
 std::vector<CompareLine> quantity_lines(const Comparison& c) {
   std::vector<CompareLine> lines;
   for (const ComparedQuantity& q : c.quantities)
-    lines.push_back(line_of(label(q.name), q.estimates, q.unit));
+    lines.push_back(line_of(label(q.name), q.estimates, q.unit, results::range_of(q.name)));
   return lines;
 }
 

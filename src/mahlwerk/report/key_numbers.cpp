@@ -28,6 +28,7 @@ Quantity in_a_short_unit(Quantity q) {
   if (q.unit != "s" || !(q.value >= one_hour)) return q;
   q.value /= one_hour;
   q.ci95 /= one_hour;
+  q.ci95_time /= one_hour;
   q.unit = "h";
   return q;
 }
@@ -50,7 +51,8 @@ std::string title(const Quantity& q, const cases::Case& c) {
 std::string value_text(const Quantity& q) {
   if (q.name == "specific_energy_dose" && std::isnan(q.value)) return "no milling time given";
   const Quantity shown = in_a_short_unit(q);
-  return readable_within(shown.value, shown.ci95, shown.unit, results::range_of(q.name)).text();
+  return readable_within(shown.value, shown.half_width(), shown.unit, results::range_of(q.name))
+      .text();
 }
 
 using Ends = std::pair<double, double>;

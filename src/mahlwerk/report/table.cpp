@@ -20,10 +20,13 @@ std::string padded(const std::string& text, std::size_t wanted) {
   return text + std::string(wanted - std::min(wanted, width(text)), ' ');
 }
 
-/// The larger absolute value of a row.
+/// The largest value or half-width of a row, so that both numbers have the same multiple of the
+/// unit.
 double size_of(const Row& row) {
-  const double all = std::abs(row.all->value);
-  return row.above == nullptr ? all : std::fmax(all, std::abs(row.above->value));
+  const auto size = [](const results::Quantity& q) {
+    return std::fmax(std::abs(q.value), q.half_width());
+  };
+  return row.above == nullptr ? size(*row.all) : std::fmax(size(*row.all), size(*row.above));
 }
 
 std::string without_blanks_behind(std::string text) {

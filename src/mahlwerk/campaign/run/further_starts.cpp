@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -21,14 +20,17 @@ namespace {
 
 constexpr std::int64_t starts = 16;  // replicates and further ones
 
-/// The case of the further starts: a short counted time, and nothing else recorded.
+/// Whether 16 runs cost next to nothing. In a longer run the start matters less, too.
+bool is_short(const cases::Case& c) {
+  constexpr double most_periods = 200;
+  return cases::simulated_time(c) <= most_periods * cases::mill_period(c);
+}
+
+/// The case of the further starts, which record nothing but energy.
 cases::Case further_case(const results::Outcome& outcome) {
-  constexpr double periods = 20;
   cases::Case further = outcome.mill_case;
   further.run.engine = outcome.engine;
-  further.run.time = std::min(further.run.time, periods * cases::mill_period(further));
   further.run.replicates = starts;
-  further.run.until.reset();
   further.observe = {.threshold = further.observe.threshold};
   further.capture.reset();
   further.grinding.reset();
@@ -66,7 +68,7 @@ Notices further_start_notices(const results::Outcome& outcome, const std::atomic
   const cases::Case& c = outcome.mill_case;
   if (c.run.engine != cases::EngineName::automatic || outcome.engine != cases::EngineName::event ||
       cases::balls_count(c.balls) != 1 || c.run.start_from.states || outcome.summary.two_states ||
-      c.run.replicates >= starts || !results::complete(outcome))
+      c.run.replicates >= starts || !results::complete(outcome) || c.run.until || !is_short(c))
     return {};
   std::vector<double> powers;
   for (const results::Replicate& r : outcome.replicates)
@@ -82,7 +84,7 @@ Notices further_start_notices(const results::Outcome& outcome, const std::atomic
   return {warning(
       "state-of-start",
       fmt::format("The start decides what the ball does: of {} starts, the replicates of this run "
-                  "and short further ones, {} and {}. The result holds for the states of its "
+                  "and further ones, {} and {}. The result holds for the states of its "
                   "replicates; run.replicates = {} shows both.",
                   starts, group_in_words(powers, false, groups->between),
                   group_in_words(powers, true, groups->between), starts))};

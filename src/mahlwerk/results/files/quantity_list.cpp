@@ -50,6 +50,11 @@ Json quantity_list() {
   return list;
 }
 
+Json quantity_record(std::string_view name) {
+  const Measure* m = record_of(name);
+  return m == nullptr ? Json() : object_of(*m);
+}
+
 std::string quantity_index() {
   std::string text;
   for (const Measures* some : {&all_measures(), &measures_of_whole()})

@@ -13,7 +13,9 @@ namespace mahlwerk::results {
 /// All quantities of summary.json, one object each, in its order: name, unit, about, label, symbol,
 /// least, most, heading, equation, only, series (docs/formats.md).
 Json quantity_list();
-/// The same as a table for the terminal, under the headings of results.
+/// The object of one of them; null if there is none of that name.
+Json quantity_record(std::string_view name);
+/// The list as a table for the terminal, under the headings of results.
 std::string quantity_index();
 /// One quantity in words; empty if there is none of that name.
 std::string quantity_in_words(std::string_view name);
