@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/faults/faults.hpp"
 #include "mahlwerk/cases/file/formula.hpp"
+#include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 

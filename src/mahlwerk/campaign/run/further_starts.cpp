@@ -10,7 +10,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
-#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
