@@ -184,8 +184,7 @@ Command list_command() {
   return {
       "list",
       "list the contents of the catalogue: mills, jars, materials or media; the keys or the units "
-      "of "
-      "a case file; or the quantities of a result",
+      "of a case file; or the quantities of a result",
       {{.name = "CATEGORY",
         .target = &Request::target,
         .about = "mills, jars, materials or media (default: all four), keys, units or quantities",

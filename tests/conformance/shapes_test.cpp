@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
+#include "part_jars.hpp"
 #include "register_types.hpp"
 #include "statement.hpp"
 
@@ -63,21 +64,13 @@ PeriodicCylinder sample() {
 }
 template <>
 LifterCylinder sample() {
-  LifterCylinder jar;
-  jar.diameter = 0.2, jar.height = 0.1, jar.lifters = 8;
-  jar.lifter_height = 0.012, jar.lifter_width = 0.02, jar.lifter_face_angle = 1.2;
-  jar.complete();
-  return jar;
+  return lifters();
 }
 template <>
 Attritor sample() {
-  Attritor jar;
-  jar.diameter = 0.1, jar.height = 0.12, jar.shaft_diameter = 0.02, jar.shaft_clearance = 0.01;
-  jar.arms = 4, jar.arm_diameter = 0.008, jar.arm_span = 0.08;
-  jar.arm_clearance = 0.02, jar.arm_spacing = 0.02, jar.rotor_speed = 30;
-  jar.complete();
-  return jar;
+  return stirrer();
 }
+
 template <class S>
 class Shapes : public ::testing::Test {
  protected:

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every quantity of the register, computed a second time: plainly, over all records of collisions, or from its
 definition. A quantity that no record holds names the test that proves it."""
-import functools
 import json
 import math
 from pathlib import Path
@@ -10,129 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import mahlwerk
+from quantity_runs import run_of
 
 TESTS = Path(__file__).resolve().parents[1]
 ABOVE = "_above_threshold"
 GRAVITY = 9.81
-
-BALLS = {"count": 6, "diameter": "8 mm", "density": "7850 kg/m3", "youngs_modulus": "1 GPa"}
-POWDER = {"mass": "2 g", "size": "40 um", "density": "4000 kg/m3"}
-JAR = {"kind": "cylinder", "diameter": "40 mm", "height": "40 mm", "youngs_modulus": "1 GPa"}
-THERMAL = {"density": "7850 kg/m3", "conductivity": "30 W/m/K", "heat_capacity": "460 J/kg/K"}
-SHAKEN = {"kind": "vibration", "frequency": "20 Hz", "amplitude": "8 mm"}
-
-CASES = {
-    # Balls that fly: no sustained contact takes energy that no record has.
-    "flying": {"mill": {**SHAKEN, "jars_carried": 2}, "jar": JAR, "balls": [BALLS], "powder": POWDER,
-               "contact": {"restitution": 0.6, "friction": 0.3},
-               "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
-               "milling": {"time": "2 h", "dose": "5 kJ/g"},
-               "wear": {"model": "finnie", "coefficient": 2e-4},
-               "kinetics": {"model": "by-impact", "mass_per_hit": "2 ug", "scheme": "sequential",
-                            "processed_share": 0.5, "second_share": 0.25, "molar_mass": "60 g/mol",
-                            "time": "2 h", "property": "hardness", "initial": 1, "final": 3},
-               "power_meter": {"interval": "0.1 s", "idle_power": "7 W", "efficiency": 0.5},
-               "microphone": {"threshold": "0.2 mJ", "definition_time": "2 ms"}},
-    # No friction: the normal impulses alone do the work of the jar.
-    "frictionless": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS],
-                     "contact": {"restitution": 0.6, "friction": 0},
-                     "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"}},
-    # Contacts that last, one ball.
-    "soft": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 1}],
-             "contact": {"restitution": 0.6, "friction": 0.3, "rolling_friction": 0.05},
-             "run": {"engine": "soft", "time": "1 s", "settle": "0.2 s"}},
-    # Little friction: balls slip from the first to the last moment of an impact.
-    "slippery": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 2}],
-                 "contact": {"restitution": 0.6, "friction": 0.002, "rolling_friction": 0},
-                 "run": {"engine": "soft", "time": "1 s", "settle": "0.2 s"}},
-    "drum": {"mill": {"kind": "tumbling", "speed": "60 %"}, "jar": {**JAR, "diameter": "100 mm"},
-             "balls": [{**BALLS, "count": 30}], "powder": POWDER,
-             "contact": {"restitution": 0.5, "friction": 0.4},
-             "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2},
-                  "jar": JAR, "balls": [BALLS], "contact": {"restitution": 0.5, "friction": 0.4},
-                  "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "stirred": {"mill": {"kind": "still"},
-                "jar": {"kind": "attritor", "diameter": "100 mm", "height": "120 mm", "shaft_diameter": "20 mm",
-                        "shaft_clearance": "10 mm", "arms": 4, "arm_diameter": "8 mm", "arm_span": "80 mm",
-                        "arm_clearance": "20 mm", "arm_spacing": "20 mm", "rotor_speed": "300 rpm",
-                        "youngs_modulus": "10 MPa"},
-                "balls": [{**BALLS, "count": 40, "youngs_modulus": "10 MPa"}],
-                "contact": {"restitution": 0.5, "friction": 0.3},
-                "run": {"engine": "soft", "time": "0.05 s", "settle": "0.05 s"}},
-    # One ball that moves through space freely, with a spin.
-    "free": {"gravity": "0 m/s2", "mill": {**SHAKEN, "amplitude": "0 mm"}, "jar": JAR,
-             "balls": [{**BALLS, "count": None, "positions": [["1 mm", "2 mm", "3 mm"]],
-                        "velocities": [["0.003 m/s", "0 m/s", "0.004 m/s"]],
-                        "spins": [["2 rad/s", "3 rad/s", "6 rad/s"]]}],
-             "contact": {"restitution": 0.6, "friction": 0.3},
-             "run": {"engine": "event", "time": "0.1 s", "settle": "0 s"}},
-    # One elastic, head-on impact of a ball on the bottom.
-    "impact": {"gravity": "0 m/s2", "mill": {"kind": "still"}, "jar": JAR,
-               "balls": [{**BALLS, "count": None, "positions": [["0 mm", "0 mm", "-15 mm"]],
-                          "velocities": [["0 m/s", "0 m/s", "-0.5 m/s"]]}],
-               "contact": {"law": "hertz-mindlin", "restitution": 1, "friction": 0},
-               "run": {"engine": "soft", "time": "20 ms", "settle": "0 s"}},
-    # So long a milling that the temperatures are steady; powder whose grains all collisions catch alike.
-    "warm": {"mill": SHAKEN, "jar": {**JAR, **THERMAL}, "balls": [{**BALLS, **THERMAL}], "powder": POWDER,
-             "contact": {"restitution": 0.6, "friction": 0.3},
-             "run": {"engine": "soft", "time": "0.3 s", "settle": "0.1 s"},
-             "milling": {"time": "10 h"},
-             "heat": {"cooling": "15 W/m2/K", "ball_exchange": "50 W/m2/K",
-                      "share_in_balls": 0.4, "ambient": "20 degC"},
-             "thermocouple": {"place": "balls", "lag": "0 s"},
-             "power_meter": {"interval": "0.02 s"},
-             "accelerometer": {"mass": "0.4 kg", "sample_rate": "10 kHz", "bandwidth": "1 kHz",
-                               "duration": "0.1 s"},
-             "capture": {"model": "fixed", "mass": "3 ug", "energy": "lost", "energy_share": 0.5},
-             "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.1 J m/kg"},
-             "fragments": {"model": "halves"},
-             "grinding": {"smallest": "4 um"},
-             "kinetics": {"model": "ignition", "ignition_dose": "1 kJ/g", "dose": "dissipated"}},
-    "grains": {"mill": {"kind": "still"}, "jar": JAR, "balls": [{**BALLS, "count": 1}],
-               "powder": {"as": "grains", "mass": "0.1 g", "size": "0.5 mm", "grain_size": "2 mm",
-                          "density": "4000 kg/m3", "youngs_modulus": "10 MPa"},
-               "contact": {"restitution": 0.6, "friction": 0.3},
-               "run": {"engine": "soft", "time": "10 ms", "settle": "0 s"}},
-    "wet": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 2}],
-            "liquid": {"kind": "film", "film": "10 um", "viscosity": "100 mPa s"},
-            "contact": {"restitution": 0.6, "friction": 0.3},
-            "run": {"engine": "soft", "time": "0.3 s", "settle": "0.1 s"}},
-}
-
-
-class Run:
-    """A result with its records: one array per replicate."""
-
-    def __init__(self, name):
-        case = {"title": name, "seed": 7, **CASES[name]}
-        case["run"] = {**case["run"], "replicates": 2}
-        case["balls"] = [{key: value for key, value in one.items() if value is not None} for one in case["balls"]]
-        self.result = mahlwerk.Case(case).run(collisions=True)
-        self.hits = [self.result.collisions(i) for i in (1, 2)]
-        self.time = self["simulated_time"]
-        self.balls = sum(one.get("count", 1) for one in case["balls"])
-
-    def mean(self, of):
-        """The mean over replicates of a function of the records."""
-        return float(np.mean([of(hits) for hits in self.hits]))
-
-    def __getitem__(self, name):
-        return self.result[name].value
-
-    def by_replicate(self, name):
-        table = self.result.table("replicates")  # its columns have the unit behind the name
-        return table[min((c for c in table.dtype.names if f"{c}_".startswith(f"{name}_")), key=len)]
-
-    def mean_from(self, of, *names):
-        """The mean over replicates of a function of other quantities."""
-        return float(np.mean([of(*values) for values in zip(*map(self.by_replicate, names))]))
-
-
-@functools.cache
-def run_of(name):
-    return Run(name)
 
 
 def strong(hits):

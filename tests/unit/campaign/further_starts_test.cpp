@@ -62,6 +62,14 @@ TEST(FurtherStarts, are_run_for_the_automatic_engine_and_few_replicates_only) {
   EXPECT_FALSE(told(shaker(0.239, "replicates = 16\n"))) << "the replicates tell by themselves";
 }
 
+TEST(FurtherStarts, are_not_run_for_points_of_a_campaign) {
+  const cases::Case c =
+      cases::read_text(shaker(0.239, "replicates = 2\n"), "case.toml", catalogue(), {});
+  for (const results::Outcome& outcome : run(std::vector{c, c}, on(2)))
+    EXPECT_FALSE(std::ranges::any_of(outcome.notices,
+                                     [](const Notice& n) { return n.code == "state-of-start"; }));
+}
+
 TEST(FurtherStarts, end_when_the_user_stops) {
   const cases::Case c =
       cases::read_text(shaker(0.239, "replicates = 2\n"), "case.toml", catalogue(), {});

@@ -10,6 +10,7 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/base/rotation.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
+#include "part_jars.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests::parts_test {
@@ -19,23 +20,6 @@ using geometry::Attritor;
 using geometry::LifterCylinder;
 
 constexpr double pi = std::numbers::pi;
-
-LifterCylinder lifters(int count = 8, double face_angle = 70 * pi / 180) {
-  LifterCylinder jar;
-  jar.diameter = 0.2, jar.height = 0.1;
-  jar.lifters = count, jar.lifter_height = 0.012, jar.lifter_width = 0.02;
-  jar.lifter_face_angle = face_angle;
-  jar.complete();
-  return jar;
-}
-Attritor stirrer() {
-  Attritor jar;
-  jar.diameter = 0.1, jar.height = 0.12, jar.shaft_diameter = 0.02, jar.shaft_clearance = 0.01;
-  jar.arms = 4, jar.arm_diameter = 0.008, jar.arm_span = 0.08;
-  jar.arm_clearance = 0.02, jar.arm_spacing = 0.02, jar.rotor_speed = 30;
-  jar.complete();
-  return jar;
-}
 
 template <class S>
 double nearest(const S& jar, const Vec3& p) {

@@ -8,7 +8,6 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/run/further_starts.hpp"
 #include "mahlwerk/campaign/run/pilot.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/step_check.hpp"
@@ -157,7 +156,6 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
         fmt::format("law = \"{}\" is adhesive. The event engine does not model adhesion: its balls "
                     "separate without a pull-off force. engine = \"soft\" models it.",
                     *law)));
-  append(notes, further_start_notices(outcome, stop));
   if (cases::balls_count(outcome.mill_case.balls) > 1)
     append(notes, contact_notices(outcome, stop));
   return notes;

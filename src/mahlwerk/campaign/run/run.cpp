@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/further_starts.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -36,6 +37,12 @@ Load load_of(const std::vector<cases::Case>& points) {
     load.total += cases::simulated_time(mill_case) * static_cast<double>(mill_case.run.replicates);
   }
   return load;
+}
+
+/// Adds what only a single run computes: many points would take twice as long.
+void conclude_single(results::Outcome& outcome, const std::atomic<bool>* stop) {
+  append(outcome.notices, further_start_notices(outcome, stop));
+  std::ranges::stable_sort(outcome.notices, std::ranges::greater(), &Notice::severity);
 }
 
 /// Outcome of a point that was never begun.
@@ -74,6 +81,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
   queue.threads_per_replicate = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
   queue.total = load.total;
   run_queue(queue, own);
+  if (points.size() == 1 && ended[0]) conclude_single(*ended[0], options.stop);
   const double took =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   std::vector<results::Outcome> outcomes;
