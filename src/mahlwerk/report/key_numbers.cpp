@@ -50,9 +50,7 @@ std::string title(const Quantity& q, const cases::Case& c) {
 
 std::string value_text(const Quantity& q) {
   if (q.name == "specific_energy_dose" && std::isnan(q.value)) return "no milling time given";
-  const Quantity shown = in_a_short_unit(q);
-  return readable_within(shown.value, shown.half_width(), shown.unit, results::range_of(q.name))
-      .text();
+  return readable(in_a_short_unit(q)).text();
 }
 
 using Ends = std::pair<double, double>;

@@ -25,7 +25,7 @@ Readable readable(double value, double ci95, std::string_view unit, double size 
 Readable readable_within(double value, double ci95, std::string_view unit, results::Range range,
                          double size = 0);
 inline Readable readable(const results::Quantity& q) {
-  return readable_within(q.value, q.ci95, q.unit, results::range_of(q.name));
+  return readable_within(q.value, q.half_width(), q.unit, results::range_of(q.name));
 }
 
 /// "52 % of", or "9519 times" above 2.

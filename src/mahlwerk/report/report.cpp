@@ -232,10 +232,9 @@ std::string sentence(const Outcome& outcome) {
   const double count = named(list, "replicates").value;
   if (count == 0) return "No time was counted.";
   const Quantity& rate = named(list, "collision_rate_above_threshold");
-  std::string text =
-      fmt::format("In {} of {:.4g} s there were {} collisions per second",
-                  count == 1 ? "one run" : fmt::format("{:.0f} runs", count),
-                  named(list, "simulated_time").value, readable(rate.value, rate.ci95, "").text());
+  std::string text = fmt::format("In {} of {:.4g} s there were {} collisions per second",
+                                 count == 1 ? "one run" : fmt::format("{:.0f} runs", count),
+                                 named(list, "simulated_time").value, readable(rate).number);
   text += fmt::format(" with a normal speed of at least {}",
                       threshold_text(outcome.mill_case.observe.threshold));
   if (std::isfinite(named(list, "energy_normal_mean_above_threshold").value))
