@@ -219,5 +219,18 @@ TEST_F(LammpsRun, ctrl_c_ends_lammps_and_the_run_goes_on) {
   EXPECT_TRUE(fs::exists(here_ / "out.lammps/replicate-1/restart.end"));
 }
 
+TEST_F(LammpsRun, a_run_that_ended_while_its_first_restart_file_was_written_begins_again) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string words =
+      "run drum.toml --out out --set run.time='0.5 s' --set run.time_step='4 us'";
+  const fs::path folder = here_ / "out.lammps/replicate-1";
+  mahlwerk_until("out.lammps/replicate-1/restart.a", SIGINT, words);
+  fs::remove(folder / "restart.b");
+  std::ofstream(folder / "restart.a") << "LammpS RestartT";
+  const ProgramResult r = mahlwerk(words + " --resume");
+  EXPECT_EQ(r.code, 0) << r.output;
+  EXPECT_TRUE(fs::exists(folder / "restart.end"));
+}
+
 }  // namespace
 }  // namespace mahlwerk::tests::lammps_test

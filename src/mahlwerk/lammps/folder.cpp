@@ -99,7 +99,7 @@ void write_slurm_script(const fs::path& folder, int ranks,
                     "  lammps -var from \"$file\" -var session \"$session\" && exit 0\n"
                     "  [ -e \"from.$session.txt\" ] && exit 1\n"
                     "done\n"
-                    "[ -e restart.a ] || {{ rm -f ./*.txt; lammps; }}\n",
+                    "[ -e restart.b ] || {{ rm -f ./*.txt; lammps; }}\n",
                     ranks, more));
 }
 

@@ -42,7 +42,7 @@ void Run::start(const cases::Case& mill_case, std::int64_t last) {
     check_case(mill_case);
     if (is_complete(last)) return;
   }
-  if (resumes_ && !restart_files().empty()) return start_from_restart_file();
+  if (resumes_ && start_from_restart_file()) return;
   for (const auto& entry : fs::directory_iterator(folder_))  // ended before its first restart file
     if (entry.path().extension() == ".txt") fs::remove(entry.path());
   running_ = std::make_unique<Running>(folder_, command());
@@ -85,9 +85,11 @@ std::vector<std::string> Run::command() const {
 }
 
 /// A restart file that was being written when a process ended cannot be read; the other one can.
-void Run::start_from_restart_file() {
+/// Where the first one was being written there is no other: false, and the run begins again.
+bool Run::start_from_restart_file() {
+  const std::vector<fs::path> files = restart_files();
   const std::vector<std::string> begin = command();
-  for (const fs::path& file : restart_files()) {
+  for (const fs::path& file : files) {
     const std::size_t before = sessions(folder_).size();
     std::vector<std::string> words = begin;
     for (const std::string& word :
@@ -97,9 +99,11 @@ void Run::start_from_restart_file() {
     running_ = std::make_unique<Running>(folder_, words);
     while (sessions(folder_).size() == before && !running_->ended())
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    if (sessions(folder_).size() > before) return;
+    if (sessions(folder_).size() > before) return true;
   }
-  end_early(0);
+  if (files.size() > 1) end_early(0);
+  running_.reset();
+  return false;
 }
 
 /// The newest first.

@@ -41,7 +41,7 @@ class Run {
   void check_case(const cases::Case& mill_case) const;
   bool is_complete(std::int64_t last) const;
   std::vector<std::string> command() const;
-  void start_from_restart_file();
+  bool start_from_restart_file();
   std::vector<std::filesystem::path> restart_files() const;
 
   std::filesystem::path folder_;
