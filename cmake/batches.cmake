@@ -1,6 +1,7 @@
 # Unity build: up to sixteen files of a folder are compiled together, or eight in tests, so that
 # headers are parsed and templates instantiated once for all of them. A name in an anonymous namespace
-# must therefore be unique in its folder; tests have a namespace for each file.
+# must therefore be unique in its folder, or in the room if its folders are compiled TOGETHER; tests
+# have a namespace for each file.
 # -DMAHLWERK_BATCHES=OFF compiles each file separately, which is faster while one file is edited
 # repeatedly. Files that instantiate the event engine for one shape are compiled separately, and so
 # are those that CMake generates for each law (src/mahlwerk/CMakeLists.txt). Files that include a
@@ -11,7 +12,8 @@ function(mahlwerk_batches target size)
   if(NOT MAHLWERK_BATCHES)
     return()
   endif()
-  set(files ${ARGN})
+  cmake_parse_arguments(BATCH "TOGETHER" "" "" ${ARGN})
+  set(files ${BATCH_UNPARSED_ARGUMENTS})
   list(SORT files)
   set(folders "")
   foreach(file ${files})
@@ -21,6 +23,9 @@ function(mahlwerk_batches target size)
     endif()
     cmake_path(GET file PARENT_PATH folder)
     cmake_path(GET folder FILENAME name)
+    if(BATCH_TOGETHER)
+      set(name all)
+    endif()
     file(STRINGS ${file} register REGEX "#include \"${mahlwerk_registers}\"")
     if(register)
       string(APPEND name _models)

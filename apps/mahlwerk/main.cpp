@@ -6,19 +6,24 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <list>
 #include <span>
 #include <system_error>
 
-#include "about.hpp"
-#include "command.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
 #include "mahlwerk/base/spelling.hpp"
-#include "messages.hpp"
-#include "output.hpp"
+#include "mahlwerk/commands/command.hpp"
+#include "mahlwerk/commands/help/about.hpp"
+#include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/exit_codes.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
+#include "output_guard.hpp"
 
 namespace mahlwerk::app {
 namespace {
+
+using namespace commands;
 
 /// Splits "mill.speed=500 rpm" into key and value. Throws InputError without "=".
 cases::Override override_of(const std::string& text) {
@@ -56,16 +61,12 @@ class CommandLine {
     for (const Command& command : all) add(app_, command);
   }
 
-  /// Fills the request and returns the chosen command; nullptr if the program must exit with
+  /// Sets the arguments of the chosen command and returns it; nullptr if the program must exit with
   /// `ended`.
   const Command* parse(int argc, char** argv) try {
     app_.parse(argc, argv);
-    if (!chosen_->subcommands.empty() && request_.target.empty())
-      throw InputError(Fault{
-          "mahlwerk " + chosen_->name, "no case is given",
-          fmt::format("write mahlwerk {0} case.toml, or see mahlwerk {0} --help", chosen_->name),
-          "no-such-case"});
-    for (const std::string& one : set_) request_.set.push_back(override_of(one));
+    for (const auto& [texts, target] : set_)
+      for (const std::string& one : texts) target->push_back(override_of(one));
     return chosen_;
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() != 0 && json_messages())
@@ -76,7 +77,6 @@ class CommandLine {
     return nullptr;
   }
 
-  const Request& request() const { return request_; }
   int ended = success;
 
  private:
@@ -92,7 +92,7 @@ class CommandLine {
 
   void add(CLI::App& sub, const Option& option) {
     CLI::Option* made =
-        std::visit([&](auto member) { return add(sub, option, member); }, option.target);
+        std::visit([&](auto* target) { return add(sub, option, target); }, option.target);
     made->required(option.required);
     if (!option.type.empty()) made->type_name(option.type);
     if (option.range[1] > 0) made->check(CLI::Range(option.range[0], option.range[1]));
@@ -101,26 +101,27 @@ class CommandLine {
     if (!option.needs.empty()) made->needs(sub.get_option(option.needs));
   }
 
-  CLI::Option* add(CLI::App& sub, const Option& option, bool Request::*flag) {
-    return sub.add_flag(option.name, request_.*flag, option.about);
+  CLI::Option* add(CLI::App& sub, const Option& option, bool* flag) {
+    return sub.add_flag(option.name, *flag, option.about);
   }
-  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<cases::Override> Request::*) {
-    return sub.add_option(option.name, set_, option.about)->allow_extra_args(false);
+  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<cases::Override>* list) {
+    set_.push_back({{}, list});
+    return sub.add_option(option.name, set_.back().first, option.about)->allow_extra_args(false);
   }
-  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<std::string> Request::*list) {
-    return sub.add_option(option.name, request_.*list, option.about)->allow_extra_args(false);
+  CLI::Option* add(CLI::App& sub, const Option& option, std::vector<std::string>* list) {
+    return sub.add_option(option.name, *list, option.about)->allow_extra_args(false);
   }
-  CLI::Option* add(CLI::App& sub, const Option& option, std::optional<double> Request::*seconds) {
-    return sub.add_option(option.name, request_.*seconds, option.about)->check(no_seconds);
+  CLI::Option* add(CLI::App& sub, const Option& option, std::optional<double>* seconds) {
+    return sub.add_option(option.name, *seconds, option.about)->check(no_seconds);
   }
   template <class Value>
-  CLI::Option* add(CLI::App& sub, const Option& option, Value Request::*value) {
-    return sub.add_option(option.name, request_.*value, option.about);
+  CLI::Option* add(CLI::App& sub, const Option& option, Value* value) {
+    return sub.add_option(option.name, *value, option.about);
   }
 
   CLI::App app_;
-  Request request_;
-  std::vector<std::string> set_;
+  /// Texts of --set, and where they go.
+  std::list<std::pair<std::vector<std::string>, std::vector<cases::Override>*>> set_;
   const Command* chosen_ = nullptr;
 };
 
@@ -152,11 +153,11 @@ void check_command(std::string_view word, const std::vector<Command>& all) {
 }
 
 int perform(int argc, char** argv) {
-  const std::vector<Command> all = commands();
+  const std::vector<Command> all = all_commands();
   if (argc > 1) check_command(argv[1], all);
   CommandLine line(all);
   const Command* command = line.parse(argc, argv);
-  return command == nullptr ? line.ended : command->perform(line.request());
+  return command == nullptr ? line.ended : command->perform();
 }
 
 /// Runs the command, reports every exception, and returns the exit code.
@@ -191,7 +192,7 @@ int main(int argc, char** argv) {
   using namespace mahlwerk::app;
   const std::span words(argv, static_cast<std::size_t>(argc));
   if (std::ranges::any_of(words, [](std::string_view word) { return word == "--json"; }))
-    set_json_messages();
+    mahlwerk::commands::set_json_messages();
   guard_output();
   return finish_output(perform_and_report(argc, argv));
 }

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/commands/places.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {
@@ -25,7 +25,7 @@ cases::Case read_case(const std::string& text, const std::filesystem::path& file
                       const Changes& changes) {
   std::vector<cases::Override> overrides;
   for (const auto& [key, value] : changes) overrides.push_back({key, value});
-  return cases::read_text(text, file, app::catalogue(), overrides);
+  return cases::read_text(text, file, commands::catalogue(), overrides);
 }
 
 py::list origins(const cases::Case& mill_case) {
@@ -57,7 +57,7 @@ void bind_case(py::module_& m) {
       .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });
   m.def("read_case", &read_case, py::arg("text"), py::arg("file"), py::arg("changes"));
   m.def("keys", &keys);
-  m.def("case_files", [](const std::string& target) { return app::case_files(target); });
+  m.def("case_files", [](const std::string& target) { return commands::case_files(target); });
 }
 
 }  // namespace mahlwerk::python

@@ -13,10 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
 #include "job.hpp"
-#include "listener.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/commands/command.hpp"
+#include "mahlwerk/commands/reporting/exit_codes.hpp"
+#include "mahlwerk/commands/reporting/listener.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {
@@ -25,7 +26,7 @@ namespace {
 namespace py = pybind11;
 
 /// Collects what a command reports.
-class Report final : public app::Listener {
+class Report final : public commands::Listener {
  public:
   Report() : job(stop) {}
   void progress(std::string_view line) override { job.progress(NAN, std::string(line)); }
@@ -44,13 +45,13 @@ class Report final : public app::Listener {
   std::mutex mutex_;
 };
 
-const app::Command& command_named(const std::vector<app::Command>& all,
-                                  const std::vector<std::string>& words) {
-  const app::Command* found = nullptr;
-  const std::vector<app::Command>* level = &all;
+const commands::Command& command_named(const std::vector<commands::Command>& all,
+                                       const std::vector<std::string>& words) {
+  const commands::Command* found = nullptr;
+  const std::vector<commands::Command>* level = &all;
   for (const std::string& word : words) {
     const auto at =
-        std::ranges::find_if(*level, [&](const app::Command& c) { return c.name == word; });
+        std::ranges::find_if(*level, [&](const commands::Command& c) { return c.name == word; });
     if (at == level->end()) throw py::key_error("there is no command " + word);
     found = &*at;
     level = &found->subcommands;
@@ -66,54 +67,65 @@ T cast(const py::handle& value, const char* name) try {
   throw py::type_error(std::string(name) +
                        " is of the wrong type: " + py::repr(value).cast<std::string>());
 }
-template <class T>
-void take(const py::dict& options, const char* name, T& value) {
-  if (options.contains(name) && !options[name].is_none()) value = cast<T>(options[name], name);
+void take(const py::handle& value, const char* name, std::vector<cases::Override>& list) {
+  for (const auto& [key, text] : cast<py::dict>(value, name))
+    list.push_back({cast<std::string>(key, name), cast<std::string>(text, name)});
 }
 template <class T>
-void take(const py::dict& options, const char* name, std::optional<T>& value) {
-  if (options.contains(name) && !options[name].is_none()) value = cast<T>(options[name], name);
+void take(const py::handle& value, const char* name, std::optional<T>& target) {
+  target = cast<T>(value, name);
+}
+template <class T>
+void take(const py::handle& value, const char* name, T& target) {
+  target = cast<T>(value, name);
 }
 
-app::Request request_of(const py::dict& options) {
-  app::Request request;
-  request.json = true;
-  std::vector<std::pair<std::string, std::string>> changes;
-  take(options, "target", request.target);
-  take(options, "data", request.data);
-  take(options, "changes", changes);
-  for (const auto& [key, value] : changes) request.set.push_back({key, value});
-  take(options, "out", request.out);
-  take(options, "threads", request.threads);
-  take(options, "results", request.results);
-  take(options, "checkpoint", request.checkpoint);
-  take(options, "force", request.force);
-  take(options, "quick", request.quick_only);
-  take(options, "quantities", request.quantities);
-  take(options, "mill", request.mill);
-  take(options, "kind", request.kind);
-  take(options, "jar", request.jar);
-  take(options, "jar_kind", request.jar_kind);
-  take(options, "balls", request.balls);
-  return request;
+/// The names of an option in Python: "jar_kind" of --jar-kind, "jobs" and "threads" of
+/// --jobs,--threads, "case" of CASE.
+std::vector<std::string> names_of(const commands::Option& option) {
+  std::vector<std::string> names{""};
+  for (const char c : option.name)
+    if (c == ',')
+      names.emplace_back();
+    else if (c != '-')
+      names.back() += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    else if (!names.back().empty())
+      names.back() += '_';
+  return names;
+}
+
+/// Sets the options of a command by their names, and that its result is JSON.
+void set_options(const commands::Command& command, const py::dict& values) {
+  for (const auto& [key, value] : values) {
+    const auto name = key.cast<std::string>();
+    const auto option = std::ranges::find_if(command.options, [&](const commands::Option& one) {
+      return std::ranges::count(names_of(one), name) > 0;
+    });
+    if (option == command.options.end())
+      throw py::type_error("mahlwerk " + command.name + " has no option " + name);
+    if (!value.is_none())
+      std::visit([&](auto* target) { take(value, name.c_str(), *target); }, option->target);
+  }
+  for (const commands::Option& option : command.options)
+    if (option.name == "--json") *std::get<bool*>(option.target) = true;
 }
 
 /// Runs the command. Returns its exit code, its result as JSON, and its faults and warnings.
 py::tuple command(const std::vector<std::string>& words, const py::dict& options,
                   const py::object& show) {
-  const std::vector<app::Command> all = app::commands();
-  const app::Command& chosen = command_named(all, words);
-  const app::Request request = request_of(options);
+  const std::vector<commands::Command> all = commands::all_commands();
+  const commands::Command& chosen = command_named(all, words);
+  set_options(chosen, options);
   Report report;
-  int code = app::success;
+  int code = commands::success;
   const bool interrupted = report.job.run(
       [&] {
-        const app::Listening listening(report);
-        code = chosen.perform(request);
+        const commands::Listening listening(report);
+        code = chosen.perform();
       },
       show);
   // A command that was too short to notice Ctrl-C ends as if it had.
-  if (interrupted && code == app::success) code = app::interrupted;
+  if (interrupted && code == commands::success) code = commands::interrupted;
   return py::make_tuple(code, report.json, report.faults, report.warnings);
 }
 

@@ -9,11 +9,11 @@
 #include <exception>
 #include <string>
 
-#include "commands.hpp"
 #include "job.hpp"
 #include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
+#include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/report/readable.hpp"
 #include "outcome.hpp"
 
@@ -64,7 +64,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("describe_faults", [](const std::vector<Fault>& faults) { return describe(faults); });
   py::register_exception_translator(&translate);
   m.def("set_data_folder", [](const std::string& folder) { set_data_folder(folder); });
-  m.attr("version") = std::string(app::version());
+  m.attr("version") = std::string(commands::version());
   m.def("stop_all_jobs", &stop_all_jobs, "Ends all work and waits for it; at exit.");
   m.def("isa", [] { return std::string(name_of(isa())); });
   m.def(

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/folder.hpp"
@@ -74,12 +74,12 @@ void save(const RunResult& result, const std::filesystem::path& target, bool for
   results::Folder folder(target, force);
   if (!result.records.empty()) {
     results::CollisionFile file(folder.file("collisions.h5"),
-                                cases::write(result.outcome.mill_case), app::version());
+                                cases::write(result.outcome.mill_case), commands::version());
     for (std::size_t i = 0; i < result.records.size(); ++i)
       file.append(static_cast<int>(i), result.records[i].records);
     file.close();
   }
-  report::write(folder, result.outcome, app::version());
+  report::write(folder, result.outcome, commands::version());
   folder.commit();
 }
 
@@ -93,10 +93,12 @@ RecordBuffer read_records(const std::filesystem::path& file, int replicate) {
 void bind_outcome(py::module_& m) {
   py::class_<RunResult>(m, "RunResult", "The outcome of a run in memory.")
       .def("summary_json",
-           [](const RunResult& r) { return results::summary_json(r.outcome, app::version()); })
+           [](const RunResult& r) { return results::summary_json(r.outcome, commands::version()); })
       .def("resolved_case", [](const RunResult& r) { return cases::write(r.outcome.mill_case); })
       .def("report_page",
-           [](const RunResult& r) { return report::report_page(r.outcome, app::version(), true); })
+           [](const RunResult& r) {
+             return report::report_page(r.outcome, commands::version(), true);
+           })
       .def("sentence", [](const RunResult& r) { return report::sentence(r.outcome); })
       .def("tables", &tables)
       .def("records", &records, py::arg("replicate"), py::return_value_policy::reference_internal)

@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "commands.hpp"
 #include "job.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
@@ -26,6 +25,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/streams.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "outcome.hpp"
@@ -56,7 +56,7 @@ cases::Case read_with_value(const CaseText& source, const std::string& key,
   std::vector<cases::Override> overrides;
   for (const auto& [changed, given] : changes) overrides.push_back({changed, given});
   overrides.push_back({key, value});
-  return cases::read_text(text, file, app::catalogue(), overrides);
+  return cases::read_text(text, file, commands::catalogue(), overrides);
 }
 
 /// Faults that make a run impossible, before any is computed.
@@ -118,7 +118,7 @@ py::tuple run(const cases::Case& mill_case, const CaseText& source,
   const RunRequest request{out, force, threads, keep_records, observers, read};
   check(mill_case, request);
   std::unique_ptr<results::Folder> folder;
-  campaign::Streams streams(app::version());
+  campaign::Streams streams(commands::version());
   if (out) {
     folder = std::make_unique<results::Folder>(*out, force);
     streams.add(mill_case, *folder, "");
@@ -132,7 +132,7 @@ py::tuple run(const cases::Case& mill_case, const CaseText& source,
             compute(mill_case, request, folder ? &streams : nullptr, stop, job, result->records);
         if (!folder || job.failed()) return;  // nothing is written after an exception of Python
         streams.close();
-        report::write(*folder, result->outcome, app::version());
+        report::write(*folder, result->outcome, commands::version());
         folder->commit();
       },
       show);

@@ -163,8 +163,8 @@ class Campaign:
         from .commands import command
         from .surrogate import Surrogate
 
-        command(["surrogate"], target=os.fspath(self.folder), out=os.fspath(out),
-                quantities=list(quantities), force=force)
+        command(["surrogate"], folder=os.fspath(self.folder), out=os.fspath(out),
+                quantity=list(quantities), force=force)
         return Surrogate(out)
 
     @property

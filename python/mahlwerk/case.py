@@ -72,7 +72,7 @@ class Case:
             raise ValueError("give mill or kind, and jar or jar_kind, not both")
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "case.toml"
-            command(["new"], target=os.fspath(file), mill=mill, kind=kind, jar=jar,
+            command(["new"], file=os.fspath(file), mill=mill, kind=kind, jar=jar,
                     jar_kind=jar_kind, balls=balls)
             return cls.from_text(file.read_text(encoding="utf-8"))
 
@@ -163,7 +163,7 @@ class Case:
         from .quantities import Quantity
 
         with self._source.as_file() as target:
-            said = command(["check"], target=target, changes=self._source.changes,
+            said = command(["check"], case=target, set=self._source.changes,
                            refusal_is_result=True)[0]
             if not said["runs"]:
                 raise InputError([_core.Fault(**fault) for fault in said["faults"]])
@@ -220,7 +220,7 @@ class Case:
         place = self._source.result_folder(out, "")
         try:
             with case._source.as_file(place, force) as target:
-                command(["sweep"], target=target, changes=case._titled(), out=place, force=force,
+                command(["sweep"], case=target, set=case._titled(), out=place, force=force,
                         threads=threads, progress=progress)
         except (Interrupted, RunError) as error:
             if (place / "campaign.sqlite").exists():
@@ -235,7 +235,7 @@ class Case:
         from .searches import Fit
 
         texts = {k: toml.change_text(v) for k, v in (changes or {}).items()}
-        command(["fit"], target=os.fspath(file), data=os.fspath(data), changes=texts, out=Path(out),
+        command(["fit"], case=os.fspath(file), data=os.fspath(data), set=texts, out=Path(out),
                 force=force, threads=threads, progress=progress)
         return Fit(out)
 
@@ -246,7 +246,7 @@ class Case:
 
         place = self._source.result_folder(out, "-fit")
         with self._source.as_file() as target:
-            command(["fit"], target=target, data=os.fspath(data), changes=self._titled(), out=place,
+            command(["fit"], case=target, data=os.fspath(data), set=self._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Fit(place)
 
@@ -259,7 +259,7 @@ class Case:
         case = self._with_section("optimise", settings)
         place = self._source.result_folder(out, "-optimise")
         with case._source.as_file() as target:
-            command(["optimise"], target=target, changes=case._titled(), out=place, force=force,
+            command(["optimise"], case=target, set=case._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Optimum(place)
 
@@ -272,7 +272,7 @@ class Case:
         case = self._with_section("match", settings)
         place = self._source.result_folder(out, "-match")
         with like._source.as_resolved_file(like.text) as target, case._source.as_file() as data:
-            command(["match"], target=target, data=data, changes=case._titled(), out=place,
+            command(["match"], case=target, in_=data, set=case._titled(), out=place,
                     force=force, threads=threads, progress=progress)
         return Match(place)
 
@@ -283,7 +283,7 @@ class Case:
 
         place = self._source.result_folder(out, "-compare")
         with self._source.as_file() as target:
-            command(["compare"], target=target, changes=self._titled(), out=place, force=force,
+            command(["compare"], case=target, set=self._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Comparison(place)
 

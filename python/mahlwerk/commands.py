@@ -17,14 +17,15 @@ __all__ = ["command", "describe", "catalogue"]
 BAD_INPUT, STOPPED, INTERRUPTED = 2, 3, 130
 
 
-def command(words: list[str], *, changes: Any = None, progress: Progress = False,
+def command(words: list[str], *, progress: Progress = False,
             refusal_is_result: bool = False, **options: Any) -> Any:
-    """Runs a command and returns what it prints with --json. Its faults are raised: InputError,
+    """Runs a command and returns what it prints with --json. `options` have the names of the command
+    line: case="." of CASE, jar_kind="sphere" of --jar-kind, in_=... of --in; set={key: text}. Its faults are raised: InputError,
     RunError or Interrupted, by its exit code; its warnings become UserWarning. `refusal_is_result`:
     what the command prints beside exit code 2 is returned."""
-    options["changes"] = list((changes or {}).items())
     with shown(progress) as show:
-        code, text, faults, told = _core.command(words, options, show)
+        code, text, faults, told = _core.command(
+            words, {name.rstrip("_"): value for name, value in options.items()}, show)
     for one in told:
         warnings.warn(str(one), stacklevel=3)
     if code == BAD_INPUT and not (refusal_is_result and text):
@@ -41,9 +42,9 @@ def command(words: list[str], *, changes: Any = None, progress: Progress = False
 def describe(name: str) -> Any:
     """Every value of a catalogue entry with its source, as `mahlwerk describe`, or the keys of a
     section or kind with unit, range, default and meaning."""
-    return command(["describe"], target=name)
+    return command(["describe"], name=name)
 
 
 def catalogue(category: str = "") -> Any:
     """The names in the catalogue: "mills", "jars", "materials", "media", or all."""
-    return command(["list"], target=category)
+    return command(["list"], category=category)

@@ -37,7 +37,7 @@ class Surrogate:
     def __init__(self, file: Union[str, os.PathLike[str]]):
         self.file = Path(file)
         #: what the file knows: title, digest, settings, keys with their ranges, hold-out errors, notices
-        self.data: dict[str, Any] = command(["ask"], target=os.fspath(file))
+        self.data: dict[str, Any] = command(["ask"], file=os.fspath(file))
 
     @property
     def keys(self) -> dict[str, tuple[str, str]]:
@@ -49,8 +49,8 @@ class Surrogate:
         the range of the campaign: a surrogate does not extrapolate."""
         if not setting:
             raise ValueError(f"a setting gives {', '.join(self.keys)}")
-        asked = command(["ask"], target=os.fspath(self.file), quantities=list(quantities),
-                        changes={key: toml.change_text(value) for key, value in setting.items()})
+        asked = command(["ask"], file=os.fspath(self.file), quantity=list(quantities),
+                        set={key: toml.change_text(value) for key, value in setting.items()})
         return {name: Prediction(one["value"], one["low"], one["high"], one["unit"], one["hold_out_error"])
                 for name, one in asked["quantities"].items()}
 

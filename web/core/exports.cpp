@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/commands/reference/key_pages.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"

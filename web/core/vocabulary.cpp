@@ -5,11 +5,11 @@
 #include <string>
 #include <utility>
 
-#include "catalogue_json.hpp"
-#include "key_pages.hpp"
 #include "mahlwerk/cases/catalogue.hpp"
+#include "mahlwerk/commands/reference/catalogue_json.hpp"
+#include "mahlwerk/commands/reference/key_pages.hpp"
+#include "mahlwerk/commands/reference/unit_pages.hpp"
 #include "session.hpp"
-#include "unit_pages.hpp"
 
 namespace mahlwerk::web {
 
@@ -19,11 +19,11 @@ results::Json vocabulary() {
   for (const std::string_view category : cases::Catalogue::categories) {
     results::Json list = results::Json::array();
     for (const std::string& name : known.names(category))
-      list.push_back(app::entry_json(known.find(category, name)));
+      list.push_back(commands::entry_json(known.find(category, name)));
     entries[category] = std::move(list);
   }
-  return results::Json::object({{"keys", app::keys_as_json(app::all_sections())},
-                                {"units", app::units_as_json()},
+  return results::Json::object({{"keys", commands::keys_as_json(commands::all_sections())},
+                                {"units", commands::units_as_json()},
                                 {"catalogue", std::move(entries)}});
 }
 

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// sweep: runs the campaign of a case with [sweep]; status, export, retry and merge of shards.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/commands/campaigns/slurm.hpp"
+#include "mahlwerk/commands/campaigns/sweep_case.hpp"
+#include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/exit_codes.hpp"
+#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/report/notices.hpp"
+
+namespace mahlwerk::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+int sweep(const SweepArguments& given) {
+  if (given.target.empty())
+    throw InputError(Fault{"mahlwerk sweep", "no case is given",
+                           "write mahlwerk sweep case.toml, or see mahlwerk sweep --help",
+                           "no-such-case"});
+  const std::vector<cases::Override> set = given.changes.overrides();
+  const fs::path file = one_case_file(given.target, "sweep");
+  const fs::path place = given.running.out.value_or(default_folder(given.target, file, false));
+  if (given.shards > 0) {
+    swept_case(file, set);  // reports faults of the case before it is queued
+    return submit_to_slurm(given, file, place);
+  }
+  return sweep_case(given.running, given.part, file, set, place);
+}
+
+int sweep_status(const SweepArguments& given) {
+  const fs::path place = given.target;
+  const campaign::Store store = campaign::open_store(place);
+  const campaign::RunCounts counts = store.counts();
+  if (given.running.json) {
+    print_campaign(store, place, nullptr);
+    return success;
+  }
+  const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
+  to_stdout(fmt::format(
+      "{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", store.title(),
+      counts.points, counts.done, counts.failed, counts.waiting,
+      counts.points == 0
+          ? "no runs are planned yet: a process is reading the case, or was ended while reading it"
+      : at_work            ? "a process is running it"
+      : counts.waiting > 0 ? "no process is running it; `mahlwerk sweep` with its case resumes it"
+                           : "all runs have ended"));
+  if (const std::string warned = report::notice_lines(store.notices(), counts.points, "point");
+      !warned.empty())
+    to_stdout("\n" + warned);
+  constexpr std::size_t most = 20;
+  std::size_t printed = 0;
+  const std::vector<std::string> keys = store.keys();
+  store.read({}, [&](const campaign::StoredPoint& point) {
+    if (point.state != campaign::RunState::failed || ++printed > most) return;
+    std::string values;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
+    to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
+  });
+  if (printed > most)
+    fmt::print("\nand {} more: see the column `message` of the store\n", printed - most);
+  return success;
+}
+
+int sweep_export(const SweepArguments& given) {
+  const campaign::Store store = campaign::open_store(given.target);
+  if (const auto& file = given.running.out) {
+    if (fs::exists(*file) && !given.running.force)
+      throw InputError(Fault{file->string(), "the file already exists",
+                             "choose another name, or replace it with --force", "result-exists"});
+    std::ofstream out(*file, std::ios::binary);
+    store.write_csv(out);
+    out.close();
+    if (!out)
+      throw InputError(Fault{file->string(), "cannot be written",
+                             "check the folder, your permissions and the free disk space",
+                             "cannot-write"});
+    return success;
+  }
+  store.write_csv(std::cout);
+  std::cout.flush();
+  return success;
+}
+
+int sweep_retry(const SweepArguments& given) {
+  const fs::path place = given.target;
+  fs::path file;
+  std::vector<cases::Override> set;
+  {
+    const campaign::Store store = campaign::open_store(place);
+    file = store.case_file();
+    set = store.overrides();
+    swept_case(file, set);  // throws if the case cannot be run, before any result is discarded
+  }
+  {
+    const campaign::CampaignLock lock(place / "campaign.lock");
+    campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
+    const std::size_t again = store.retry();
+    if (given.running.prints_text())
+      fmt::print("{} will be tried again\n\n", counted(again, "run"));
+  }
+  return sweep_case(given.running, given.part, file, set, place);
+}
+
+int sweep_merge(const SweepArguments& given) {
+  const fs::path place = given.target;
+  std::vector<fs::path> shards;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(place, failed))
+    if (entry.path().filename().string().starts_with("campaign.shard-") &&
+        entry.path().extension() == ".sqlite")
+      shards.push_back(entry.path());
+  if (shards.empty())
+    throw InputError(Fault{place.string(), "the folder holds no shards of a campaign",
+                           "name the folder that `mahlwerk sweep --shard` was given as --out",
+                           "no-campaign"});
+  std::ranges::sort(shards);
+  const campaign::CampaignLock lock(place / "campaign.lock", campaign::CampaignLock::Mode::shared);
+  campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
+  std::size_t taken = 0;
+  for (const fs::path& shard : shards) taken += store.merge(shard);
+  const campaign::RunCounts counts = store.counts();
+  const report::Campaign campaign = campaign_of(store);
+  write_pages(store, campaign, place);
+  if (given.running.json) {
+    print_campaign(store, place, nullptr);
+  } else if (!given.running.quiet) {
+    to_stdout(fmt::format(
+        "{}\n\n{}{} merged from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
+        campaign.title, table_with_warnings(campaign), counted(taken, "run"),
+        counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
+        counts.failed, counts.waiting, (place / "campaign.html").string()));
+  }
+  return counts.failed > 0 ? stopped_by_physics : success;
+}
+
+Options sharing(SweepArguments& given) {
+  return {{.name = "--results",
+           .target = &given.part.results,
+           .about = "what is kept of each run: all results (default up to 1000 points), or only "
+                    "its summary in the store",
+           .values = {"all", "summary"}},
+          {"--shard", &given.part.shard,
+           "run only this part of the campaign: 2/8 is the second of eight"},
+          {.name = "--slurm",
+           .target = &given.shards,
+           .about = "submit the campaign to Slurm as this many shards, and a job that merges them",
+           .type = "SHARDS",
+           .range = {1, 10'000},
+           .excludes = "--shard"},
+          {.name = "--slurm-option",
+           .target = &given.slurm_options,
+           .about = "an option for sbatch: --slurm-option partition=long; may be repeated",
+           .needs = "--slurm"}};
+}
+
+/// Those after `sweep`. They share its arguments: `sweep --json status FOLDER` is the same.
+std::vector<Command> subcommands(const std::shared_ptr<SweepArguments>& given) {
+  Running& running = given->running;
+  const Option folder{.name = "FOLDER",
+                      .target = &given->target,
+                      .about = "the campaign's folder",
+                      .required = true};
+  return {{"status",
+           "show the progress of a campaign and the runs that failed",
+           {folder, json(running.json)},
+           [given] { return sweep_status(*given); }},
+          {"export",
+           "write the table of a campaign as CSV",
+           {folder,
+            {"--out", &running.out, "file to write (default: the terminal)"},
+            {"--force", &running.force, "replace an existing file"}},
+           [given] { return sweep_export(*given); }},
+          {"retry",
+           "run the failed runs again",
+           {folder, threads(running.threads), quiet(running.quiet), json(running.json)},
+           [given] { return sweep_retry(*given); }},
+          {"merge",
+           "merge the shards of a campaign",
+           {folder, quiet(running.quiet), json(running.json)},
+           [given] { return sweep_merge(*given); }}};
+}
+
+}  // namespace
+
+Command sweep_command() {
+  const auto given = std::make_shared<SweepArguments>();
+  Option target = one_case(given->target);
+  target.required = false;  // a subcommand may follow instead
+  return {"sweep", "run or resume the campaign of a case with [sweep]",
+          joined({{target},
+                  options_of(given->changes),
+                  options_of(given->running),
+                  sharing(*given),
+                  {json(given->running.json)}}),
+          [given] { return sweep(*given); }, subcommands(given)};
+}
+
+}  // namespace mahlwerk::commands

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mahlwerk/campaign/run/resumable_runs.hpp"
+#include "mahlwerk/commands/arguments.hpp"
+
+namespace mahlwerk::commands {
+
+/// Options of runs: the number of threads (0: all cores), and stop on Ctrl-C.
+campaign::RunOptions run_options(int threads);
+
+/// Computes all points together, with a progress line. `checkpoint` may be null. `lammps`: where
+/// and how LAMMPS computes them.
+std::vector<results::Outcome> compute(const Running& running,
+                                      const std::vector<cases::Case>& points,
+                                      const campaign::Streams& streams,
+                                      campaign::Checkpoint* checkpoint = nullptr,
+                                      const lammps::Launch& lammps = {});
+/// The same, resuming from the checkpoints in `kept`, of which one is written every `interval` [s]
+/// (empty: 1 s). `replays_of_all`: every replicate keeps frames (campaign::RunOptions).
+std::vector<results::Outcome> compute(const Running& running,
+                                      const std::vector<cases::Case>& points,
+                                      const campaign::Streams& streams,
+                                      campaign::ResumableRuns& kept, std::optional<double> interval,
+                                      bool replays_of_all = false);
+
+/// Reports on stderr if a run did not complete. Returns the exit code.
+int report_exit_status(const std::vector<results::Outcome>& outcomes);
+
+}  // namespace mahlwerk::commands

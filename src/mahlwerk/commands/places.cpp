@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/commands/places.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mahlwerk/base/data_folder.hpp"
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::commands {
+
+namespace fs = std::filesystem;
+
+std::string_view version() {
+  return MAHLWERK_VERSION;
+}
+
+cases::Catalogue catalogue() {
+  return cases::Catalogue(data_folder("catalogue"));
+}
+
+std::vector<fs::path> case_files(const std::string& target) {
+  const fs::path place(target);
+  std::error_code failed;
+  if (!fs::exists(place, failed))
+    throw InputError(Fault{target, "there is no such file or folder",
+                           "give a case file, or a folder that contains one", "no-such-case"});
+  if (!fs::is_directory(place, failed)) return {place};
+  if (fs::exists(place / "case.toml", failed)) return {place / "case.toml"};
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(place, failed))
+    if (entry.path().extension() == ".toml" && entry.path().stem() != "expected" &&
+        entry.path().stem() != "paper")
+      found.push_back(entry.path());
+  if (failed)
+    throw InputError(
+        Fault{target, "the folder cannot be read: " + failed.message(), "", "no-such-case"});
+  if (found.empty())
+    throw InputError(Fault{target, "the folder contains no case",
+                           "put a case.toml there, or name the case file", "no-such-case"});
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+fs::path one_case_file(const std::string& target, std::string_view command) {
+  const std::vector<fs::path> files = case_files(target);
+  if (files.size() == 1) return files.front();
+  throw InputError(Fault{
+      target, fmt::format("the folder contains {} cases, {} takes one", files.size(), command),
+      "name one of its files", "one-case"});
+}
+
+fs::path default_folder(const std::string& target, const fs::path& file, bool several) {
+  const fs::path whole = fs::weakly_canonical(fs::path(target));
+  const bool by_file = !fs::is_directory(whole) && file.stem() != "case";
+  const fs::path name =
+      by_file ? file.stem() : (fs::is_directory(whole) ? whole : whole.parent_path()).filename();
+  return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
+}
+
+}  // namespace mahlwerk::commands

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
+
+// Messages on stderr: as text, or with --json as one JSON object per line. No function throws: a
+// closed terminal must not end a run.
+namespace mahlwerk::commands {
+
+class Listener;
+
+/// Switches all later messages to JSON.
+void set_json_messages();
+bool json_messages();
+
+/// Prints a warning during a run.
+void print_warning(const Fault& warning);
+
+/// Reports a write error once when it first occurs and once at the end. Thread-safe.
+class WriteErrorReporter {
+ public:
+  WriteErrorReporter();
+  void operator()(const Fault& trouble);
+  void repeat() const;
+
+ private:
+  Listener* listener_;
+  mutable std::mutex mutex_;
+  std::optional<Fault> first_;
+};
+
+/// Reports how the program ends and why: `words` as text, or the faults as JSON. Returns `code`.
+int report_end(int code, std::string_view words, const std::vector<Fault>& faults);
+/// The same; the text is made from the faults.
+int report_end(int code, const std::vector<Fault>& faults);
+
+/// A fault as JSON: code, where, what, remedy.
+results::Json fault_json(const Fault& fault);
+
+/// Writes to stderr; ignores errors.
+void to_stderr(std::string_view text);
+
+/// `text` as a single shell word, quoted if necessary.
+std::string shell_word(std::string_view text);
+
+}  // namespace mahlwerk::commands

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/commands/reporting/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "mahlwerk/base/number_text.hpp"
+#include "mahlwerk/base/printable.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/commands/reporting/listener.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
+
+namespace mahlwerk::commands {
+namespace {
+
+std::atomic<bool> stop_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+extern "C" void on_interrupt(int signal) {
+  stop_asked.store(true);
+  // The next signal ends the program. SIGHUP is ignored: a closing terminal sends it repeatedly.
+  std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
+}
+
+bool is_terminal() {
+  const char* term = std::getenv("TERM");
+  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
+}
+
+/// Columns of the terminal at stderr; 80 if unknown.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+/// [s] between two lines without a terminal.
+std::chrono::duration<double> between_lines() {
+  constexpr double usual = 30;
+  const char* said = std::getenv("MAHLWERK_PROGRESS_EVERY");
+  const NumberText wanted = number_text(said != nullptr ? said : "");
+  return std::chrono::duration<double>(wanted.number >= 0 ? wanted.number : usual);
+}
+
+}  // namespace
+
+const std::atomic<bool>& stop_wanted() {
+  return listener() != nullptr ? listener()->stop : stop_asked;
+}
+
+void catch_ctrl_c() {
+  if (listener() != nullptr) return;  // signals belong to the program that called the command
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
+}
+
+ProgressLine::ProgressLine(bool quiet)
+    : listener_(listener()), on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
+  if (!terminal_ && json_messages()) on_ = false;  // no progress lines between JSON messages
+}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) to_stderr("\r\033[K");
+}
+
+void ProgressLine::show(const campaign::Progress& p) {
+  if (!on_) return;
+  using Seconds = std::chrono::duration<double>;
+  const double gone = Seconds(std::chrono::steady_clock::now() - started_).count();
+  const double share = p.total > 0 ? p.simulated / p.total : 0;
+  const double left = share > 0 ? std::max(0.0, gone * (1 - share) / share) : 0;
+  warn_if_endless(p);
+  show(fmt::format(
+      "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
+      "residual {:.0e}",
+      100 * share, p.simulated, p.total, left, p.collisions / gone, p.residual));
+}
+
+/// Warns once if the run, at the rate of the last seconds, takes hours.
+void ProgressLine::warn_if_endless(const campaign::Progress& p) {
+  constexpr std::chrono::seconds recent{3}, standstill{20};  // a slice may take more than `recent`
+  constexpr double hour = 3600, most = 2 * hour;
+  const Clock::time_point now = Clock::now();
+  if (warned_ || now - rated_ < (p.simulated > simulated_ ? recent : standstill)) return;
+  const double took = std::chrono::duration<double>(now - rated_).count();
+  const double rate = (p.simulated - simulated_) / took;
+  const double left = std::max(0.0, p.total - p.simulated) / rate;  // infinite at a standstill
+  rated_ = now;
+  simulated_ = p.simulated;
+  if (!(left > most)) return;
+  warned_ = true;
+  if (shown_) to_stderr("\r\033[K");
+  print_warning({"run.time",
+                 fmt::format("at its present rate the run takes {} more",
+                             left < 1000 * hour ? fmt::format("{} hours", two_digits(left / hour))
+                                                : "months"),
+                 "Ctrl-C keeps what is computed; engine = \"auto\", a smaller contact.softening, "
+                 "fewer run.replicates, a shorter run.time or run.settle shorten it",
+                 "long-run"});
+}
+
+void ProgressLine::show(std::string line) {
+  if (!on_) return;
+  line = printable(line);
+  if (listener_ != nullptr) return listener_->progress(line);
+  if (!terminal_) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < every_) return;
+    last_ = now;
+    return to_stderr(line + '\n');
+  }
+  shown_ = true;
+  line.resize(std::min(line.size(), terminal_width() - 1));
+  to_stderr("\r\033[K" + line);
+}
+
+}  // namespace mahlwerk::commands

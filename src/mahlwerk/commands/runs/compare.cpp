@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// compare: runs one case with both engines and shows the results side by side.
+#include "mahlwerk/report/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/commands/arguments.hpp"
+#include "mahlwerk/commands/compute.hpp"
+#include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/exit_codes.hpp"
+#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/report/report.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
+
+namespace mahlwerk::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 2> engines{"event", "soft"};
+
+std::string below(std::size_t engine) {
+  return std::string(engines[engine]) + "/";
+}
+
+/// The case for each engine, in the order of `engines`. Throws InputError if one cannot run it.
+std::vector<cases::Case> both(std::vector<cases::Override> set, const fs::path& file) {
+  const cases::Catalogue known = catalogue();
+  std::vector<cases::Case> made;
+  std::vector<Fault> wrong;
+  set.push_back({"run.engine", ""});
+  for (const char* engine : engines) {
+    set.back().value = engine;
+    made.push_back(cases::read(file, known, set));
+    if (const cases::Case& mill_case = made.back(); !mill_case.sweep.empty())
+      throw InputError(Fault{mill_case.file, "the case has a [sweep], compare takes a single case",
+                             "remove the section [sweep]; --set sets one of its values",
+                             "one-case"});
+    for (Fault& fault : campaign::run_faults(made.back())) {
+      fault.what = fmt::format("the {} engine cannot run this case: {}", engine, fault.what);
+      wrong.push_back(std::move(fault));
+    }
+  }
+  if (!wrong.empty()) throw InputError(std::move(wrong));
+  return made;
+}
+
+void write(results::Folder& folder, const std::vector<results::Outcome>& outcomes,
+           const report::Comparison& comparison) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    report::write(folder, outcomes[i], version(), below(i));
+  folder.write("compare.csv", report::compare_csv(comparison));
+  folder.write("compare.html", report::compare_page(comparison, version()));
+  folder.commit();
+}
+
+void print_json(const report::Comparison& comparison, const fs::path& place) {
+  using results::Json;
+  Json quantities;
+  for (const report::ComparedQuantity& q : comparison.quantities)
+    quantities[q.name] = Json::object({{"event", q.estimates.event.mean},
+                                       {"event_ci95", q.estimates.event.ci95},
+                                       {"soft", q.estimates.soft.mean},
+                                       {"soft_ci95", q.estimates.soft.ci95},
+                                       {"ratio", q.estimates.ratio()},
+                                       {"ratio_ci95", q.estimates.ratio_ci95()},
+                                       {"apart", q.estimates.differs()},
+                                       {"unit", q.unit}});
+  json_to_stdout(Json::object({{"title", comparison.title},
+                               {"results", place.string()},
+                               {"quantities", std::move(quantities)}}));
+}
+
+void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds) {
+  to_stdout(fmt::format("{}\n\n{}\n", comparison.title, report::compare_table(comparison)));
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "compare.html").string());
+  fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());
+  fmt::print("computed in {} s\n", two_digits(seconds));
+}
+
+struct CompareArguments {
+  std::string target;
+  Changes changes;
+  Running running;
+};
+
+int compare(const CompareArguments& given) {
+  const Running& running = given.running;
+  const fs::path file = one_case_file(given.target, "compare");
+  const std::vector<cases::Case> cases = both(given.changes.overrides(), file);
+  const fs::path usual = default_folder(given.target, file, false).string() + "-compare";
+  const fs::path place = running.out.value_or(usual);
+  results::Folder folder(place, running.force);
+  campaign::Streams streams(version());
+  for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
+
+  catch_ctrl_c();
+  const std::vector<results::Outcome> outcomes = compute(running, cases, streams);
+  streams.close();
+  const report::Comparison comparison = report::compare(outcomes[0], outcomes[1]);
+  write(folder, outcomes, comparison);
+  if (running.json) print_json(comparison, folder.target());
+  if (running.prints_text())
+    print_summary(comparison, folder.target(), outcomes.front().wall_seconds);
+  return report_exit_status(outcomes);
+}
+
+}  // namespace
+
+Command compare_command() {
+  const auto given = std::make_shared<CompareArguments>();
+  return {"compare", "run a case with both engines and show the results side by side",
+          joined({{one_case(given->target)},
+                  options_of(given->changes),
+                  options_of(given->running, ", with -compare"),
+                  {json(given->running.json)}}),
+          [given] { return compare(*given); }};
+}
+
+}  // namespace mahlwerk::commands

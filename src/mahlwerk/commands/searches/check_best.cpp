@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Checks the best setting of a search with the soft engine.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/commands/compute.hpp"
+#include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/searches/searching.hpp"
+#include "mahlwerk/observe/statistics.hpp"
+
+namespace mahlwerk::commands {
+namespace {
+
+/// Number of replicates to run with the soft engine: `wanted`, or fewer within the limit of work; 0
+/// if a single one exceeds it.
+int affordable(const cases::Case& one, int wanted) {
+  const double each = campaign::soft_work(one);
+  return static_cast<int>(std::min<double>(wanted, campaign::max_check_work / each));
+}
+
+/// Whether the event engine ran the setting: the soft engine replaces runs that are invalid.
+bool ran_by_events(const campaign::TrialRuns& runs, const campaign::Trial& best) {
+  const cases::Case one = runs.at(best.point, 0, 1);
+  const auto engine = campaign::choose_engine(one).engine;
+  return engine == cases::EngineName::event;
+}
+
+/// The reason why the setting cannot be checked; empty: run `check.replicates` replicates.
+std::string refusal(const campaign::TrialRuns& runs, const campaign::Trial& best,
+                    report::OptimumCheck& check) {
+  try {
+    const cases::Case one = runs.at(best.point, 0, 1);
+    if (const std::vector<Fault> wrong = campaign::run_faults(one); !wrong.empty())
+      return wrong.front().what;
+    check.replicates = affordable(one, static_cast<int>(best.replicates.size()));
+    if (check.replicates > 0) return "";
+    return fmt::format(
+        "that would take about {} core hours; mahlwerk run best.toml --set run.engine=soft runs it",
+        two_digits(campaign::soft_work(one) / campaign::max_soft_work));
+  } catch (const InputError& error) {
+    return error.faults().front().what;
+  }
+}
+
+/// Sets the mean of the optimised quantity over the replicates that have a value.
+void take(const campaign::TrialResult& result, report::OptimumCheck& check) {
+  std::vector<double> values;
+  for (const auto& replicate : result.replicates)
+    if (std::isfinite(replicate.front())) values.push_back(replicate.front());
+  check.failure = result.failure;
+  if (values.empty() && check.failure.empty()) check.failure = "its runs gave no value";
+  if (values.empty()) return;
+  const observe::Estimate e = observe::estimate(values);
+  check.value = {e.mean, e.ci95};
+}
+
+}  // namespace
+
+std::optional<report::OptimumCheck> check_best(const Running& running,
+                                               const campaign::SearchJob& job,
+                                               const campaign::Optimum& found,
+                                               const ResumableSearch& kept) {
+  if (!found.best) return std::nullopt;
+  const campaign::Trial& best = found.trials[*found.best];
+  if (!ran_by_events(*job.runs, best)) return std::nullopt;
+  report::OptimumCheck made{.engine = cases::EngineName::soft};
+  const campaign::TrialRuns runs = job.runs->with_engine(made.engine);
+  made.failure = refusal(runs, best, made);
+  if (!made.failure.empty()) return made;
+  ProgressLine line(running.quiet);
+  line.show("checking the best setting with the soft engine");
+  const campaign::RunOptions options = run_options(running.threads);
+  WriteErrorReporter not_kept;
+  campaign::TrialStore store(kept.trials(), job.measure_name, std::ref(not_kept));
+  take(runs.run({{0, best.point, 0, made.replicates}}, job.measure, options, store, version())
+           .front(),
+       made);
+  return made;
+}
+
+}  // namespace mahlwerk::commands

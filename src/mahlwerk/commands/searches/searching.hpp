@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/campaign/run/resumable_runs.hpp"
+#include "mahlwerk/campaign/search/search_job.hpp"
+#include "mahlwerk/commands/arguments.hpp"
+#include "mahlwerk/report/optimum.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
+
+// Search for settings and its report, shared by optimise and match.
+namespace mahlwerk::commands {
+
+/// Files that a search keeps beside its results until the results are written: finished trials and
+/// checkpoints of runs. The folder is locked by this process. The destructor removes the folder if
+/// it holds neither.
+class ResumableSearch {
+ public:
+  /// Throws InputError as ResumableRuns does.
+  explicit ResumableSearch(const std::filesystem::path& results);
+  ~ResumableSearch();
+  ResumableSearch(const ResumableSearch&) = delete;
+  ResumableSearch& operator=(const ResumableSearch&) = delete;
+
+  campaign::ResumableRuns& runs() { return runs_; }
+  const std::filesystem::path& trials() const { return trials_; }
+  int report_interrupted() const;  ///< reports what is kept; returns the exit code
+  void remove();                   ///< call after the results are written
+
+ private:
+  bool has_trials() const;
+  bool has_states() const;
+
+  campaign::ResumableRuns runs_;
+  std::filesystem::path trials_;
+  bool removed_ = false;
+};
+
+/// Runs the optimisation. Throws Interrupted.
+campaign::Optimum run_search(const Running& running, const campaign::SearchJob& job,
+                             const ResumableSearch& kept);
+
+/// Runs the best setting with the soft engine if the event engine ran it, unless that takes too
+/// long. Throws Interrupted.
+std::optional<report::OptimumCheck> check_best(const Running& running,
+                                               const campaign::SearchJob& job,
+                                               const campaign::Optimum& found,
+                                               const ResumableSearch& kept);
+
+/// The unit of a range: that of its upper end.
+std::string unit_of(const cases::SweptKey& range);
+
+report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found);
+results::Json optimum_json(const report::OptimumReport& found, std::string_view version);
+
+}  // namespace mahlwerk::commands
