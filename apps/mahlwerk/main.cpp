@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <initializer_list>
 #include <list>
 #include <span>
 #include <system_error>
@@ -16,14 +23,54 @@
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/help/about.hpp"
 #include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "output_guard.hpp"
+#include "mahlwerk/commands/reporting/progress.hpp"
 
 namespace mahlwerk::app {
 namespace {
 
 using namespace commands;
+
+extern "C" void ignore_signal(int) {}
+
+int first_error = 0;  // errno of the first failed write to stdout; 0: none, or not known
+
+/// Opens closed standard streams in the wrong direction, so that no file gets their descriptors and
+/// each read or write of them fails.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) == -1)
+      static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+}
+
+/// Call before anything is printed or opened. A closed pipe (SIGPIPE) then does not end a run, and
+/// no file gets the descriptor of a closed standard stream.
+void guard_output() {
+  std::signal(SIGPIPE, ignore_signal);  // not SIG_IGN, which child processes would inherit
+  open_closed_streams();
+}
+
+/// Whether writing to stdout failed; `error` is the errno of the current error.
+bool output_failed(int error) {
+  const bool failed = std::ferror(stdout) != 0;
+  if (failed && first_error == 0) first_error = error;
+  return failed;
+}
+
+/// Call after all output. Returns `code`, or output_lost if writing failed and `code` is success.
+int finish_output(int code) {
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  if (!output_failed(errno) && flushed) return code;
+  const int error = first_error != 0 ? first_error : EIO;
+  const std::string why = std::string("standard output cannot be written: ") + std::strerror(error);
+  if (stop_wanted() && code == success) code = interrupted;
+  const Fault fault{
+      "", why,
+      "free disk space, or keep the reader of the pipe open; results in folders are complete",
+      "output-lost"};
+  return report_end(code == success ? static_cast<int>(output_lost) : code, {fault});
+}
 
 /// Splits "mill.speed=500 rpm" into key and value. Throws InputError without "=".
 cases::Override override_of(const std::string& text) {

@@ -16,8 +16,8 @@
 #include "job.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/command.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/listener.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {

@@ -8,7 +8,6 @@
 #include "mahlwerk/cases/catalogue.hpp"
 #include "mahlwerk/commands/reference/catalogue_json.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
-#include "mahlwerk/commands/reference/unit_pages.hpp"
 #include "session.hpp"
 
 namespace mahlwerk::web {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mahlwerk/commands/command.hpp"
+#include "mahlwerk/commands/places.hpp"
 
 // Arguments that several commands share, and their options.
 namespace mahlwerk::commands {
@@ -32,6 +33,13 @@ struct Running {
 
   bool prints_text() const { return !quiet && !json; }
   bool prints_errors() const { return !quiet || json; }  ///< those of runs
+};
+
+/// What commands that run a case are given.
+struct CaseArguments {
+  std::string target;  ///< a case, or a folder of cases
+  Changes changes;
+  Running running;
 };
 
 Option one_case(std::string& target);       ///< CASE

@@ -60,4 +60,11 @@ fs::path default_folder(const std::string& target, const fs::path& file, bool se
   return several ? fs::path("results") / name / file.stem() : fs::path("results") / name;
 }
 
+void refuse_existing(const fs::path& file, bool force) {
+  std::error_code failed;
+  if (force || !fs::exists(file, failed)) return;
+  throw InputError(Fault{file.string(), "the file already exists",
+                         "choose another name, or replace it with --force", "result-exists"});
+}
+
 }  // namespace mahlwerk::commands

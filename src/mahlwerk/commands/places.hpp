@@ -29,4 +29,7 @@ std::filesystem::path one_case_file(const std::string& target, std::string_view 
 std::filesystem::path default_folder(const std::string& target, const std::filesystem::path& file,
                                      bool several);
 
+/// Throws InputError if a file exists and `force` does not replace it.
+void refuse_existing(const std::filesystem::path& file, bool force);
+
 }  // namespace mahlwerk::commands

@@ -4,7 +4,6 @@
 // papers: runs the campaigns of a paper, draws its figures and tests its claims.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -14,14 +13,10 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
-#include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/campaigns/paper_folders.hpp"
 #include "mahlwerk/commands/campaigns/render.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/report/paper/figure_plot.hpp"
 #include "mahlwerk/report/paper/overview.hpp"
@@ -35,11 +30,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PapersArguments {
-  std::string target;
-  Changes changes;
-  bool quick = false;  ///< without those that take long
-  Running running;
+struct PapersArguments : CaseArguments {
+  bool quick = false;                ///< without those that take long
   std::optional<double> checkpoint;  ///< [s]
 };
 
@@ -271,6 +263,7 @@ int papers(const PapersArguments& given) {
   std::optional<Overview> overview;
   if (is_validation(given.target)) overview.emplace(running);
   catch_ctrl_c();
+  constexpr const char* resumable = "finished runs are kept; run the same command again to resume";
   int ended = success;
   bool warned = false;
   results::Json list = results::Json::array();
@@ -281,11 +274,8 @@ int papers(const PapersArguments& given) {
     if (stop_wanted()) {
       ended = interrupted;
       if (running.prints_errors())
-        report_end(
-            interrupted,
-            "interrupted: finished runs are kept; run the same command again to resume",
-            {Fault{"", "interrupted",
-                   "finished runs are kept; run the same command again to resume", "interrupted"}});
+        report_end(interrupted, fmt::format("interrupted: {}", resumable),
+                   {Fault{"", "interrupted", resumable, "interrupted"}});
       break;
     }
     report::PaperResult result = report::paper_result(job.paper, run);

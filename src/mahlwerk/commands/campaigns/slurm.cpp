@@ -12,7 +12,6 @@
 #include "mahlwerk/base/printable.hpp"
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 #include "mahlwerk/commands/campaigns/child_process.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"

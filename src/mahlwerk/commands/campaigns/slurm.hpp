@@ -11,10 +11,7 @@
 namespace mahlwerk::commands {
 
 /// What `sweep` is given.
-struct SweepArguments {
-  std::string target;  ///< a case; of the subcommands the folder of a campaign
-  Changes changes;
-  Running running;
+struct SweepArguments : CaseArguments {  // the target of a subcommand is the folder of a campaign
   CampaignPart part;
   int shards = 0;  ///< number of shards to submit to Slurm; 0: run here
   std::vector<std::string> slurm_options;

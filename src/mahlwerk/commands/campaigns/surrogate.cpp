@@ -6,16 +6,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/surrogate/campaign_surrogate.hpp"
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
 #include "mahlwerk/commands/arguments.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
-#include "mahlwerk/report/notices.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 

@@ -11,9 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/campaigns/slurm.hpp"
 #include "mahlwerk/commands/campaigns/sweep_case.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/report/notices.hpp"
 
 namespace mahlwerk::commands {
@@ -74,9 +72,7 @@ int sweep_status(const SweepArguments& given) {
 int sweep_export(const SweepArguments& given) {
   const campaign::Store store = campaign::open_store(given.target);
   if (const auto& file = given.running.out) {
-    if (fs::exists(*file) && !given.running.force)
-      throw InputError(Fault{file->string(), "the file already exists",
-                             "choose another name, or replace it with --force", "result-exists"});
+    refuse_existing(*file, given.running.force);
     std::ofstream out(*file, std::ios::binary);
     store.write_csv(out);
     out.close();

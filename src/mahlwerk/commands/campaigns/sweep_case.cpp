@@ -10,10 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/report.hpp"

@@ -10,13 +10,9 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/arguments.hpp"
-#include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reference/catalogue_json.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
-#include "mahlwerk/commands/reference/unit_pages.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/results/files/quantity_list.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
@@ -74,24 +70,19 @@ struct CatalogueArguments {
 
 int list(const CatalogueArguments& given) {
   if (given.name == "keys") {
-    if (given.json)
-      json_to_stdout(keys_as_json(all_sections()));
-    else
-      to_stdout(key_index() + "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
+    given.json ? json_to_stdout(keys_as_json(all_sections()))
+               : to_stdout(key_index() +
+                           "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
     return success;
   }
   if (given.name == "units") {
-    if (given.json)
-      json_to_stdout(units_as_json());
-    else
-      to_stdout(unit_table());
+    given.json ? json_to_stdout(units_as_json()) : to_stdout(unit_table());
     return success;
   }
   if (given.name == "quantities") {
-    if (given.json)
-      json_to_stdout(results::quantity_list());
-    else
-      to_stdout(results::quantity_index() + "\nmahlwerk describe NAME says what a quantity is.\n");
+    given.json ? json_to_stdout(results::quantity_list())
+               : to_stdout(results::quantity_index() +
+                           "\nmahlwerk describe NAME says what a quantity is.\n");
     return success;
   }
   const cases::Catalogue all = catalogue();
@@ -164,10 +155,7 @@ int describe(const CatalogueArguments& given) {
   const std::vector<cases::CatalogueEntry> entries = entries_named(given.name);
   if (sections.empty() && entries.empty()) {
     if (const std::string words = results::quantity_in_words(given.name); !words.empty()) {
-      if (given.json)
-        json_to_stdout(results::quantity_record(given.name));
-      else
-        to_stdout(words);
+      given.json ? json_to_stdout(results::quantity_record(given.name)) : to_stdout(words);
       return success;
     }
     report_unknown(given.name);

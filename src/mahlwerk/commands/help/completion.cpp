@@ -7,8 +7,7 @@
 
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/commands/command.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 
 namespace mahlwerk::commands {
 namespace {

@@ -13,8 +13,7 @@
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/help/about.hpp"
 #include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 
 namespace mahlwerk::commands {
 namespace {

@@ -4,17 +4,13 @@
 // new: a commented case to start from.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/help/case_template.hpp"
 #include "mahlwerk/commands/help/start_values.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::commands {
@@ -41,14 +37,6 @@ void print_choices() {
   print("or --jar-kind", kinds_of("jar"));
   print("--balls", all.names("media"));
   to_stdout("\nFor instance: mahlwerk new --mill retsch-mm400 --jar-kind capsule my-case.toml\n");
-}
-
-/// Refuses to replace files without --force.
-void refuse_existing(const fs::path& file, bool force) {
-  std::error_code failed;
-  if (force || !fs::exists(file, failed)) return;
-  throw InputError(Fault{file.string(), "the file already exists",
-                         "choose another name, or replace it with --force", "result-exists"});
 }
 
 /// Throws InputError if the parts do not make a case that can be run.

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <numbers>
+
+#include "mahlwerk/base/trig.hpp"
 
 namespace mahlwerk::commands {
 
@@ -27,9 +28,9 @@ std::string sample_motion() {
   constexpr double radius = 0.02, period = 0.1;  // [m], [s]
   std::string text = "time_s,x_m,y_m,z_m\n";
   for (int i = 0; i <= rows; ++i) {
-    const double turn = static_cast<double>(i % rows) / rows, angle = 2 * std::numbers::pi * turn;
-    text += fmt::format("{:.6f},{:.9f},{:.9f},0\n", period * i / rows, radius * std::cos(angle),
-                        radius * std::sin(angle));
+    const SinCos angle = sin_cos(2 * std::numbers::pi * (static_cast<double>(i % rows) / rows));
+    text += fmt::format("{:.6f},{:.9f},{:.9f},0\n", period * i / rows, radius * angle.cos,
+                        radius * angle.sin);
   }
   return text;
 }

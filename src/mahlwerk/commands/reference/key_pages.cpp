@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/unit_table.hpp"
 #include "mahlwerk/base/units.hpp"
 
 namespace mahlwerk::commands {
@@ -262,6 +263,34 @@ std::string key_index() {
     if (!names.empty()) page += std::string(indent, ' ') + wrapped(names, indent) + '\n';
   }
   return page;
+}
+
+std::string unit_table() {
+  const auto units = listed_units();
+  std::vector<std::string_view> dimensions;  // by their SI units
+  for (const ListedUnit& u : units)
+    if (std::ranges::find(dimensions, u.si) == dimensions.end()) dimensions.push_back(u.si);
+  std::string page;
+  for (const std::string_view si : dimensions) {
+    page += fmt::format("{:<8}", si.empty() ? "number" : si);
+    for (const ListedUnit& u : units)
+      if (u.si == si && !u.symbol.empty()) page += fmt::format(" {}", u.symbol);
+    page += '\n';
+  }
+  return page +
+         "\nUnits multiply and divide: kg/m3, J/(kg K), kWh/t. \"200 mesh\" is the opening of that "
+         "test sieve of ASTM E11.\n";
+}
+
+Json units_as_json() {
+  Json all = Json::array();
+  for (const ListedUnit& u : listed_units())
+    all.push_back(Json::object({{"unit", std::string(u.symbol)},
+                                {"si", std::string(u.si)},
+                                {"factor", u.factor},
+                                {"offset", u.offset},
+                                {"offered", u.offered}}));
+  return all;
 }
 
 }  // namespace mahlwerk::commands

@@ -9,7 +9,7 @@
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
-// The keys of a case file, as tables and as JSON.
+// The keys and the units of a case file, as tables and as JSON.
 namespace mahlwerk::commands {
 
 using KeySections = std::vector<const cases::KeySection*>;
@@ -39,5 +39,9 @@ results::Json keys_as_json(const KeySections& sections);
 /// Every section and kind with the names of its keys.
 std::string key_index();
 KeySections all_sections();
+
+/// The units that measure the same in one line, in the order of the table of units.
+std::string unit_table();
+results::Json units_as_json();
 
 }  // namespace mahlwerk::commands

@@ -8,9 +8,7 @@
 #include <cstdio>
 
 #include "mahlwerk/base/printable.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/listener.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -55,6 +53,16 @@ void set_json_messages() {
 
 bool json_messages() {
   return errors_as_json;
+}
+
+void to_stdout(std::string_view text) {
+  if (listener() != nullptr) return;
+  fmt::print("{}", printable(text));
+}
+
+void json_to_stdout(const results::Json& json) {
+  if (listener() != nullptr) return listener()->result(json.text());
+  fmt::print("{}\n", json.text(2));
 }
 
 void to_stderr(std::string_view text) {

@@ -11,11 +11,27 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
-// Messages on stderr: as text, or with --json as one JSON object per line. No function throws: a
-// closed terminal must not end a run.
+// What a command prints. Results go to stdout. Messages go to stderr: as text, or with --json as
+// one JSON object per line; none of their functions throws, because a closed terminal must not end
+// a run.
 namespace mahlwerk::commands {
 
 class Listener;
+
+/// Exit codes (docs/cli.md).
+enum Exit : int {
+  success = 0,
+  internal_error = 1,
+  bad_input = 2,
+  stopped_by_physics = 3,
+  output_lost = 4,
+  interrupted = 130
+};
+
+/// Prints text to stdout with control characters escaped: it may contain text of a case or user.
+void to_stdout(std::string_view text);
+/// Prints the result of a command as JSON.
+void json_to_stdout(const results::Json& json);
 
 /// Switches all later messages to JSON.
 void set_json_messages();

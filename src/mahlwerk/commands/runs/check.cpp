@@ -28,13 +28,9 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/commands/arguments.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/commands/runs/cheaper.hpp"
 #include "mahlwerk/lammps/notices.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::commands {
 namespace {

@@ -11,14 +11,10 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/report/report.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -87,13 +83,7 @@ void print_summary(const report::Comparison& comparison, const fs::path& place, 
   fmt::print("computed in {} s\n", two_digits(seconds));
 }
 
-struct CompareArguments {
-  std::string target;
-  Changes changes;
-  Running running;
-};
-
-int compare(const CompareArguments& given) {
+int compare(const CaseArguments& given) {
   const Running& running = given.running;
   const fs::path file = one_case_file(given.target, "compare");
   const std::vector<cases::Case> cases = both(given.changes.overrides(), file);
@@ -117,7 +107,7 @@ int compare(const CompareArguments& given) {
 }  // namespace
 
 Command compare_command() {
-  const auto given = std::make_shared<CompareArguments>();
+  const auto given = std::make_shared<CaseArguments>();
   return {"compare", "run a case with both engines and show the results side by side",
           joined({{one_case(given->target)},
                   options_of(given->changes),

@@ -11,11 +11,8 @@
 #include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/commands/campaigns/slurm.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/lammps/program.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::commands {
 namespace {

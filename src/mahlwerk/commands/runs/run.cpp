@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -16,15 +15,10 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
-#include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/campaigns/sweep_case.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/runs/lammps.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
@@ -32,17 +26,13 @@
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/files/folder.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
 namespace mahlwerk::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct RunArguments {
-  std::string target;
-  Changes changes;
-  Running running;
+struct RunArguments : CaseArguments {
   LammpsArguments lammps;
   std::optional<double> checkpoint;  ///< [s] interval between two checkpoints
 

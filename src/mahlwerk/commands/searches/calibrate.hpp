@@ -7,11 +7,9 @@
 namespace mahlwerk::commands {
 
 /// What `fit` is given.
-struct FitArguments {
-  std::string target, data;  ///< `data`: the table of measurements
-  Changes changes;
-  int settings = 0;  ///< largest number of settings; 0: as many as usual
-  Running running;
+struct FitArguments : CaseArguments {
+  std::string data;                  ///< the table of measurements
+  int settings = 0;                  ///< largest number of settings; 0: as many as usual
   std::optional<double> checkpoint;  ///< [s]
 };
 

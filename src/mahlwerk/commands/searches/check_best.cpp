@@ -12,7 +12,6 @@
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"

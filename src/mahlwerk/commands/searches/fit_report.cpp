@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/results/files/json.hpp"
@@ -73,7 +74,7 @@ void request_over_size(const std::vector<Measurement>& data, const Measurement& 
   Measurement question = m;
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    question.size = least / beyond * std::pow(most / least * beyond * beyond, share);
+    question.size = least / beyond * math::pow(most / least * beyond * beyond, share);
     curve.x.push_back(question.size);
     requests.measurements.push_back(question);
   }

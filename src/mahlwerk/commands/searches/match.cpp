@@ -12,11 +12,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -31,12 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct MatchArguments {
-  std::string target;  ///< mill A
-  std::string in;      ///< mill B
-  Changes changes;
-  Running running;
-  std::optional<double> checkpoint;  ///< [s]
+struct MatchArguments : CaseArguments {  // of mill A
+  std::string in;                        ///< mill B
+  std::optional<double> checkpoint;      ///< [s]
 };
 
 /// Mill B, whose settings are searched, and its target, mill A.

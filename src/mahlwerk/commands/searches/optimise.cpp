@@ -7,10 +7,7 @@
 #include <cstdio>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/commands/arguments.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
-#include "mahlwerk/commands/reporting/output.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/results/files/folder.hpp"
@@ -35,13 +32,7 @@ void print_summary(const report::OptimumReport& found, const fs::path& place) {
   if (found.best) fmt::print("case:     {}\n", (place / "best.toml").string());
 }
 
-struct OptimiseArguments {
-  std::string target;
-  Changes changes;
-  Running running;
-};
-
-int optimise(const OptimiseArguments& given) {
+int optimise(const CaseArguments& given) {
   const Running& running = given.running;
   const fs::path file = one_case_file(given.target, "optimise");
   const cases::Catalogue known = catalogue();
@@ -82,7 +73,7 @@ int optimise(const OptimiseArguments& given) {
 }  // namespace
 
 Command optimise_command() {
-  const auto given = std::make_shared<OptimiseArguments>();
+  const auto given = std::make_shared<CaseArguments>();
   return {"optimise",
           "find the settings that maximise or minimise a quantity: [optimise] of the case",
           joined({{one_case(given->target)},

@@ -7,13 +7,12 @@
 #include <cmath>
 #include <functional>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/commands/compute.hpp"
-#include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/commands/reporting/exit_codes.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/report/readable.hpp"
@@ -62,7 +61,7 @@ report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimu
     const double position = static_cast<double>(i) / static_cast<double>(k.slice.size() - 1);
     const double from = number_of(range.values[0], made.unit);
     const double to = number_of(range.values[1], made.unit);
-    made.x.push_back(range.logarithmic ? from * std::pow(to / from, position)
+    made.x.push_back(range.logarithmic ? from * math::pow(to / from, position)
                                        : std::lerp(from, to, position));
     made.model_at.push_back(value_ci95(k.slice[i]));
   }

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "mahlwerk/campaign/run/resumable_runs.hpp"
 #include "mahlwerk/campaign/search/search_job.hpp"
