@@ -166,3 +166,19 @@ def test_a_key_that_was_set_may_be_swept(ball):
     swept = mahlwerk.Case("out.case.toml")
     with pytest.raises(mahlwerk.InputError, match="already"):
         swept.sweep({"mill.frequency": ["10 Hz"]}, "again")
+
+
+def test_options_have_the_names_of_the_command_line_and_others_are_refused():
+    from mahlwerk.commands import command
+    assert command(["list"], category="mills") == mahlwerk.catalogue("mills")
+    for name in ("jobs", "threads"):  # --jobs,--threads
+        with pytest.raises(TypeError, match=f"{name} is of the wrong type: 'two'"):
+            command(["compare"], case="none", **{name: "two"})
+    with pytest.raises(TypeError, match="mahlwerk list has no option target"):
+        command(["list"], target="mills")
+    with pytest.raises(TypeError, match="mahlwerk new has no option json"):
+        command(["new"], json=True)
+    with pytest.raises(TypeError, match="set is of the wrong type"):
+        command(["check"], case="none", set={"run.replicates": 2})
+    with pytest.raises(mahlwerk.InputError, match="there is no such file"):
+        command(["match"], case="none", in_="none", out=None)

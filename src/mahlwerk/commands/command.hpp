@@ -38,7 +38,7 @@ struct Option {
   /// positional argument, nothing for an option.
   std::string completions = {};
   /// More of them, computed only when a completion script is printed; null: none.
-  std::string (*more_completions)() = nullptr;
+  std::vector<std::string> (*more_completions)() = nullptr;
 };
 using Options = std::vector<Option>;
 

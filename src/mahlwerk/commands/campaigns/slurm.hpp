@@ -10,8 +10,8 @@
 
 namespace mahlwerk::commands {
 
-/// What `sweep` is given.
-struct SweepArguments : CaseArguments {  // the target of a subcommand is the folder of a campaign
+/// What `sweep` is given. The target of its subcommands is the folder of a campaign.
+struct SweepArguments : CaseArguments {
   CampaignPart part;
   int shards = 0;  ///< number of shards to submit to Slurm; 0: run here
   std::vector<std::string> slurm_options;

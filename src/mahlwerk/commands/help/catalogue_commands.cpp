@@ -202,7 +202,7 @@ Command describe_command() {
                  "list keys'",
         .required = true,
         .completions = "$(\"${COMP_WORDS[0]}\" list 2>/dev/null | awk '/^  / {print $1}')",
-        .more_completions = [] { return joined_words(section_words()); }},
+        .more_completions = section_words},
        json(given->json)},
       [given] { return describe(*given); }};
 }

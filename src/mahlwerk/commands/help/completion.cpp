@@ -15,7 +15,7 @@ namespace {
 std::string completions_of(const Option& option) {
   std::string all = option.completions;
   if (option.more_completions != nullptr)
-    all += (all.empty() ? "" : " ") + option.more_completions();
+    all += fmt::format("{}{}", all.empty() ? "" : " ", fmt::join(option.more_completions(), " "));
   return all;
 }
 

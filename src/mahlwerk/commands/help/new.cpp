@@ -124,7 +124,7 @@ Command new_command() {
             .about = "kind of mill, with values to be replaced",
             .type = "KIND",
             .excludes = "--mill",
-            .more_completions = [] { return joined_words(kinds_of("mill")); }},
+            .more_completions = [] { return kinds_of("mill"); }},
            {.name = "--jar",
             .target = &parts.jar,
             .about =
@@ -136,7 +136,7 @@ Command new_command() {
             .about = "kind of jar, with values to be replaced",
             .type = "KIND",
             .excludes = "--jar",
-            .more_completions = [] { return joined_words(kinds_of("jar")); }},
+            .more_completions = [] { return kinds_of("jar"); }},
            {.name = "--balls",
             .target = &parts.balls,
             .about = "ball set of the catalogue",

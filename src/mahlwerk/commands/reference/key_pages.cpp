@@ -198,10 +198,6 @@ KeySections sections_named(std::string_view word) {
   return found;
 }
 
-std::string joined_words(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, " "));
-}
-
 std::vector<std::string> section_words() {
   std::vector<std::string> words;
   for (const KeySection& s : cases::key_sections()) {

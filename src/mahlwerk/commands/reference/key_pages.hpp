@@ -17,8 +17,6 @@ using KeySections = std::vector<const cases::KeySection*>;
 /// The sections and kinds that a word names: "mill", "planetary", "mill.planetary" if a kind's name
 /// occurs twice, or the section of a key, "mill.speed". With a section come no kinds.
 KeySections sections_named(std::string_view word);
-/// The words with spaces between, for completions.
-std::string joined_words(const std::vector<std::string>& words);
 /// All words that sections_named() knows, each once.
 std::vector<std::string> section_words();
 

@@ -12,8 +12,8 @@
 namespace mahlwerk::commands {
 
 /// Receives what a command reports, in place of the terminal, for programs that call commands (the
-/// Python module). The request must ask for JSON. Calls come from the thread of the command, except
-/// progress() and warning(), which any of its threads may call.
+/// Python module). The command must be asked for JSON. Calls come from the thread of the command,
+/// except progress() and warning(), which any of its threads may call.
 class Listener {
  public:
   virtual ~Listener() = default;

@@ -28,9 +28,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct MatchArguments : CaseArguments {  // of mill A
-  std::string in;                        ///< mill B
-  std::optional<double> checkpoint;      ///< [s]
+/// The target is the case of mill A.
+struct MatchArguments : CaseArguments {
+  std::string in;                    ///< mill B
+  std::optional<double> checkpoint;  ///< [s]
 };
 
 /// Mill B, whose settings are searched, and its target, mill A.
