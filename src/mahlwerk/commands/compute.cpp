@@ -83,4 +83,10 @@ int report_exit_status(const std::vector<results::Outcome>& outcomes) {
   return success;
 }
 
+int report_interrupted(const Running& running, const std::string& kept) {
+  if (!running.prints_errors()) return interrupted;
+  return report_end(interrupted, "interrupted: " + kept,
+                    {Fault{"", "interrupted", kept, "interrupted"}});
+}
+
 }  // namespace mahlwerk::commands

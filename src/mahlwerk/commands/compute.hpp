@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mahlwerk/campaign/run/resumable_runs.hpp"
@@ -30,5 +31,7 @@ std::vector<results::Outcome> compute(const Running& running,
 
 /// Reports on stderr if a run did not complete. Returns the exit code.
 int report_exit_status(const std::vector<results::Outcome>& outcomes);
+/// Reports an interruption and what is kept, unless `running` is quiet. Returns the exit code.
+int report_interrupted(const Running& running, const std::string& kept);
 
 }  // namespace mahlwerk::commands

@@ -263,7 +263,6 @@ int papers(const PapersArguments& given) {
   std::optional<Overview> overview;
   if (is_validation(given.target)) overview.emplace(running);
   catch_ctrl_c();
-  constexpr const char* resumable = "finished runs are kept; run the same command again to resume";
   int ended = success;
   bool warned = false;
   results::Json list = results::Json::array();
@@ -272,10 +271,8 @@ int papers(const PapersArguments& given) {
     campaign::ResumableRuns kept(job.folder->target());
     const std::map<std::string, report::RunCampaign> run = run_all(given, job, kept);
     if (stop_wanted()) {
-      ended = interrupted;
-      if (running.prints_errors())
-        report_end(interrupted, fmt::format("interrupted: {}", resumable),
-                   {Fault{"", "interrupted", resumable, "interrupted"}});
+      ended = report_interrupted(running,
+                                 "finished runs are kept; run the same command again to resume");
       break;
     }
     report::PaperResult result = report::paper_result(job.paper, run);

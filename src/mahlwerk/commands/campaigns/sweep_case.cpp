@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/report/notices.hpp"
@@ -57,10 +58,7 @@ int ending(const Running& running, const campaign::WorkSummary& worked,
     const std::string kept =
         fmt::format("{} of {} runs are done and kept; run the same command again to resume",
                     counts.done, counts.done + counts.failed + counts.waiting);
-    if (running.prints_errors())
-      report_end(interrupted, "interrupted: " + kept,
-                 {Fault{"", "interrupted", kept, "interrupted"}});
-    return interrupted;
+    return report_interrupted(running, kept);
   }
   if (counts.failed == 0) return success;
   const std::string
@@ -163,12 +161,7 @@ int sweep_case(const Running& running, const CampaignPart& part, const fs::path&
   campaign::CampaignFolder folder(settings_of(running, part, line, not_kept), file, set, place,
                                   shard);
   folder.plan(campaign::Plan(mill_case.sweep, mill_case.seed));
-  if (stop_wanted()) {
-    if (running.prints_errors())
-      report_end(interrupted, "interrupted: no run has started",
-                 {Fault{"", "interrupted", "no run has started", "interrupted"}});
-    return interrupted;
-  }
+  if (stop_wanted()) return report_interrupted(running, "no run has started");
   line.emplace(running.quiet);
   const campaign::WorkSummary worked = folder.work();
   not_kept.repeat();

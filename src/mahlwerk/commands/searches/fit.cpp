@@ -56,7 +56,7 @@ void print_summary(const report::FitReport& found, const fs::path& place) {
   fmt::print("case:     {}\n", (place / "fitted.toml").string());
 }
 
-int report_interrupted() {
+int report_no_fit() {
   return report_end(interrupted, "interrupted: nothing was fitted.",
                     {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
 }
@@ -71,7 +71,7 @@ int cut_short(const std::vector<results::Outcome>& mills) {
         return report_end(stopped_by_physics,
                           fmt::format("stopped: {}\nNothing was fitted.", r.stop_reason),
                           {Fault{"", r.stop_reason, "nothing was fitted", "stopped"}});
-  return report_interrupted();
+  return report_no_fit();
 }
 
 int fit(const FitArguments& given) {
@@ -93,7 +93,7 @@ int fit(const FitArguments& given) {
     if (running.json) json_to_stdout(fit_json(report, version()));
     if (running.prints_text()) print_summary(report, folder.target());
   } catch (const Interrupted&) {
-    return report_interrupted();
+    return report_no_fit();
   }
   return success;
 }
