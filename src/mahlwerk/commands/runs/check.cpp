@@ -104,6 +104,20 @@ void add(const Notices& notices, std::vector<std::string>& lines) {
   for (const Notice& one : notices) lines.push_back((one.warns() ? "Warning: " : "") + one.text);
 }
 
+/// The time step of the soft engine or of LAMMPS, what bounds it, and what these engines assume.
+void add_time_steps(const cases::Case& decided, CheckResult& c) {
+  const campaign::SoftSettings s = campaign::soft_settings(decided);
+  c.follows.insert(
+      c.follows.end(),
+      {{"time_step", s.rules.time_step, "s", "of the soft engine, and in LAMMPS"},
+       {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (dem.28)"},
+       {"contact_time", s.steps.contact, "s", "of the shortest collision (dem.29)"},
+       {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"}});
+  add(campaign::soft_notices(decided), c.notes);
+  if (decided.run.engine == cases::EngineName::lammps) add(lammps::model_notices(decided), c.notes);
+  add(campaign::overlap_warnings(decided), c.notes);
+}
+
 CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue& known,
                        const std::vector<cases::Override>& set) {
   CheckResult c;
@@ -118,9 +132,9 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   c.follows = cases::derived_quantities(first);
   if (points.good().empty()) return c;
   // Before the pilot run, which needs the memory.
-  const std::vector<Fault> memory = campaign::memory_faults(
-      points.good(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-      campaign::memory_available());
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const std::vector<Fault> memory =
+      campaign::memory_faults(points.good(), cores, campaign::memory_available());
   c.engine.insert(c.engine.end(), memory.begin(), memory.end());
   if (!memory.empty()) return c;
   const campaign::EngineChoice choice = campaign::choose_engine(first);
@@ -132,24 +146,11 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   add(cases::jar_warnings(first), c.notes);
   add(cases::unusual_values(first), c.notes);
   add(cases::ignored_keys(first, choice.engine), c.notes);
-  if (cases::in_time_steps(choice.engine)) {
-    const campaign::SoftSettings s = campaign::soft_settings(decided);
-    c.follows.push_back({"time_step", s.rules.time_step, "s", "of the soft engine, and in LAMMPS"});
-    c.follows.push_back(
-        {"rayleigh_time", s.steps.rayleigh, "s", "of the smallest or softest ball (dem.28)"});
-    c.follows.push_back(
-        {"contact_time", s.steps.contact, "s", "of the shortest collision (dem.29)"});
-    c.follows.push_back(
-        {"largest_overlap", s.steps.overlap, "", "over the radius, at the highest speed (dem.8)"});
-    add(campaign::soft_notices(decided), c.notes);
-    if (choice.engine == cases::EngineName::lammps) add(lammps::model_notices(decided), c.notes);
-    add(campaign::overlap_warnings(decided), c.notes);
-  }
+  if (cases::in_time_steps(choice.engine)) add_time_steps(decided, c);
   const RunTime time = run_time(decided);
-  const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
   const double seconds =
       sweeps ? time.each * static_cast<double>(first.run.replicates) *
-                   static_cast<double>(points.size()) / threads
+                   static_cast<double>(points.size()) / cores
              : time.each * static_cast<double>(time.share) * (1 + time.assumed) + around_a_run;
   if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
     c.notes.push_back(std::move(lines));
