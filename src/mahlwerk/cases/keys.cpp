@@ -9,11 +9,12 @@
 #include <utility>
 
 #include "mahlwerk/cases/key_list.hpp"
+#include "mahlwerk/cases/part.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::array sections{
+constexpr std::array first_sections{
     SectionSpec{"", "", "keys at the top of the file, before the first section"},
     SectionSpec{"mill", "kind", "the mill and its motion"},
     SectionSpec{"jar", "kind", "the jar: inner shape, sizes and material of the wall"},
@@ -26,24 +27,22 @@ constexpr std::array sections{
     SectionSpec{"run", "", "engine, times, replicates and the start of a run"},
     SectionSpec{"observe", "", "statistics and records of a run"},
     SectionSpec{"milling", "",
-                "how long the mill runs, its sense of rotation, and a dose to reach"},
-    SectionSpec{"wear", "model", "wear of balls and jar; may be empty"},
-    SectionSpec{"heat", "", "temperatures of balls and jar; may be empty"},
-    SectionSpec{"capture", "model", "how much powder a collision captures"},
-    SectionSpec{"breakage", "model",
-                "which hits break a grain; the powder's material may give the constants"},
-    SectionSpec{"fragments", "model", "the fragments of a broken grain"},
-    SectionSpec{"grinding", "", "how the size of the powder changes with time"},
-    SectionSpec{"kinetics", "model", "conversion of the powder: a reaction or a property"},
-    SectionSpec{"power_meter", "", "readings of the motor's power and torque; may be empty"},
-    SectionSpec{"microphone", "", "hits that an acoustic sensor hears, by energy; may be empty"},
-    SectionSpec{"accelerometer", "", "acceleration of the jar by motion and impacts; may be empty"},
-    SectionSpec{"thermocouple", "", "temperature with the lag of a sensor; may be empty"},
+                "how long the mill runs, its sense of rotation, and a dose to reach"}};
+
+constexpr std::array sections_of_many_runs{
     SectionSpec{"sweep", "", "a campaign: keys of the case that vary", true},
     SectionSpec{"optimise", "", "search for the settings of a largest or smallest quantity", true},
     SectionSpec{"match", "", "search for settings that treat powder as another mill does", true},
     SectionSpec{"fit", "", "parameters that are determined from measurements", true},
     SectionSpec{"uncertainty", "", "keys that vary from replicate to replicate", true}};
+
+std::vector<SectionSpec> all_sections() {
+  std::vector<SectionSpec> all(first_sections.begin(), first_sections.end());
+  for (const Part* part : parts())
+    for (const PartSection& one : part->sections) all.push_back(one.spec);
+  all.insert(all.end(), sections_of_many_runs.begin(), sections_of_many_runs.end());
+  return all;
+}
 
 /// A case with every section.
 Case full_case() {
@@ -55,12 +54,9 @@ Case full_case() {
   c.contact.pairs.emplace_back();
   c.liquid.emplace();
   c.milling.emplace();
-  c.wear.emplace();
-  c.heat.emplace();
-  c.capture.emplace();
-  c.grinding.emplace();
-  c.kinetics.emplace();
-  c.sensors = {PowerMeter(), Microphone(), Accelerometer(), Thermocouple()};
+  for (const Part* part : parts())
+    for (const PartSection& one : part->sections)
+      if (one.add != nullptr) one.add(c);
   return c;
 }
 
@@ -226,7 +222,8 @@ void add_section(std::vector<KeySection>& all, const SectionSpec& spec) {
 }  // namespace
 
 std::span<const SectionSpec> section_list() {
-  return sections;
+  static const std::vector<SectionSpec> all = all_sections();
+  return all;
 }
 
 std::string_view KeyInfo::name() const {
@@ -241,7 +238,7 @@ bool KeyInfo::operator==(const KeyInfo& o) const {
 const std::vector<KeyInfo>& all_keys() {
   static const std::vector<KeyInfo> keys = [] {
     std::vector<KeyInfo> found;
-    for (const SectionSpec& spec : sections)
+    for (const SectionSpec& spec : section_list())
       if (!spec.many_runs)
         for (KeyInfo& key : KeySearch(spec, {}).keys())
           if (std::ranges::find(found, key.key, &KeyInfo::key) == found.end())
@@ -267,7 +264,7 @@ const KeyInfo* find_key(std::string_view dotted) {
 const std::vector<KeySection>& key_sections() {
   static const std::vector<KeySection> all = [] {
     std::vector<KeySection> found;
-    for (const SectionSpec& spec : sections) add_section(found, spec);
+    for (const SectionSpec& spec : section_list()) add_section(found, spec);
     return found;
   }();
   return all;

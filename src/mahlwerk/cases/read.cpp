@@ -15,6 +15,7 @@
 #include "mahlwerk/cases/faults/faults.hpp"
 #include "mahlwerk/cases/file/formula.hpp"
 #include "mahlwerk/cases/keys.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr std::string_view no_such_key = "unknown-key";
 
-class CaseReader {
+class CaseReader final : public SectionTables {
  public:
   CaseReader(Node root, std::filesystem::path file, const Catalogue& catalogue)
       : root_(std::move(root)),
@@ -64,6 +65,8 @@ class CaseReader {
     if (!findings_.faults.empty()) throw InputError(in_order(std::move(findings_.faults)));
     return std::move(c_);
   }
+
+  const Node* table(std::string_view name) override { return section(name, false); }
 
  private:
   Node given(const Override& one) const {
@@ -287,23 +290,19 @@ class CaseReader {
     c_.run = described<Run>("run", true).value_or(Run());
     c_.observe = read_table<Observe>(section("observe", false), "observe");
     c_.milling = described<MillingTime>("milling", false);
-    c_.wear = described<Wear>("wear", false);
     find_milling_time(root_, findings_);
-    c_.heat = described<Heat>("heat", false);
-    if (c_.heat && !findings_.milling_time) {
-      findings_.milling_time = c_.heat->milling * static_cast<double>(c_.heat->cycles);
-      findings_.milling_time_of = "heat";
+    for (const Part* part : parts()) read_part(*part);
+  }
+
+  void read_part(const Part& part) {
+    if (part.read != nullptr) return part.read(*this, c_, findings_);
+    for (const PartSection& one : part.sections) {
+      const Node* table = section(one.spec.name, false);
+      if (table == nullptr) continue;
+      SectionReader in(table, std::string(one.spec.name), findings_);
+      one.describe(in, c_);
+      in.report_unknown_keys();
     }
-    read_grinding({.capture = section("capture", false),
-                   .breakage = section("breakage", false),
-                   .fragments = section("fragments", false),
-                   .grinding = section("grinding", false)},
-                  c_, findings_);
-    c_.kinetics = described<Kinetics>("kinetics", false, c_);
-    c_.sensors.power_meter = described<PowerMeter>("power_meter", false, c_);
-    c_.sensors.microphone = described<Microphone>("microphone", false);
-    c_.sensors.accelerometer = described<Accelerometer>("accelerometer", false);
-    c_.sensors.thermocouple = described<Thermocouple>("thermocouple", false);
   }
 
   /// Sorts faults by line of the case file, so that a user can correct the file from top to bottom.

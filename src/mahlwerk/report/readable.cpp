@@ -164,6 +164,12 @@ std::size_t width(std::string_view text) {
   }));
 }
 
+Multiple time_unit(double longest) {
+  constexpr double minute = 60, hour = 3600;
+  if (longest <= 2 * minute) return {1, "s"};
+  return longest <= 2 * hour ? Multiple{minute, "min"} : Multiple{hour, "h"};
+}
+
 std::string escaped(std::string_view text) {
   std::string safe;
   for (const char c : printable(text)) {

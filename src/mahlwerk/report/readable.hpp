@@ -50,6 +50,9 @@ std::string label(const results::Quantity& q);
 /// Number of characters of UTF-8 text (code points).
 std::size_t width(std::string_view text);
 
+/// Unit for times of milling up to `longest` [s].
+Multiple time_unit(double longest);
+
 /// Text escaped for HTML and SVG.
 std::string escaped(std::string_view text);
 

@@ -12,6 +12,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/parts/wear/wear.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -19,6 +20,7 @@ namespace mahlwerk::cases::write_test {
 namespace {
 
 using namespace sample;
+using parts::wear::Wear;
 
 /// A catalogue without any entry: a resolved case needs none.
 const Catalogue& nothing() {
@@ -146,7 +148,7 @@ class AnyCase {
     else
       c.run.time_step_fraction = random_.uniform();
     c.observe = {size(), flip()};
-    if (flip()) c.wear = {flip() ? Wear::Model::archard : Wear::Model::finnie, size()};
+    if (flip()) c.parts.set(Wear{flip() ? Wear::Model::archard : Wear::Model::finnie, size()});
     if (flip())
       c.heat = {size(), size(), flip() ? 0 : size(), whole(1000),
                 size(), size(), random_.uniform()};

@@ -50,7 +50,7 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     if (replica_.window_ == 0) return count_hits(finished);
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
-    r.sensors.collisions(finished);
+    for (const auto& recorder : r.recorders.all()) recorder->collisions(finished);
     if (replica_.streams_)
       r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
@@ -129,7 +129,6 @@ std::optional<double> ReplicateRun::counting_begins() const {
 /// Sets the time at which all that is recorded begins.
 void ReplicateRun::begin_counting(double time) {
   begin_ = time;
-  if (result_.sensors.accelerometer) result_.sensors.accelerometer->begin(time);
   for (const auto& sampler : samplers_) sampler->begin(time);
 }
 
@@ -303,7 +302,7 @@ void ReplicateRun::serialize(Archive& archive) {
   r.charge.serialize(archive);
   r.replay.serialize(archive);
   r.stream.serialize(archive);
-  r.sensors.serialize(archive);
+  for (const auto& recorder : r.recorders.all()) recorder->serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
   archive(last_)(all_)(above_)(window_length_)(converged_);
   for (const auto& sampler : samplers_) sampler->serialize(archive);

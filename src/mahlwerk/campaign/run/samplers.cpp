@@ -49,30 +49,16 @@ class ChargeSampler final : public Sampler {
   std::int64_t ever_ = 0;
 };
 
-/// Reads the work of the jar at the intervals of the power meter.
-class PowerMeterSampler final : public Sampler {
+/// Calls a recorder of a part at its times.
+class RecorderSampler final : public Sampler {
  public:
-  PowerMeterSampler(const cases::Case& mill_case, results::Replicate& result)
-      : interval_(mill_case.sensors.power_meter->interval),
-        end_(mill_case.run.time),
-        readings_(&result.sensors.power_meter) {}
-  void begin(double time) override { begin_ = time; }
-  /// The last reading is at the end of the run, whatever the rounding of the interval.
-  double next() const override {
-    constexpr double rounding = 1e-6;
-    const double at = interval_ * static_cast<double>(count_ + 1);
-    return begin_ + (std::abs(at - end_) < rounding * interval_ ? end_ : at);
-  }
-  void take(Moment& moment) override {
-    readings_->push_back({moment.now().time, moment.now().wall_work});
-    while (next() <= moment.now().time) ++count_;
-  }
-  void serialize(Archive& archive) override { archive(count_); }
+  explicit RecorderSampler(observe::Recorder& recorder) : recorder_(&recorder) {}
+  void begin(double time) override { recorder_->begin(time); }
+  double next() const override { return recorder_->next(); }
+  void take(Moment& moment) override { recorder_->take(moment.now()); }
 
  private:
-  double interval_, end_, begin_ = never;  // [s]
-  std::vector<results::WorkReading>* readings_;
-  std::int64_t count_ = 0;
+  observe::Recorder* recorder_;
 };
 
 /// Writes the frames that the case asks for.
@@ -128,8 +114,8 @@ void Sampler::serialize(Archive&) {}
 Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
                   results::Replicate& result) {
   Samplers made;
-  if (mill_case.sensors.power_meter)
-    made.push_back(std::make_unique<PowerMeterSampler>(mill_case, result));
+  for (const auto& recorder : result.recorders.all())
+    made.push_back(std::make_unique<RecorderSampler>(*recorder));
   if (frames) made.push_back(std::make_unique<FrameSampler>(mill_case, std::move(frames)));
   made.push_back(std::make_unique<ChargeSampler>(result));
   return made;

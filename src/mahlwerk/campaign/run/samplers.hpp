@@ -49,7 +49,7 @@ class Sampler {
 };
 using Samplers = std::vector<std::unique_ptr<Sampler>>;
 
-/// The samplers of a case: charge, power meter, frames. They write into `result`.
+/// The samplers of a case: recorders of parts, frames, charge. They write into `result`.
 Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
                   results::Replicate& result);
 /// The sampler of the film that reports show.

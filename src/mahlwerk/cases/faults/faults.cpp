@@ -16,6 +16,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
@@ -292,9 +293,9 @@ std::vector<Fault> inconsistencies(const Case& c) {
   if (found.size() == so_far) wall_too_fast(c, found);
   too_many_sets(c, found);
   too_many_frames(c, found);
-  bad_grinding(c, found);
   bad_reversal(c, found);
-  bad_sensors(c, found);
+  for (const Part* part : parts())
+    if (part->check != nullptr) part->check(c, found);
   return found;
 }
 

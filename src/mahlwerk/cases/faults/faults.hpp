@@ -29,7 +29,5 @@ void bad_grinding(const Case& c, std::vector<Fault>& found);
 /// A reversed drive ([milling] reverse) of a mill that does not turn, of a single cycle, or with
 /// unequal numbers of replicates in its two senses.
 void bad_reversal(const Case& c, std::vector<Fault>& found);
-/// Sensors that the case cannot serve, and records that are too long.
-void bad_sensors(const Case& c, std::vector<Fault>& found);
 
 }  // namespace mahlwerk::cases

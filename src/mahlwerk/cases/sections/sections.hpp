@@ -42,8 +42,6 @@ void describe(KeyVisitor& v, Liquid& liquid);
 void describe(KeyVisitor& v, Run& run);
 void describe(KeyVisitor& v, Observe& observe);
 void describe(KeyVisitor& v, MillingTime& milling);
-void describe(KeyVisitor& v, Wear& wear);
-void describe(KeyVisitor& v, Heat& heat);
 /// The sections of grinding. Require `c` with powder and heat. `remembering`: the breakage model
 /// tracks the strength of grains.
 void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering);
@@ -52,11 +50,6 @@ void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c);
 void describe(KeyVisitor& v, Grinding& g, const Case& c);
 /// Requires `c` with grinding and heat.
 void describe(KeyVisitor& v, Kinetics& k, const Case& c);
-/// Requires `c` with run.
-void describe(KeyVisitor& v, PowerMeter& meter, const Case& c);
-void describe(KeyVisitor& v, Microphone& microphone);
-void describe(KeyVisitor& v, Accelerometer& sensor);
-void describe(KeyVisitor& v, Thermocouple& sensor);
 
 /// Source of the defaults of [[contact.pairs]].
 constexpr std::string_view of_contact = "as in [contact]";
