@@ -149,11 +149,12 @@ TEST_P(Parts, have_quantities_with_intervals_tables_and_a_panel) {
   EXPECT_NE(part.panel(outcome), "");
 }
 
-/// Hits on the jar and between balls, one every third of a millisecond.
+/// Hits on the jar and between balls, one every third of a millisecond, with a pause of 2 ms after
+/// ten of them.
 std::vector<scene::Collision> hits(int count) {
   std::vector<scene::Collision> all;
   for (int i = 0; i < count; ++i)
-    all.push_back({.time = (i + 1) / 3e3,
+    all.push_back({.time = (i + 1) / 3e3 + i / 10 * 2e-3,
                    .duration = 1e-4 * (i % 3),
                    .other = i % 4 == 0 ? 1 : -1,
                    .where = {},
@@ -186,7 +187,7 @@ TEST_P(Recorders, go_on_from_a_saved_state_with_the_same_bits) {
   const Part& part = *GetParam();
   const Case c = case_with(part);
   const auto all = hits(900);
-  const std::size_t half = 200;  // before the end of the shortest record
+  const std::size_t half = 198;  // between two pauses, before the end of the shortest record
   const auto whole = part.recorder(c), first = part.recorder(c), second = part.recorder(c);
   for (const auto* one : {&whole, &first, &second}) (*one)->begin(0.01);
   const std::string nothing = bytes_of(*whole);
