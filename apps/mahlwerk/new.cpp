@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "messages.hpp"
 #include "output.hpp"

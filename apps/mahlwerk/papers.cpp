@@ -16,6 +16,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/paper/figure_plot.hpp"
 #include "mahlwerk/report/paper/overview.hpp"
 #include "mahlwerk/report/paper/page.hpp"

@@ -21,6 +21,7 @@
 #include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/lammps_runs.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"

@@ -13,6 +13,7 @@
 #include "commands.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {

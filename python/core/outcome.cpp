@@ -13,7 +13,7 @@
 
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/folder.hpp"

@@ -17,6 +17,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"

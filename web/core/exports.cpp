@@ -14,6 +14,7 @@
 
 #include "key_pages.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/maps.hpp"
 #include "mahlwerk/report/methods.hpp"

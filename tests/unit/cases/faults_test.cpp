@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/faults.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

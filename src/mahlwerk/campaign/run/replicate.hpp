@@ -10,7 +10,6 @@
 #include "mahlwerk/campaign/run/replicate_engine.hpp"
 #include "mahlwerk/campaign/run/samplers.hpp"
 #include "mahlwerk/campaign/run/settling_test.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/files/frames.hpp"

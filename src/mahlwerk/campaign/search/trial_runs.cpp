@@ -18,6 +18,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/parts/accelerometer/impact_record.hpp"

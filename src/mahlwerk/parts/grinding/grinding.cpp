@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/parts/grinding/plots.hpp"

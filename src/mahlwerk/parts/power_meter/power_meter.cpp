@@ -10,9 +10,9 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"

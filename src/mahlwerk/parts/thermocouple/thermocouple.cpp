@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
 #include "mahlwerk/powder/heat.hpp"
 #include "mahlwerk/report/columns.hpp"

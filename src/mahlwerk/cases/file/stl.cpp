@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/setup/stl.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "mahlwerk/cases/key_list.hpp"
 #include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/cases/sections/key_list.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/file/writer.hpp"
+#include "mahlwerk/cases/sections/writer.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/faults/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,9 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
