@@ -17,7 +17,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
 #include "mahlwerk/campaign/fit/minimiser.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/calibration.hpp"
 #include "mahlwerk/results/files/folder.hpp"

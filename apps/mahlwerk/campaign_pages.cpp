@@ -11,7 +11,7 @@
 #include "commands.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"

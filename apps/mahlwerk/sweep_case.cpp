@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/json.hpp"

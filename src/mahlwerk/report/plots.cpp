@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "mahlwerk/report/columns.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 

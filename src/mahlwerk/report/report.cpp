@@ -15,10 +15,10 @@
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plots.hpp"
-#include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::report {

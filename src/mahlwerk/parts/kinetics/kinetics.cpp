@@ -14,7 +14,7 @@
 #include "mahlwerk/parts/kinetics/plots.hpp"
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/summary.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/columns.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/kinetics.hpp"
 
 namespace mahlwerk::parts::kinetics {

@@ -12,7 +12,7 @@
 #include "mahlwerk/parts/microphone/hit_counter.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 

@@ -16,7 +16,7 @@
 #include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/sweep/designs.hpp"
+#include "mahlwerk/campaign/points/designs.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
