@@ -109,22 +109,19 @@ TEST_P(Parts, with_defaults_have_the_section) {
   }
 }
 
-TEST_P(Parts, say_nothing_of_a_case_without_their_section) {
+TEST_P(Parts, belong_to_cases_with_a_section_of_theirs_only) {
   const Part& part = *GetParam();
-  const results::Outcome outcome = campaign::run(case_of_text(plain));
-  const Case& c = outcome.mill_case;
+  const auto belongs = [&](const Case& c) {
+    const std::vector<const Part*> there = cases::parts_of(c);
+    return std::ranges::find(there, &part) != there.end();
+  };
+  const Case without = case_of_text(plain), with = case_with(part);
+  EXPECT_FALSE(belongs(without));
+  EXPECT_TRUE(belongs(with));
   for (const results::Measure& m : part.quantities())
-    EXPECT_TRUE(results::applying({m}, c).empty()) << m.name;
-  for (const results::NamedTable& one : part.tables(outcome))
-    EXPECT_TRUE(one.table.rows.empty()) << one.name;
-  EXPECT_EQ(part.panel(outcome), "");
-  EXPECT_TRUE(part.notices == nullptr || part.notices(outcome).empty());
-  EXPECT_TRUE(part.recorder == nullptr || part.recorder(c) == nullptr);
-  EXPECT_TRUE(part.wall_columns == nullptr || part.wall_columns(c).empty());
-  for (const char* key : {"jar.hardness", "jar.wall", "jar.density", "balls.1.heat_capacity"})
-    EXPECT_FALSE(part.needs != nullptr && part.needs(c, key)) << key;
+    EXPECT_TRUE(results::applying({m}, without).empty()) << m.name;
   std::vector<Fault> faults;
-  if (part.check != nullptr) part.check(c, faults);
+  if (part.check != nullptr) part.check(with, faults);
   EXPECT_TRUE(faults.empty());
 }
 

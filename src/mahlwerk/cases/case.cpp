@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/case.hpp"
 
+#include <algorithm>
+
 #include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::cases {
@@ -43,6 +46,14 @@ bool Case::operator==(const Case& o) const {
          grinding == o.grinding && kinetics == o.kinetics && parts == o.parts &&
          gravity == o.gravity && gravity_direction == o.gravity_direction && sweep == o.sweep &&
          optimise == o.optimise && match == o.match && uncertainty == o.uncertainty && fit == o.fit;
+}
+
+std::vector<const Part*> parts_of(const Case& c) {
+  std::vector<const Part*> chosen;
+  for (const Part* part : parts())
+    if (std::ranges::any_of(part->sections, [&](const PartSection& one) { return one.present(c); }))
+      chosen.push_back(part);
+  return chosen;
 }
 
 Vec3 gravity_in_mill(double gravity, const Vec3& direction, double tilt) {

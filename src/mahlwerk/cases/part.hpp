@@ -53,7 +53,8 @@ class SectionTables {
   virtual const Node* table(std::string_view section) = 0;  ///< null if the file lacks it
 };
 
-/// One record of a part. A member is null where the part has nothing to say.
+/// One record of a part. A member is null where the part has nothing to say. Functions of a case or
+/// an outcome are called for those that have a section of the part.
 struct Part {
   std::string_view name;  ///< of its folder: "thermocouple"
   // The case.
@@ -71,7 +72,7 @@ struct Part {
   // The result.
   std::vector<results::Measure> (*quantities)() = nullptr;
   std::vector<results::NamedTable> (*tables)(const results::Outcome& outcome) = nullptr;
-  std::vector<results::WallColumn> (*wall_columns)(const Case& c) = nullptr;  ///< of wall_map.csv
+  std::vector<results::WallColumn> (*wall_columns)() = nullptr;  ///< of wall_map.csv
   Notices (*notices)(const results::Outcome& outcome) = nullptr;
   // The report.
   std::string_view heading = {};  ///< of its panel; parts that follow each other share one
@@ -80,6 +81,8 @@ struct Part {
 
 /// All parts, in the order of sections, quantities and panels (parts/parts.cpp).
 std::span<const Part* const> parts();
+/// Those of which the case has a section.
+std::vector<const Part*> parts_of(const Case& c);
 
 /// A section with values of type `Section`, which the case holds without knowing them.
 template <class Section, void (*describe)(KeyVisitor&, Section&, const Case&)>

@@ -174,7 +174,7 @@ std::string time_section(const Outcome& outcome) {
 std::string parts_section(const Outcome& outcome) {
   std::string text;
   std::string_view heading;
-  for (const cases::Part* part : cases::parts()) {
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case)) {
     const std::string panel = part->panel != nullptr ? part->panel(outcome) : "";
     if (panel.empty()) continue;
     if (!part->heading.empty() && part->heading != heading)

@@ -44,7 +44,7 @@ using tests::states;
 /// The panels of the parts that show powder.
 std::string powder_panels(const Outcome& outcome) {
   std::string text;
-  for (const cases::Part* part : cases::parts())
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->name == "grinding" || part->name == "kinetics") text += part->panel(outcome);
   return text;
 }

@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "mahlwerk/campaign/run/lammps_runs.hpp"
-#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
@@ -81,14 +79,13 @@ class FrameSampler final : public Sampler {
 /// Keeps the frames of the film that reports show.
 class ReplaySampler final : public Sampler {
  public:
-  ReplaySampler(const cases::Case& mill_case, results::Replicate& result)
-      : mill_case_(&mill_case), replay_(&result.replay) {}
+  ReplaySampler(const RunSetup& setup, results::Replicate& result)
+      : setup_(&setup), replay_(&result.replay) {}
   void begin(double time) override {
-    const bool in_lammps = mill_case_->run.engine == cases::EngineName::lammps;
-    *replay_ = observe::Replay(cases::chamber(*mill_case_),
-                               static_cast<std::size_t>(cases::balls_count(mill_case_->balls)),
-                               time, mill_case_->run.time,
-                               in_lammps ? lammps_steps(*mill_case_).frame_time() : 0);
+    const cases::Case& mill_case = *setup_->mill_case;
+    *replay_ = observe::Replay(setup_->chamber,
+                               static_cast<std::size_t>(cases::balls_count(mill_case.balls)), time,
+                               mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
   }
   double next() const override { return replay_->next_frame_time(); }
   void take(Moment& moment) override {
@@ -97,7 +94,7 @@ class ReplaySampler final : public Sampler {
   }
 
  private:
-  const cases::Case* mill_case_;
+  const RunSetup* setup_;
   observe::Replay* replay_;
 };
 
@@ -111,18 +108,18 @@ const std::vector<scene::Ball>& Moment::balls() {
 void Sampler::begin_window(double, double, std::optional<std::int64_t>) {}
 void Sampler::serialize(Archive&) {}
 
-Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
+Samplers samplers(const RunSetup& setup, std::unique_ptr<results::FrameFiles> frames,
                   results::Replicate& result) {
   Samplers made;
   for (const auto& recorder : result.recorders.all())
     made.push_back(std::make_unique<RecorderSampler>(*recorder));
-  if (frames) made.push_back(std::make_unique<FrameSampler>(mill_case, std::move(frames)));
+  if (frames) made.push_back(std::make_unique<FrameSampler>(*setup.mill_case, std::move(frames)));
   made.push_back(std::make_unique<ChargeSampler>(result));
   return made;
 }
 
-std::unique_ptr<Sampler> replay_sampler(const cases::Case& mill_case, results::Replicate& result) {
-  return std::make_unique<ReplaySampler>(mill_case, result);
+std::unique_ptr<Sampler> replay_sampler(const RunSetup& setup, results::Replicate& result) {
+  return std::make_unique<ReplaySampler>(setup, result);
 }
 
 }  // namespace mahlwerk::campaign

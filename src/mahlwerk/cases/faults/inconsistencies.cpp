@@ -294,7 +294,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   too_many_sets(c, found);
   too_many_frames(c, found);
   bad_reversal(c, found);
-  for (const Part* part : parts())
+  for (const Part* part : parts_of(c))
     if (part->check != nullptr) part->check(c, found);
   return found;
 }

@@ -24,8 +24,6 @@ void bad_positions(const Case& c, std::vector<Fault>& found);
 void bad_start_state(const Case& c, std::vector<Fault>& found);
 /// Solid volume of powder and balls larger than the jar.
 void bad_powder(const Case& c, std::vector<Fault>& found);
-/// Inconsistencies of [powder], [capture], [fragments], [grinding] and [kinetics].
-void bad_grinding(const Case& c, std::vector<Fault>& found);
 /// A reversed drive ([milling] reverse) of a mill that does not turn, of a single cycle, or with
 /// unequal numbers of replicates in its two senses.
 void bad_reversal(const Case& c, std::vector<Fault>& found);

@@ -79,8 +79,9 @@ bool is_relevant(std::string_view dotted, const Case& c) {
   const auto* law =
       std::get_if<contact::ThorntonNing>(&static_cast<const contact::Laws&>(*c.contact.model.law));
   if (key == "hardness" && law != nullptr && law->yield_pressure == 0) return true;
-  return std::ranges::any_of(
-      parts(), [&](const Part* part) { return part->needs != nullptr && part->needs(c, dotted); });
+  return std::ranges::any_of(parts_of(c), [&](const Part* part) {
+    return part->needs != nullptr && part->needs(c, dotted);
+  });
 }
 
 }  // namespace

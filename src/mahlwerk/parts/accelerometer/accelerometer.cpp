@@ -58,8 +58,8 @@ void describe(cases::KeyVisitor& v, Accelerometer& sensor, const Case&) {
            sensor.duration);
 }
 
-const Accelerometer* sensor_of(const Case& c) {
-  return c.parts.find<Accelerometer>();
+const Accelerometer& sensor_of(const Case& c) {
+  return *c.parts.find<Accelerometer>();
 }
 
 void slow_or_long_record(const Case& c, const Accelerometer& sensor, std::vector<Fault>& found) {
@@ -89,8 +89,7 @@ void slow_or_long_record(const Case& c, const Accelerometer& sensor, std::vector
 }
 
 void check(const Case& c, std::vector<Fault>& found) {
-  if (sensor_of(c) == nullptr) return;
-  slow_or_long_record(c, *sensor_of(c), found);
+  slow_or_long_record(c, sensor_of(c), found);
   if (geometry::as<geometry::PeriodicBox>(*c.jar.shape) != nullptr)
     found.push_back({cases::location_of(c, "accelerometer.axis"),
                      "a periodic box has no wall that could carry an accelerometer",
@@ -98,18 +97,17 @@ void check(const Case& c, std::vector<Fault>& found) {
 }
 
 std::unique_ptr<observe::Recorder> recorder(const Case& c) {
-  /// Intervals of the record in each sample: they follow the sensor's response closely.
+  // Intervals of the record in each sample: they follow the sensor's response closely.
   constexpr double finer = 4;
-  const Accelerometer* sensor = sensor_of(c);
-  if (sensor == nullptr) return nullptr;
+  const Accelerometer& sensor = sensor_of(c);
   using Axis = Accelerometer::Axis;
-  const Vec3 axis = sensor->axis == Axis::x   ? Vec3{1, 0, 0}
-                    : sensor->axis == Axis::y ? Vec3{0, 1, 0}
-                                              : Vec3{0, 0, 1};
-  const double duration = std::min(sensor->duration, c.run.time);
-  const double count = std::max(1.0, std::round(duration * sensor->sample_rate));
+  const Vec3 axis = sensor.axis == Axis::x   ? Vec3{1, 0, 0}
+                    : sensor.axis == Axis::y ? Vec3{0, 1, 0}
+                                             : Vec3{0, 0, 1};
+  const double duration = std::min(sensor.duration, c.run.time);
+  const double count = std::max(1.0, std::round(duration * sensor.sample_rate));
   return std::make_unique<ImpactRecord>(axis, c.run.settle.value_or(0),
-                                        1 / (finer * sensor->sample_rate),
+                                        1 / (finer * sensor.sample_rate),
                                         static_cast<std::size_t>(finer * count));
 }
 
@@ -119,7 +117,7 @@ const ImpactRecord& record_of(const Replicate& r) {
 
 /// [kg] The mass that impacts accelerate.
 double moved_mass(const Case& c) {
-  const auto& given = sensor_of(c)->mass;
+  const auto& given = sensor_of(c).mass;
   return given ? *given : cases::jar_mass(c, results::wall_area(*c.jar.shape));
 }
 
@@ -132,7 +130,7 @@ struct AccelerationSignal {
 AccelerationSignal signal_of(const Case& c, const Replicate& r) {
   const ImpactRecord& record = record_of(r);
   const scene::Chamber mill = cases::chamber(c);
-  const double mass = moved_mass(c), bandwidth = sensor_of(c)->bandwidth;
+  const double mass = moved_mass(c), bandwidth = sensor_of(c).bandwidth;
   std::vector<double> motion, impacts;
   for (std::size_t i = 0; i < record.impulses().size(); ++i) {
     const double t = record.begin() + record.step() * (static_cast<double>(i) + 0.5);
@@ -159,7 +157,7 @@ std::vector<double> sum_of(const AccelerationSignal& s) {
 }
 
 results::Measures quantities() {
-  const auto present = [](const Case& c) { return sensor_of(c) != nullptr; };
+  const auto present = [](const Case& c) { return c.parts.find<Accelerometer>() != nullptr; };
   return results::where(
       present, "with `[accelerometer]`",
       {{"acceleration_rms",
@@ -196,9 +194,9 @@ Table acceleration(const Outcome& outcome) {
               {}};
   const Case& c = outcome.mill_case;
   const auto chosen = results::averaged_replicates(outcome);
-  if (sensor_of(c) == nullptr || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   const double step = record_of(*chosen.front()).step();
-  const auto every = static_cast<std::size_t>(std::lround(1 / (sensor_of(c)->sample_rate * step)));
+  const auto every = static_cast<std::size_t>(std::lround(1 / (sensor_of(c).sample_rate * step)));
   const AccelerationSignal s = signal_of(c, *chosen.front());
   for (std::size_t i = every; i <= s.of_motion.size(); i += every) {
     const double motion = s.of_motion[i - 1], impacts = s.of_impacts[i - 1];
@@ -224,18 +222,17 @@ void softened_impacts(const Outcome& outcome, Notices& list) {
 
 /// The record cannot be as long as the case asks for.
 void short_record(const Outcome& outcome, Notices& list) {
-  const Accelerometer* sensor = sensor_of(outcome.mill_case);
-  if (sensor->duration <= outcome.mill_case.run.time) return;
+  const Accelerometer& sensor = sensor_of(outcome.mill_case);
+  if (sensor.duration <= outcome.mill_case.run.time) return;
   list.push_back(note("short-record",
                       fmt::format("The record of the accelerometer ends with the run, after {} "
                                   "instead of {}.",
                                   show_rounded(outcome.mill_case.run.time, "s"),
-                                  show_rounded(sensor->duration, "s"))));
+                                  show_rounded(sensor.duration, "s"))));
 }
 
 Notices notices(const Outcome& outcome) {
   Notices list;
-  if (sensor_of(outcome.mill_case) == nullptr) return list;
   short_record(outcome, list);
   softened_impacts(outcome, list);
   return list;
@@ -261,11 +258,15 @@ report::Plot plot_of(const Outcome& outcome) {
 }
 
 std::string panel(const Outcome& outcome) {
-  if (sensor_of(outcome.mill_case) == nullptr) return "";
   return report::figure(
       plot_of(outcome),
       "The first part of the record of one run: the motion of the mill, and impacts as the sensor "
       "follows them. accelerometer.csv has the whole record.");
+}
+
+/// The mass of the jar, if it is not given.
+bool needs(const Case& c, std::string_view key) {
+  return !sensor_of(c).mass && (key == "jar.wall" || key == "jar.density");
 }
 
 }  // namespace
@@ -276,11 +277,7 @@ const cases::Part& part() {
       .sections = {cases::section_of<Accelerometer, describe>(
           {"accelerometer", "", "acceleration of the jar by motion and impacts; may be empty"})},
       .check = check,
-      .needs =
-          [](const Case& c, std::string_view key) {  // the mass of the jar
-            return sensor_of(c) != nullptr && !sensor_of(c)->mass &&
-                   (key == "jar.wall" || key == "jar.density");
-          },
+      .needs = needs,
       .recorder = recorder,
       .quantities = quantities,
       .tables = tables,

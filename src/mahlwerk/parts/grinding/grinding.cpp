@@ -12,9 +12,9 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/parts/grinding/faults.hpp"
 #include "mahlwerk/parts/grinding/plots.hpp"
 #include "mahlwerk/parts/grinding/warnings.hpp"
 #include "mahlwerk/powder/any_model.hpp"
@@ -187,7 +187,7 @@ const cases::Part& part() {
                     [](Case& c) { c.grinding.emplace(); },
                     [](KeyVisitor& v, Case& c) { cases::describe(v, *c.grinding, c); }}},
       .read = read,
-      .check = cases::bad_grinding,
+      .check = check,
       .quantities = quantities,
       .tables = tables,
       .notices = warnings,

@@ -131,7 +131,7 @@ Table temperatures(const Outcome& outcome) {
                {"jar", "degC", "temperature of the jar"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
-  if (!outcome.mill_case.heat || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   double power = 0;
   for (const Replicate* r : chosen)
     power += results::dissipated_power(*r) / static_cast<double>(chosen.size());
@@ -168,10 +168,14 @@ report::Plot temperature_plot(const Outcome& outcome) {
 }
 
 std::string panel(const Outcome& outcome) {
-  if (!outcome.mill_case.heat) return "";
   return report::figure(temperature_plot(outcome),
                         "Balls and jar as two lumped heat capacities, heated by the dissipated "
                         "power, cooled by the air.");
+}
+
+bool needs(const Case&, std::string_view key) {
+  return key.ends_with("conductivity") || key.ends_with("heat_capacity") || key == "jar.wall" ||
+         key == "jar.density";
 }
 
 }  // namespace
@@ -180,12 +184,7 @@ const cases::Part& part() {
   static const cases::Part made{.name = "heat",
                                 .sections = {cases::section_in_case<&Case::heat, describe>(
                                     {"heat", "", "temperatures of balls and jar; may be empty"})},
-                                .needs =
-                                    [](const Case& c, std::string_view key) {
-                                      return c.heat && (key.ends_with("conductivity") ||
-                                                        key.ends_with("heat_capacity") ||
-                                                        key == "jar.wall" || key == "jar.density");
-                                    },
+                                .needs = needs,
                                 .quantities = quantities,
                                 .tables = tables,
                                 .heading = "Temperatures",

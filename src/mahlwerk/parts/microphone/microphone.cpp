@@ -42,15 +42,14 @@ void describe(cases::KeyVisitor& v, Microphone& microphone, const Case&) {
          microphone.hears);
 }
 
-const Microphone* microphone_of(const Case& c) {
-  return c.parts.find<Microphone>();
+const Microphone& microphone_of(const Case& c) {
+  return *c.parts.find<Microphone>();
 }
 
 std::unique_ptr<observe::Recorder> recorder(const Case& c) {
-  const Microphone* microphone = microphone_of(c);
-  if (microphone == nullptr) return nullptr;
-  return std::make_unique<HitCounter>(microphone->threshold, microphone->definition_time,
-                                      microphone->hears == Microphone::Hears::all);
+  const Microphone& microphone = microphone_of(c);
+  return std::make_unique<HitCounter>(microphone.threshold, microphone.definition_time,
+                                      microphone.hears == Microphone::Hears::all);
 }
 
 const HitCounter& hits(const Replicate& r) {
@@ -58,7 +57,7 @@ const HitCounter& hits(const Replicate& r) {
 }
 
 results::Measures quantities() {
-  const auto present = [](const Case& c) { return microphone_of(c) != nullptr; };
+  const auto present = [](const Case& c) { return c.parts.find<Microphone>() != nullptr; };
   return results::where(
       present, "with `[microphone]`",
       {{"heard_hit_rate",
@@ -87,7 +86,7 @@ Table heard_hits(const Outcome& outcome) {
                {"rate_above", "1/s", "those with at least the energy of the lower edge"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
-  if (microphone_of(outcome.mill_case) == nullptr || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   LogHistogram all;
   double time = 0;
   for (const Replicate* r : chosen) {
@@ -112,17 +111,17 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
 /// Impacts follow each other faster than the microphone can tell them apart (sns.3).
 Notices merged_hits(const Outcome& outcome) {
   const auto chosen = results::averaged_replicates(outcome);
-  const Microphone* microphone = microphone_of(outcome.mill_case);
-  if (microphone == nullptr || chosen.empty()) return {};
+  const Microphone& microphone = microphone_of(outcome.mill_case);
+  if (chosen.empty()) return {};
   const double rate = results::mean_over(
       chosen, [](const Replicate& r) { return static_cast<double>(hits(r).impacts()) / r.time(); });
-  if (!(rate * microphone->definition_time > 1)) return {};
+  if (!(rate * microphone.definition_time > 1)) return {};
   return {warning(
       "merged-hits",
       fmt::format("{:.0f} impacts per second are loud enough for the microphone, more than one in "
                   "its definition time of {}: it hears most of them as one, and its rate of hits "
                   "says little. A higher microphone.threshold tells the strong ones apart.",
-                  rate, show_rounded(microphone->definition_time, "s")))};
+                  rate, show_rounded(microphone.definition_time, "s")))};
 }
 
 report::Plot plot_of(const Outcome& outcome) {
@@ -144,7 +143,6 @@ report::Plot plot_of(const Outcome& outcome) {
 }
 
 std::string panel(const Outcome& outcome) {
-  if (microphone_of(outcome.mill_case) == nullptr) return "";
   return report::figure(
       plot_of(outcome),
       "Hits per second that are heard with at least this normal energy: what an acoustic sensor "

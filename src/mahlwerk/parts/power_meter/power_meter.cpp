@@ -53,14 +53,13 @@ void describe(cases::KeyVisitor& v, PowerMeter& meter, const Case& c) {
            meter.efficiency);
 }
 
-const PowerMeter* meter_of(const Case& c) {
-  return c.parts.find<PowerMeter>();
+const PowerMeter& meter_of(const Case& c) {
+  return *c.parts.find<PowerMeter>();
 }
 
 void check(const Case& c, std::vector<Fault>& found) {
   constexpr double most_readings = 1e5;
-  if (meter_of(c) == nullptr) return;
-  const PowerMeter& meter = *meter_of(c);
+  const PowerMeter& meter = meter_of(c);
   const double count = c.run.time / meter.interval;
   if (count < 1 - 1e-9)
     found.push_back({cases::location_of(c, "power_meter.interval"),
@@ -110,13 +109,12 @@ class Readings final : public observe::Recorder {
 };
 
 std::unique_ptr<observe::Recorder> recorder(const Case& c) {
-  if (meter_of(c) == nullptr) return nullptr;
-  return std::make_unique<Readings>(meter_of(c)->interval, c.run.time);
+  return std::make_unique<Readings>(meter_of(c).interval, c.run.time);
 }
 
 /// [W] Power that the motor takes if the balls of each jar draw `drawn` (sns.1).
 double motor_power(const Case& c, double drawn) {
-  const PowerMeter& meter = *meter_of(c);
+  const PowerMeter& meter = meter_of(c);
   return meter.idle_power + static_cast<double>(c.mill.jars_carried) * drawn / meter.efficiency;
 }
 
@@ -150,7 +148,7 @@ double scatter_of_readings(const Case& c, const Replicate& r) {
 }
 
 results::Measures quantities() {
-  const auto present = [](const Case& c) { return meter_of(c) != nullptr; };
+  const auto present = [](const Case& c) { return c.parts.find<PowerMeter>() != nullptr; };
   return results::where(present, "with `[power_meter]`",
                         {{"motor_power",
                           "W",
@@ -176,7 +174,7 @@ Table power_readings(const Outcome& outcome) {
       {}};
   const Case& c = outcome.mill_case;
   const auto chosen = results::averaged_replicates(outcome);
-  if (meter_of(c) == nullptr || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   const std::optional<double> speed = cases::shaft_speed(c);
   if (speed)
     table.columns.push_back({"torque", "N m", "torque of the balls of all jars on the shaft"});
@@ -210,7 +208,6 @@ report::Plot readings_plot(const Outcome& outcome, std::string title, std::strin
 }
 
 std::string panel(const Outcome& outcome) {
-  if (meter_of(outcome.mill_case) == nullptr) return "";
   std::string text =
       report::figure(readings_plot(outcome, "Power of the motor", "motor_power", "power", "W"),
                      "Readings in one run. power_meter.csv has the numbers.");

@@ -42,12 +42,8 @@ void describe(cases::KeyVisitor& v, Thermocouple& sensor, const Case&) {
            sensor.lag);
 }
 
-const Thermocouple* sensor_of(const Case& c) {
-  return c.parts.find<Thermocouple>();
-}
-
 void check(const Case& c, std::vector<Fault>& found) {
-  if (sensor_of(c) == nullptr || c.heat) return;
+  if (c.heat) return;
   found.push_back({cases::location_of(c, "thermocouple.lag"),
                    "a thermocouple needs the temperatures of [heat]",
                    "add [heat], which may be empty, or remove [thermocouple]", "no-temperature"});
@@ -55,7 +51,7 @@ void check(const Case& c, std::vector<Fault>& found) {
 
 powder::Thermocouple thermocouple(const Case& c) {
   using Place = Thermocouple::Place;
-  const Thermocouple& sensor = *sensor_of(c);
+  const Thermocouple& sensor = *c.parts.find<Thermocouple>();
   const double gas =
       powder::share_of_balls_in_gas(cases::balls_surface(c), results::wall_area(*c.jar.shape));
   return {sensor.place == Place::wall ? 0 : sensor.place == Place::balls ? 1 : gas, sensor.lag};
@@ -90,7 +86,7 @@ ThermocoupleRecord thermocouple_record(const Case& c, double power) {
 }
 
 results::Measures quantities() {
-  const auto present = [](const Case& c) { return sensor_of(c) != nullptr; };
+  const auto present = [](const Case& c) { return c.parts.find<Thermocouple>() != nullptr; };
   return results::where(
       present, "with `[thermocouple]`",
       {{"thermocouple_reading",
@@ -110,7 +106,7 @@ Table readings(const Outcome& outcome) {
                {"reading", "degC", "what it shows"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
-  if (sensor_of(outcome.mill_case) == nullptr || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   const ThermocoupleRecord record = thermocouple_record(
       outcome.mill_case,
       results::mean_over(chosen, [](const Replicate& r) { return results::dissipated_power(r); }));
@@ -139,7 +135,6 @@ report::Plot plot_of(const Outcome& outcome) {
 }
 
 std::string panel(const Outcome& outcome) {
-  if (sensor_of(outcome.mill_case) == nullptr) return "";
   return report::figure(plot_of(outcome),
                         "What the thermocouple shows, and the temperature where it is.");
 }

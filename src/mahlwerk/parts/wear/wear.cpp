@@ -125,7 +125,7 @@ Table rates(const Outcome& outcome) {
               {}};
   const Case& c = outcome.mill_case;
   const auto chosen = results::averaged_replicates(outcome);
-  if (!wears(c) || chosen.empty()) return table;
+  if (chosen.empty()) return table;
   const auto add = [&](const std::string& name, double density, const auto& of) {
     double volume = 0;
     for (const Replicate* r : chosen) volume += of(*r) / static_cast<double>(chosen.size());
@@ -147,8 +147,7 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
   return {{"wear", "wear of balls and jar", rates(outcome)}};
 }
 
-std::vector<results::WallColumn> wall_columns(const Case& c) {
-  if (!wears(c)) return {};
+std::vector<results::WallColumn> wall_columns() {
   return {{{"wear_depth_rate", "m/s", "depth of wall worn off per second"},
            [](const Case& of, const results::WallRates& rates, std::size_t cell) {
              if (!(rates.area[cell] > 0)) return 0.0;
@@ -174,17 +173,17 @@ std::string panel(const Outcome& outcome) {
       body);
 }
 
+bool needs(const Case&, std::string_view key) {
+  return key.ends_with("hardness") || key == "jar.density";
+}
+
 }  // namespace
 
 const cases::Part& part() {
   static const cases::Part made{.name = "wear",
                                 .sections = {cases::section_of<Wear, describe>(
                                     {"wear", "model", "wear of balls and jar; may be empty"})},
-                                .needs =
-                                    [](const Case& c, std::string_view key) {
-                                      return wears(c) &&
-                                             (key.ends_with("hardness") || key == "jar.density");
-                                    },
+                                .needs = needs,
                                 .quantities = quantities,
                                 .tables = tables,
                                 .wall_columns = wall_columns,

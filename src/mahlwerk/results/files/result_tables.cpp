@@ -50,7 +50,7 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("fields", "density and velocity of the charge", fields(outcome));
   unless_empty("bed", "density and velocity along the line through the bed of a drum",
                bed_table(outcome));
-  for (const cases::Part* part : cases::parts())
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->tables != nullptr)
       for (NamedTable& one : part->tables(outcome))
         unless_empty(std::move(one.name), std::move(one.about), std::move(one.table));

@@ -174,7 +174,7 @@ Notices warnings(const Outcome& outcome) {
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));
   append(list, settling_warnings(outcome));
-  for (const cases::Part* part : cases::parts())
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->notices != nullptr) append(list, part->notices(outcome));
   not_certain(outcome, list);
   return list;

@@ -73,7 +73,7 @@ Replicate empty_replicate(const cases::Case& mill_case) {
     const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
     pairs.set_factors(pair, factors(mill_case, rule, one, other));
   }
-  for (const cases::Part* part : cases::parts())
+  for (const cases::Part* part : cases::parts_of(mill_case))
     if (auto one = part->recorder != nullptr ? part->recorder(mill_case) : nullptr)
       made.recorders.add(std::move(one));
   return made;

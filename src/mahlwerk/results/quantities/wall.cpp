@@ -236,9 +236,9 @@ Table wall_map(const Outcome& outcome) {
                {"slid", "N m/s", "normal force times sliding distance, per second"}},
               {}};
   std::vector<WallColumn> more;
-  for (const cases::Part* part : cases::parts())
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->wall_columns != nullptr)
-      std::ranges::move(part->wall_columns(outcome.mill_case), std::back_inserter(more));
+      std::ranges::move(part->wall_columns(), std::back_inserter(more));
   for (const WallColumn& one : more) table.columns.push_back(one.column);
   if (averaged_replicates(outcome).empty()) return table;
   const WallRates rates = wall_rates(outcome);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/parts/grinding/faults.hpp"
 
-// Powder that does not fit its jar, and inconsistent sections of grinding.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,12 +10,14 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
-#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/sections/grinding_fields.hpp"
 #include "mahlwerk/powder/models.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::parts::grinding {
 namespace {
+
+using cases::Case;
+using cases::Grinding;
 
 class GrindingCheck {
  public:
@@ -24,12 +26,12 @@ class GrindingCheck {
   void all() {
     if (c_.capture) capture();
     if (c_.grinding) grinding(*c_.grinding);
-    if (c_.kinetics) kinetics(*c_.kinetics);
   }
 
  private:
   void fault(const std::string& key, std::string what, std::string remedy, std::string code) {
-    found_.push_back({location_of(c_, key), std::move(what), std::move(remedy), std::move(code)});
+    found_.push_back(
+        {cases::location_of(c_, key), std::move(what), std::move(remedy), std::move(code)});
   }
 
   void capture() {
@@ -60,7 +62,7 @@ class GrindingCheck {
   }
 
   void feed() {
-    const double largest = c_.powder->feed.largest(), ball = smallest_ball(c_.balls);
+    const double largest = c_.powder->feed.largest(), ball = cases::smallest_ball(c_.balls);
     if (!(largest >= ball)) return;
     fault(
         c_.powder->feed.law == powder::Feed::Law::sieves ? "powder.passing" : "powder.size",
@@ -109,12 +111,12 @@ class GrindingCheck {
             fmt::format("smallest ({}) is not below the largest grains as fed ({})",
                         show_rounded(g.smallest, "m"), show_rounded(largest, "m")),
             fmt::format("write smallest = \"{}\" or so, or leave it out",
-                        show_rounded(largest / octaves_below, "m", 2)),
+                        show_rounded(largest / cases::octaves_below, "m", 2)),
             "out-of-range");
       return;
     }
     const bool remembers = powder::tracks_strength(*g.breakage);
-    const double most = remembers ? max_strength_tracking_classes : max_size_classes;
+    const double most = remembers ? cases::max_strength_tracking_classes : cases::max_size_classes;
     const auto per_octave = static_cast<double>(g.classes_per_octave);
     const double count = std::ceil(octaves * per_octave);
     if (!(count > most)) return;
@@ -130,65 +132,14 @@ class GrindingCheck {
         "too-many-classes");
   }
 
-  void kinetics(const Kinetics& k) {
-    const bool by_dose = std::holds_alternative<powder::DoseKinetics>(*k.model);
-    if (!c_.powder)
-      fault(by_dose ? "kinetics.dose_constant" : "kinetics.model",
-            "[kinetics] needs a powder that takes the dose", "add [powder] with mass",
-            "missing-value");
-    if (k.dose == Kinetics::Dose::captured && !c_.capture)
-      fault("kinetics.dose",
-            "dose = \"captured\" needs [capture]: the powder that collisions capture",
-            "add [capture], or write dose = \"dissipated\"", "lone-section");
-    if (const auto* m = std::get_if<powder::ImpactKinetics>(&*k.model)) by_impact(k, *m);
-    if (powder::reads_temperature(*k.model) && !k.temperature && !c_.heat)
-      fault("kinetics.model",
-            fmt::format("[kinetics] model = \"{}\" needs the temperature of the powder",
-                        powder::name_of(*k.model)),
-            "write temperature = \"60 degC\" or so, or add [heat]", "missing-value");
-    if (const auto* m = std::get_if<powder::IgnitionKinetics>(&*k.model);
-        m != nullptr && m->milled_temperature > m->ignition_temperature)
-      fault("kinetics.milled_temperature",
-            fmt::format("milling would raise the ignition temperature, from {} to {}",
-                        show_rounded(m->ignition_temperature, "K"),
-                        show_rounded(m->milled_temperature, "K")),
-            "give a milled_temperature of at most ignition_temperature", "out-of-range");
-  }
-
-  void by_impact(const Kinetics& k, const powder::ImpactKinetics& m) {
-    if (!c_.capture && !k.mass_per_hit)
-      fault("kinetics.model",
-            "[kinetics] model = \"by-impact\" needs the mass of powder that a hit captures",
-            "add [capture], or write mass_per_hit = \"1 mg\" or so", "missing-value");
-    if (m.scheme == powder::ImpactKinetics::Scheme::parallel && m.energy_exponent == 0 &&
-        m.processed_share + m.second_share > 1)
-      fault("kinetics.second_share",
-            fmt::format("both reactions would process {:.4g} times the powder that a hit captures",
-                        m.processed_share + m.second_share),
-            "give shares with a sum of at most 1", "out-of-range");
-  }
-
   const Case& c_;
   std::vector<Fault>& found_;
 };
 
 }  // namespace
 
-void bad_powder(const Case& c, std::vector<Fault>& found) {
-  if (!c.powder || !c.powder->density || c.powder->grain_size) return;  // grains are ball sets
-  const double powder = c.powder->mass / *c.powder->density, balls = balls_volume(c.balls);
-  const double jar = jar_volume(c.jar);
-  if (!(powder + balls > jar)) return;
-  found.push_back(
-      {location_of(c, "powder.mass"),
-       fmt::format("the powder's solid ({}) and the balls ({}) are more than the jar "
-                   "holds ({})",
-                   show_rounded(powder, "m3"), show_rounded(balls, "m3"), show_rounded(jar, "m3")),
-       "give less powder, fewer balls or a larger jar", "powder-too-much"});
-}
-
-void bad_grinding(const Case& c, std::vector<Fault>& found) {
+void check(const Case& c, std::vector<Fault>& found) {
   GrindingCheck(c, found).all();
 }
 
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::parts::grinding
