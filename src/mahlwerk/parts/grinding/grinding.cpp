@@ -13,9 +13,9 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/parts/grinding/faults.hpp"
 #include "mahlwerk/parts/grinding/plots.hpp"
+#include "mahlwerk/parts/grinding/section.hpp"
 #include "mahlwerk/parts/grinding/warnings.hpp"
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/page.hpp"
@@ -134,15 +134,6 @@ std::string panel(const Outcome& outcome) {
          (outcome.mill_case.grinding ? fineness_section(outcome, list) : "");
 }
 
-/// The sections are read together, because each depends on others.
-void read(cases::SectionTables& tables, Case& c, cases::Findings& findings) {
-  cases::read_grinding({.capture = tables.table("capture"),
-                        .breakage = tables.table("breakage"),
-                        .fragments = tables.table("fragments"),
-                        .grinding = tables.table("grinding")},
-                       c, findings);
-}
-
 bool grinds(const Case& c) {
   return c.grinding.has_value();
 }
@@ -172,20 +163,20 @@ const cases::Part& part() {
       .sections = {{{"capture", "model", "how much powder a collision captures"},
                     [](const Case& c) { return c.capture.has_value(); },
                     [](Case& c) { c.capture.emplace(); },
-                    [](KeyVisitor& v, Case& c) { cases::describe(v, *c.capture, c, false); }},
+                    [](KeyVisitor& v, Case& c) { describe(v, *c.capture, c); }},
                    {{"breakage", "model",
                      "which hits break a grain; the powder's material may give the constants"},
                     grinds,
                     nullptr,
-                    [](KeyVisitor& v, Case& c) { cases::describe(v, *c.grinding->breakage, c); }},
+                    [](KeyVisitor& v, Case& c) { describe(v, *c.grinding->breakage, c); }},
                    {{"fragments", "model", "the fragments of a broken grain"},
                     grinds,
                     nullptr,
-                    [](KeyVisitor& v, Case& c) { cases::describe(v, *c.grinding->fragments, c); }},
+                    [](KeyVisitor& v, Case& c) { describe(v, *c.grinding->fragments, c); }},
                    {{"grinding", "", "how the size of the powder changes with time"},
                     grinds,
                     [](Case& c) { c.grinding.emplace(); },
-                    [](KeyVisitor& v, Case& c) { cases::describe(v, *c.grinding, c); }}},
+                    [](KeyVisitor& v, Case& c) { describe(v, *c.grinding, c); }}},
       .read = read,
       .check = check,
       .quantities = quantities,

@@ -11,8 +11,8 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/part.hpp"
-#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/parts/kinetics/plots.hpp"
+#include "mahlwerk/parts/kinetics/section.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/text/readable.hpp"
@@ -123,10 +123,6 @@ void check(const Case& c, std::vector<Fault>& found) {
 std::string panel(const Outcome& outcome) {
   if (results::grinding_replicates(outcome).empty()) return "";
   return kinetics_section(outcome, outcome.summary.quantities);
-}
-
-void describe(cases::KeyVisitor& v, Kinetics& values, const Case& c) {
-  cases::describe(v, values, c);
 }
 
 std::vector<results::NamedTable> tables(const Outcome& outcome) {

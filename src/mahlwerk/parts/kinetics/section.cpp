@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/parts/kinetics/section.hpp"
 
-// [kinetics]: conversion of powder by dose, impact, temperature or ignition.
 #include <fmt/format.h>
 
 #include "mahlwerk/base/units.hpp"
@@ -9,7 +9,10 @@
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/powder/models.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::parts::kinetics {
+
+using namespace cases;  // the words of sections
+
 namespace {
 
 /// A number with a default, or one that must be measured on the powder.
@@ -207,4 +210,4 @@ void describe(KeyVisitor& v, Kinetics& k, const Case& c) {
   describe_property(v, k);
 }
 
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::parts::kinetics

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/parts/grinding/section.hpp"
 
-// [capture], [breakage], [fragments] and [grinding]: capture of powder by collisions, and breakage.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,10 @@
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/powder/models.hpp"
 
-namespace mahlwerk::cases {
+namespace mahlwerk::parts::grinding {
+
+using namespace cases;  // the words of sections
+
 namespace {
 
 /// A number with a default, or one that must be measured on the powder.
@@ -139,8 +142,13 @@ void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
     v.refuse({"welding_energy"}, "without `welding`", "remove it, or write welding = 0.01");
 }
 
+/// The tables of the sections; null for a missing section.
+struct Tables {
+  const Node *capture, *breakage, *fragments, *grinding;
+};
+
 /// Reports incomplete sets of [breakage], [fragments] and [grinding].
-void unused_sections(const GrindingTables& t, Findings& findings) {
+void unused_sections(const Tables& t, Findings& findings) {
   const auto fault = [&](const Node* at, std::string what, std::string remedy) {
     findings.faults.push_back({at->where, std::move(what), std::move(remedy), "lone-section"});
   };
@@ -203,27 +211,31 @@ void describe(KeyVisitor& v, Grinding& g, const Case& c) {
   describe_sticking_and_welding(v, g);
 }
 
-void read_grinding(const GrindingTables& t, Case& c, Findings& findings) {
+void read(SectionTables& tables, Case& c, Findings& findings) {
+  const Tables t{.capture = tables.table("capture"),
+                 .breakage = tables.table("breakage"),
+                 .fragments = tables.table("fragments"),
+                 .grinding = tables.table("grinding")};
   unused_sections(t, findings);
   Grinding g;
-  const auto read = [&](const Node* table, const char* name, auto& what, auto... more) {
+  const auto read_one = [&](const Node* table, const char* name, auto& what, auto... more) {
     SectionReader in(table, name, findings);
     describe(in, what, c, more...);
     in.report_unknown_keys();
   };
   if (t.breakage != nullptr) {
     g.breakage = powder::VogelPeukert{invalid_value, invalid_value};
-    read(t.breakage, "breakage", *g.breakage);
+    read_one(t.breakage, "breakage", *g.breakage);
   }
-  if (t.fragments != nullptr) read(t.fragments, "fragments", *g.fragments);
+  if (t.fragments != nullptr) read_one(t.fragments, "fragments", *g.fragments);
   if (t.capture != nullptr) {
     Capture capture{.model = powder::Barrios{invalid_value}};
-    read(t.capture, "capture", capture, powder::tracks_strength(*g.breakage));
+    read_one(t.capture, "capture", capture, powder::tracks_strength(*g.breakage));
     c.capture = capture;
   }
   if (t.grinding == nullptr) return;
-  read(t.grinding, "grinding", g);
+  read_one(t.grinding, "grinding", g);
   c.grinding = g;
 }
 
-}  // namespace mahlwerk::cases
+}  // namespace mahlwerk::parts::grinding
