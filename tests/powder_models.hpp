@@ -68,6 +68,35 @@ inline powder::FixedMass sample() {
   return {2e-6};
 }
 
+template <>
+inline powder::DoseKinetics sample() {
+  return {2e3, 1.5, 100};
+}
+template <>
+inline powder::ImpactKinetics sample() {
+  return {.processed_share = 0.5,
+          .threshold_energy = 5e-4,
+          .energy_exponent = 0.7,
+          .reference_energy = 5e-3,
+          .second_share = 0.3,
+          .second_threshold = 2e-3,
+          .scheme = powder::ImpactKinetics::Scheme::sequential};
+}
+template <>
+inline powder::ThermalKinetics sample() {
+  return {.factor_per_impact = 1e9,
+          .activation_energy = 80e3,
+          .attempts = powder::ThermalKinetics::Attempts::by_impact};
+}
+template <>
+inline powder::IgnitionKinetics sample() {
+  return {.ignition_temperature = 400,
+          .milled_temperature = 300,
+          .activation_dose = 5e3,
+          .converted_share = 0.9,
+          .trigger = powder::IgnitionKinetics::Trigger::temperature};
+}
+
 template <class Any, class... Models>
 std::vector<Any> samples(std::type_identity<std::variant<Models...>>) {
   return {Any(sample<Models>())...};
