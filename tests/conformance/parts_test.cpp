@@ -125,6 +125,15 @@ TEST_P(Parts, belong_to_cases_with_a_section_of_theirs_only) {
   EXPECT_TRUE(faults.empty());
 }
 
+void check_tables(const std::vector<results::NamedTable>& tables) {
+  EXPECT_FALSE(tables.empty());
+  for (const results::NamedTable& one : tables) {
+    EXPECT_FALSE(one.about.empty()) << one.name;
+    EXPECT_FALSE(one.table.rows.empty()) << one.name;
+    for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size());
+  }
+}
+
 TEST_P(Parts, have_quantities_with_intervals_tables_and_a_panel) {
   const Part& part = *GetParam();
   const results::Outcome outcome = campaign::run(case_with(part));
@@ -137,14 +146,8 @@ TEST_P(Parts, have_quantities_with_intervals_tables_and_a_panel) {
     EXPECT_TRUE(std::isfinite(q.ci95)) << m.name;
     EXPECT_FALSE(m.about.empty()) << m.name;
   }
-  const auto tables = part.tables(outcome);
-  EXPECT_FALSE(tables.empty());
-  for (const results::NamedTable& one : tables) {
-    EXPECT_FALSE(one.about.empty()) << one.name;
-    EXPECT_FALSE(one.table.rows.empty()) << one.name;
-    for (const auto& row : one.table.rows) EXPECT_EQ(row.size(), one.table.columns.size());
-  }
-  EXPECT_NE(part.panel(outcome), "");
+  if (part.tables != nullptr) check_tables(part.tables(outcome));
+  EXPECT_TRUE(part.panel == nullptr || !part.panel(outcome).empty());
 }
 
 /// Hits on the jar and between balls, one every third of a millisecond, with a pause of 2 ms after

@@ -55,6 +55,12 @@ class ModelNumbers {
   M& model_;
 };
 
+/// A model whose numbers always have a meaning.
+template <class M>
+void describe_model(KeyVisitor& v, M& m, Kinetics&, const Case&) {
+  for (const auto& field : M::fields()) describe_conversion(v, NumberSpec(field), m.*field.value);
+}
+
 void describe_model(KeyVisitor& v, powder::DoseKinetics& m, Kinetics&, const Case&) {
   std::size_t avrami = m.exponent != 1 ? 1 : 0;
   v.choose({"law",
