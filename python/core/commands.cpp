@@ -96,8 +96,9 @@ std::vector<std::string> names_of(const commands::Option& option) {
 
 /// Sets the options of a command by their names, and that its result is JSON.
 void set_options(const commands::Command& command, const py::dict& values) {
-  for (const auto& [key, value] : values) {
-    const auto name = key.cast<std::string>();
+  for (const auto& item : values) {
+    const auto name = item.first.cast<std::string>();
+    const py::handle value = item.second;
     const auto option = std::ranges::find_if(command.options, [&](const commands::Option& one) {
       return std::ranges::count(names_of(one), name) > 0;
     });

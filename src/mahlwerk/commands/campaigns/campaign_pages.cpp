@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Above this number of points, only the usual quantities are read from the store.
-constexpr std::size_t many = 5000;
+constexpr std::size_t many_points = 5000;
 
 /// Whether the points are those of this plan: compares the first and the last point. The case may
 /// have changed since the run.
@@ -61,7 +61,7 @@ report::Campaign campaign_of(const campaign::Store& store) {
   report::Campaign campaign;
   campaign.title = store.title();
   std::vector<std::string> names;
-  const bool all = store.counts().points <= many;
+  const bool all = store.counts().points <= many_points;
   const std::vector<std::string>& usual = results::usual_columns();
   for (const results::Quantity& q : store.quantities()) {
     // Standard errors need the number of replicates.
