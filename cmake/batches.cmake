@@ -25,6 +25,8 @@ function(mahlwerk_batches target size)
     cmake_path(GET folder FILENAME name)
     if(BATCH_TOGETHER)
       set(name all)
+    elseif(file MATCHES "/mahlwerk/parts/")  # folders of one or two files, each with a namespace
+      set(name parts)
     endif()
     file(STRINGS ${file} register REGEX "#include \"${mahlwerk_registers}\"")
     if(register)

@@ -12,6 +12,7 @@
 
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "outcome.hpp"
 

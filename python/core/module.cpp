@@ -14,7 +14,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
 #include "mahlwerk/commands/places.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "outcome.hpp"
 
 namespace mahlwerk::python {

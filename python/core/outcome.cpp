@@ -13,6 +13,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"

@@ -24,6 +24,7 @@
 #include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/streams.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/report/report.hpp"

@@ -14,6 +14,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "register_types.hpp"
 #include "unit/cases/sample.hpp"

@@ -17,8 +17,8 @@
 #include "mahlwerk/campaign/run/checkpoint.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/surrogate/campaign_surrogate.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/setup/stl.hpp"
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/csv.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 
 namespace mahlwerk::web {
 

@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/report/replay.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"

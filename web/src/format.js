@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Numbers as text: value, interval and unit, with the digits that the program prints
-// (report/readable.cpp). tests/unit/report/numbers.json holds both to the same texts.
+// (report/text/readable.cpp). tests/unit/report/numbers.json holds both to the same texts.
 
 const prefixes = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"],
   [1e-12, "p"]];

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/case.hpp"
 
+#include <algorithm>
+
 #include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::cases {
@@ -39,10 +42,18 @@ Case::~Case() = default;
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
          powder == o.powder && contact == o.contact && liquid == o.liquid && run == o.run &&
-         observe == o.observe && wear == o.wear && heat == o.heat && capture == o.capture &&
-         grinding == o.grinding && kinetics == o.kinetics && sensors == o.sensors &&
+         observe == o.observe && milling == o.milling && heat == o.heat && capture == o.capture &&
+         grinding == o.grinding && kinetics == o.kinetics && parts == o.parts &&
          gravity == o.gravity && gravity_direction == o.gravity_direction && sweep == o.sweep &&
          optimise == o.optimise && match == o.match && uncertainty == o.uncertainty && fit == o.fit;
+}
+
+std::vector<const Part*> parts_of(const Case& c) {
+  std::vector<const Part*> chosen;
+  for (const Part* part : parts())
+    if (std::ranges::any_of(part->sections, [&](const PartSection& one) { return one.present(c); }))
+      chosen.push_back(part);
+  return chosen;
 }
 
 Vec3 gravity_in_mill(double gravity, const Vec3& direction, double tilt) {

@@ -13,7 +13,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
-#include "mahlwerk/cases/sensors.hpp"
+#include "mahlwerk/cases/part_values.hpp"
 #include "mahlwerk/cases/sizes.hpp"
 #include "mahlwerk/cases/sweep.hpp"
 #include "mahlwerk/cases/uncertainty.hpp"
@@ -261,17 +261,6 @@ struct MillingTime {
   bool operator==(const MillingTime&) const = default;
 };
 
-/// Wear model; absent from a case without [wear].
-struct Wear {
-  enum class Model {
-    archard,  ///< by normal force and sliding distance (wea.1)
-    finnie    ///< by energy and angle of each impact (wea.4)
-  };
-  Model model = Model::archard;
-  double coefficient = 1e-4;  ///< [1] Archard's K, or Finnie's k
-  bool operator==(const Wear&) const = default;
-};
-
 /// Heat transfer and milling cycles; absent from a case without [heat].
 struct Heat {
   double ambient = 293.15;      ///< [K] of the air, and of all parts at the start
@@ -372,12 +361,11 @@ struct Case {
   Run run;
   Observe observe;
   std::optional<MillingTime> milling;
-  std::optional<Wear> wear;
   std::optional<Heat> heat;
   std::optional<Capture> capture;
   std::optional<Grinding> grinding;
   std::optional<Kinetics> kinetics;
-  Sensors sensors;
+  PartValues parts;                  ///< sections that only parts read: [wear], sensors
   double gravity = 9.81;             ///< [m/s2]
   Vec3 gravity_direction{0, 0, -1};  ///< unit vector, in the axes of a mill without tilt
   Sweep sweep;                       ///< keys that vary from run to run; empty: one run

@@ -23,11 +23,12 @@ int faces(const AnyShape& shape);
 std::vector<std::string> face_names(const AnyShape& shape);
 /// Whether it is symmetric under rotation about its own z axis.
 bool axisymmetric(const AnyShape& shape);
-double inradius(const AnyShape& shape);         ///< [m] of the largest ball that fits
-double reach(const AnyShape& shape);            ///< [m] of the point farthest from its origin
-double volume(const AnyShape& shape);           ///< [m3]
-Vec3 periods(const AnyShape& shape);            ///< [m] as periods_of() in geometry/shape.hpp
-double rotor_tip_speed(const AnyShape& shape);  ///< [m/s] of a stirrer's tips; 0 without one
+double inradius(const AnyShape& shape);           ///< [m] of the largest ball that fits
+double reach(const AnyShape& shape);              ///< [m] of the point farthest from its origin
+double radius_about_axis(const AnyShape& shape);  ///< [m] of the jar about its axis
+double volume(const AnyShape& shape);             ///< [m3]
+Vec3 periods(const AnyShape& shape);              ///< [m] as periods_of() in geometry/shape.hpp
+double rotor_tip_speed(const AnyShape& shape);    ///< [m/s] of a stirrer's tips; 0 without one
 /// Why the shape is impossible, as a sentence without its full stop; empty if it is valid.
 std::string flaw(const AnyShape& shape);
 /// Distance [m] from `p` [m], in the jar's own axes, to the nearest wall that a ball of `radius`

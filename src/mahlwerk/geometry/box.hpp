@@ -58,6 +58,7 @@ struct Box {
     return {gap, closing, plane_safe_time(gap, closing, part(face, c.max_acceleration.components))};
   }
   bool can_touch(int, double) const { return true; }
+  double radius_about_axis() const { return 0.5 * std::min(width, depth); }
   double volume() const { return width * depth * height; }
   double reach() const { return 0.5 * norm(Vec3{width, depth, height}); }
   double inradius() const { return 0.5 * std::min({width, depth, height}); }

@@ -93,6 +93,18 @@ Vec3 periods_of(const S& shape) {
     return {never, never, never};
 }
 
+/// Radius of the jar about its axis [m], for the critical speed: what the shape says, half of its
+/// diameter, or the radius of the largest ball.
+template <class S>
+double radius_about_axis_of(const S& shape) {
+  if constexpr (requires { shape.radius_about_axis(); })
+    return shape.radius_about_axis();
+  else if constexpr (requires { shape.diameter; })
+    return 0.5 * shape.diameter;
+  else
+    return shape.inradius();
+}
+
 /// Speed of a stirrer's tips relative to the shape [m/s]; 0 for a shape without a stirrer.
 template <class S>
 double rotor_tip_speed_of(const S& shape) {

@@ -31,6 +31,9 @@ std::vector<std::string> face_names(const AnyShape& shape) {
 bool axisymmetric(const AnyShape& shape) {
   return std::visit([](const auto& s) -> bool { return s.axisymmetric; }, shape);
 }
+double radius_about_axis(const AnyShape& shape) {
+  return std::visit([](const auto& s) { return radius_about_axis_of(s); }, shape);
+}
 double inradius(const AnyShape& shape) {
   return std::visit([](const auto& s) { return s.inradius(); }, shape);
 }

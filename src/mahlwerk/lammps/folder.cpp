@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/lammps/engine.hpp"
 #include "mahlwerk/lammps/program.hpp"
 

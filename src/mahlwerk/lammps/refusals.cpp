@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/lammps/deck.hpp"

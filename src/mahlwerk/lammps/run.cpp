@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/lammps/output_files.hpp"
 
 namespace mahlwerk::lammps {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 

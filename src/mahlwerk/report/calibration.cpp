@@ -10,7 +10,7 @@
 
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/notices.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::report {

@@ -10,8 +10,8 @@
 #include <limits>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"

@@ -10,7 +10,7 @@
 
 #include "mahlwerk/report/compare.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

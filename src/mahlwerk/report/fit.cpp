@@ -11,7 +11,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/notices.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::report {

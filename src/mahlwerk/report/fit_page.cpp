@@ -12,7 +12,7 @@
 #include "mahlwerk/report/fit.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

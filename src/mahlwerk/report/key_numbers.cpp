@@ -11,7 +11,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/report/aligned.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
 

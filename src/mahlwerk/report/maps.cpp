@@ -14,7 +14,7 @@
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/report/plot/colours.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"

@@ -16,7 +16,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/powder/models.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::report {

@@ -11,7 +11,7 @@
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/optimum.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

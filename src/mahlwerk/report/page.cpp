@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -9,10 +9,9 @@
 #include <string_view>
 
 #include "mahlwerk/report/columns.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::report {
 
@@ -73,18 +72,6 @@ Plot angle_plot(const results::Outcome& outcome) {
           .y = {.label = "collisions per second and degree"},
           .series = {{"", edges, column(table, "rate_above_threshold"), {}, Mark::steps}},
           .height = 260};
-}
-
-Plot temperature_plot(const results::Outcome& outcome) {
-  const Table table = results::temperatures(outcome);
-  constexpr double minute = 60;
-  return {
-      .title = "Temperature over milling and pauses",
-      .x = {.label = "time (min)", .least = 0},
-      .y = {.label = "temperature (°C)"},
-      .series = {{"balls", column(table, "time", minute), column(table, "balls"), {}, Mark::line},
-                 {"jar", column(table, "time", minute), column(table, "jar"), {}, Mark::line}},
-      .height = 280};
 }
 
 Plot rate_plot(const results::Outcome& outcome) {

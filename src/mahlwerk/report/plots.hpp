@@ -11,9 +11,8 @@ namespace mahlwerk::report {
 Plot spectrum_plot(const results::Outcome& outcome);  ///< collision rate by energy
 /// Power by collision energy: shows which collisions carry the power.
 Plot energy_weighted_plot(const results::Outcome& outcome);
-Plot angle_plot(const results::Outcome& outcome);        ///< collision rate by impact angle
-Plot temperature_plot(const results::Outcome& outcome);  ///< of balls and jar; only with [heat]
-Plot rate_plot(const results::Outcome& outcome);         ///< collisions per second over time
+Plot angle_plot(const results::Outcome& outcome);  ///< collision rate by impact angle
+Plot rate_plot(const results::Outcome& outcome);   ///< collisions per second over time
 Plot power_plot(const results::Outcome& outcome);  ///< power input and dissipated power over time
 
 }  // namespace mahlwerk::report

@@ -8,20 +8,17 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/maps.hpp"
 #include "mahlwerk/report/methods.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plots.hpp"
-#include "mahlwerk/report/powder.hpp"
-#include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/replay.hpp"
-#include "mahlwerk/report/sensor_plots.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/summary.hpp"
 
 namespace mahlwerk::report {
@@ -173,49 +170,19 @@ std::string time_section(const Outcome& outcome) {
                 "contacts. In the long run both are equal.");
 }
 
-std::string wear_and_heat_section(const Outcome& outcome) {
+/// The panels of the parts. Parts with the same heading that follow each other stand below one.
+std::string parts_section(const Outcome& outcome) {
   std::string text;
-  if (const results::Table table = results::wear(outcome); !table.rows.empty()) {
-    std::string body;
-    for (const auto& row : table.rows)
-      body += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"n\">{}</td></tr>\n",
-                          escaped(table.columns[0].words[static_cast<std::size_t>(row[0])]),
-                          escaped(readable(row[2], std::nan(""), "kg/s", row[2]).text()));
-    text += fmt::format(
-        "<h2>Wear</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th class=\"n\">wear rate"
-        "</th></tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>From the wear "
-        "coefficient of the case, which is rarely known better than to a factor of "
-        "ten.</small></p>\n",
-        body);
+  std::string_view heading;
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case)) {
+    const std::string panel = part->panel != nullptr ? part->panel(outcome) : "";
+    if (panel.empty()) continue;
+    if (!part->heading.empty() && part->heading != heading)
+      text += fmt::format("<h2>{}</h2>\n", part->heading);
+    heading = part->heading;
+    text += panel;
   }
-  if (outcome.mill_case.heat)
-    text +=
-        "<h2>Temperatures</h2>\n" + figure(temperature_plot(outcome),
-                                           "Balls and jar as two lumped heat capacities, heated by "
-                                           "the dissipated power, cooled by the air.");
   return text;
-}
-
-std::string sensors_section(const Outcome& outcome) {
-  const cases::Sensors& sensors = outcome.mill_case.sensors;
-  std::string text;
-  if (sensors.power_meter)
-    text +=
-        figure(power_meter_plot(outcome), "Readings in one run. power_meter.csv has the numbers.");
-  if (sensors.power_meter && cases::shaft_speed(outcome.mill_case))
-    text += figure(torque_plot(outcome), "Drawn power over the speed of the shaft.");
-  if (sensors.microphone)
-    text += figure(microphone_plot(outcome),
-                   "Hits per second that are heard with at least this normal energy: what an "
-                   "acoustic sensor counts above a threshold. microphone.csv has the numbers.");
-  if (sensors.accelerometer)
-    text += figure(accelerometer_plot(outcome),
-                   "The first part of the record of one run: the motion of the mill, and impacts "
-                   "as the sensor follows them. accelerometer.csv has the whole record.");
-  if (sensors.thermocouple)
-    text += figure(thermocouple_plot(outcome),
-                   "What the thermocouple shows, and the temperature where it is.");
-  return text.empty() ? "" : "<h2>Sensors</h2>\n" + text;
 }
 
 std::string warning_box(const Outcome& outcome) {
@@ -258,8 +225,7 @@ std::string report_page(const Outcome& outcome, std::string_view version, bool f
   body += pairs_table(outcome);
   if (!results::averaged_replicates(outcome).empty())
     body += spectra_section(outcome) + maps_section(outcome) + time_section(outcome) +
-            wear_and_heat_section(outcome) + sensors_section(outcome);
-  body += powder_sections(outcome);
+            parts_section(outcome);
   body += methods_box(outcome, version);
   body += "<h2>Assumptions and sources</h2>\n";
   body += origin_box(outcome, &cases::Origin::assumed, "Assumed, not measured",

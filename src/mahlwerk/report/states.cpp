@@ -8,7 +8,7 @@
 #include <array>
 
 #include "mahlwerk/report/aligned.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

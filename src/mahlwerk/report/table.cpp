@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::report {

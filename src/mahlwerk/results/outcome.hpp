@@ -13,8 +13,7 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/charge.hpp"
 #include "mahlwerk/observe/collision_statistics.hpp"
-#include "mahlwerk/observe/hit_counter.hpp"
-#include "mahlwerk/observe/impact_record.hpp"
+#include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/observe/stress_stream.hpp"
 #include "mahlwerk/powder/kinetics/milling_conditions.hpp"
@@ -60,29 +59,6 @@ struct GrindingOutcome {
   bool has_milling() const { return balance || sample; }
 };
 
-/// State of a run at a reading of the power meter.
-struct WorkReading {
-  double time = 0;  ///< [s] since the start of the run
-  double work = 0;  ///< [J] of the jar on the balls until then
-};
-
-/// What the sensors of a case recorded.
-struct SensorRecords {
-  std::vector<WorkReading> power_meter;  ///< without the one at the begin of counting
-  std::optional<observe::HitCounter> microphone;
-  std::optional<observe::ImpactRecord> accelerometer;
-
-  void collisions(std::span<const scene::Collision> finished) {
-    if (microphone) microphone->collisions(finished);
-    if (accelerometer) accelerometer->collisions(finished);
-  }
-  void serialize(Archive& archive) {
-    archive(power_meter);
-    if (microphone) microphone->serialize(archive);
-    if (accelerometer) accelerometer->serialize(archive);
-  }
-};
-
 /// Result of one replicate. Sums are over the counted time; `energy_balance` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
@@ -92,7 +68,7 @@ struct Replicate {
   observe::Charge charge;        ///< density and velocity fields of the charge
   observe::Replay replay;        ///< frames for pictures; usually of the first replicate only
   observe::StressStream stream;  ///< collisions in order of time, for a sample of the powder
-  SensorRecords sensors;
+  observe::Recorders recorders;  ///< of parts
   std::optional<GrindingOutcome>
       grinding;  ///< with [capture] or [kinetics], once the run has ended
   std::vector<Window> windows;

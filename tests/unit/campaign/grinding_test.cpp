@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/parts/grinding/warnings.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "observed.hpp"
@@ -123,7 +124,7 @@ TEST_F(GrindingRun, sample_of_the_stream_agrees_with_the_balance_of_its_spectrum
 
 TEST_F(GrindingRun, more_power_than_the_mill_dissipates_is_warned_of) {
   const auto warned = [](const Outcome& of) {
-    for (const Notice& one : results::grinding_warnings(of))
+    for (const Notice& one : parts::grinding::warnings(of))
       if (one.code == "more-than-dissipated") return true;
     return false;
   };
@@ -135,7 +136,7 @@ TEST_F(GrindingRun, more_power_than_the_mill_dissipates_is_warned_of) {
 
 TEST_F(GrindingRun, in_which_no_hit_is_strong_enough_says_so_with_the_strongest_hit) {
   const auto told = [](const Outcome& of) {
-    for (const Notice& one : results::grinding_warnings(of))
+    for (const Notice& one : parts::grinding::warnings(of))
       if (one.code == "nothing-breaks") return one.text;
     return std::string();
   };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 
 #include <gtest/gtest.h>
 

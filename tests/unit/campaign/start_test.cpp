@@ -15,6 +15,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"

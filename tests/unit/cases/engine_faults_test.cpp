@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/faults.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +10,7 @@
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/parts/wear/wear.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::faults_test {
@@ -294,7 +297,7 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.jar.substance.conductivity = -1; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.density = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.wall = NAN; }), out);
-  EXPECT_EQ(codes([](Case& c) { c.wear = Wear{.coefficient = 0}; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.parts.set(parts::wear::Wear{.coefficient = 0}); }), out);
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat(); }), Codes{});
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.ambient = -1}; }), out);
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.pause = -1}; }), out);

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"

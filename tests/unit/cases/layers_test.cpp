@@ -7,7 +7,9 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "unit/cases/sample.hpp"

@@ -4,6 +4,7 @@
 // The section [liquid] of a case.
 #include <gtest/gtest.h>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "unit/cases/sample.hpp"
 

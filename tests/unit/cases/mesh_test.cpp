@@ -6,9 +6,9 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
-#include "mahlwerk/cases/setup/stl.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "meshes.hpp"
 #include "sample.hpp"

@@ -6,6 +6,7 @@
 
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::milling_test {

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "unit/cases/sample.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"

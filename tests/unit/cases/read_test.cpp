@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "unit/cases/sample.hpp"

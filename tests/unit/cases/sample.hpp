@@ -14,6 +14,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 
 // A small catalogue with known contents in a temporary folder, and helpers to read cases with it.
 namespace mahlwerk::cases::sample {

@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "unit/cases/sample.hpp"
 

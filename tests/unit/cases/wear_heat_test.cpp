@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/parts/wear/wear.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -18,6 +19,7 @@ namespace mahlwerk::cases::wear_heat_test {
 namespace {
 
 using namespace sample;
+using parts::wear::Wear;
 using tests::states;
 
 /// The only fault as "line code"; all faults if their number is not one.
@@ -34,7 +36,7 @@ Heat heat_of(const std::string& lines) {
   return read_sample(vial + "[heat]\n" + lines).heat.value();
 }
 Wear wear_of(const std::string& lines) {
-  return read_sample(vial + "[wear]\n" + lines).wear.value();
+  return *read_sample(vial + "[wear]\n" + lines).parts.find<Wear>();
 }
 /// The first line of the section is line 25 of the file.
 std::string heat_fault(const std::string& lines) {
@@ -95,7 +97,7 @@ TEST(ReadOrigins, what_nobody_asked_for_is_not_assumed) {
 }
 
 TEST(ReadWear, models_and_coefficients) {
-  EXPECT_FALSE(read_sample(vial).wear.has_value());
+  EXPECT_EQ(read_sample(vial).parts.find<Wear>(), nullptr);
   EXPECT_EQ(wear_of(""), Wear());
   EXPECT_EQ(wear_of("model = \"finnie\"").model, Wear::Model::finnie);
   EXPECT_EQ(wear_of("model = \"archard\"\ncoefficient = 1e-5").coefficient, 1e-5);

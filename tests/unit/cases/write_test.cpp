@@ -1,17 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/write.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/parts/wear/wear.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -19,6 +23,7 @@ namespace mahlwerk::cases::write_test {
 namespace {
 
 using namespace sample;
+using parts::wear::Wear;
 
 /// A catalogue without any entry: a resolved case needs none.
 const Catalogue& nothing() {
@@ -146,7 +151,7 @@ class AnyCase {
     else
       c.run.time_step_fraction = random_.uniform();
     c.observe = {size(), flip()};
-    if (flip()) c.wear = {flip() ? Wear::Model::archard : Wear::Model::finnie, size()};
+    if (flip()) c.parts.set(Wear{flip() ? Wear::Model::archard : Wear::Model::finnie, size()});
     if (flip())
       c.heat = {size(), size(), flip() ? 0 : size(), whole(1000),
                 size(), size(), random_.uniform()};

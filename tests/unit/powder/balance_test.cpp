@@ -9,7 +9,7 @@
 
 #include "mahlwerk/powder/population_balance.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
-#include "models.hpp"
+#include "powder_models.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::powder::balance_test {

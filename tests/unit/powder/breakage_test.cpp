@@ -8,30 +8,13 @@
 #include <vector>
 
 #include "mahlwerk/powder/sample.hpp"
-#include "models.hpp"
+#include "powder_models.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::powder::breakage_test {
 namespace {
 
 using tests::states;
-
-TEST(Breakage, chance_of_every_model_rises_with_energy_from_none_to_certainty) {
-  for (const AnyBreakage& any : tests::every_breakage())
-    std::visit(
-        [](const auto& model) {
-          double last = 0;
-          for (double energy = 1e-3; energy < 1e7; energy *= 1.3) {
-            const double chance = model.breakage_probability(1e-3, energy);
-            EXPECT_GE(chance, last) << model.name << " at " << energy << " J/kg";
-            EXPECT_LE(chance, 1) << model.name;
-            last = chance;
-          }
-          EXPECT_LT(model.breakage_probability(1e-3, 1e-3), 1e-6) << model.name;
-          EXPECT_GT(last, 1 - 1e-6) << model.name;
-        },
-        any);
-}
 
 TEST(Breakage, vogel_and_peukerts_chance_is_their_formula) {
   const VogelPeukert model{2, 0.1};
@@ -91,23 +74,6 @@ TEST(Breakage, strengths_drawn_break_as_often_as_the_chance_says) {
            0.5 * std::erfc(-z / std::sqrt(2.0)), 1e-14, "(brk.5)");
 }
 
-TEST(Fragments, every_curve_rises_from_nothing_to_one) {
-  for (const AnyFragments& any : tests::every_fragments())
-    std::visit(
-        [](const auto& model) {
-          double last = 0;
-          for (double ratio = 1e-9; ratio <= 1; ratio *= 1.1) {
-            const double finer = model.breakage_function(ratio, 1e-3, 0.3);
-            EXPECT_GE(finer, last) << model.name << " at " << ratio;
-            last = finer;
-          }
-          states(std::string(model.name) + " at the size broken",
-                 model.breakage_function(1, 1e-3, 0.3), 1, 1e-15, "all pieces are smaller");
-          EXPECT_LT(model.breakage_function(1e-9, 1e-3, 0.3), 1e-6) << model.name;
-        },
-        any);
-}
-
 TEST(Fragments, share_finer_than_a_tenth_is_t10) {
   for (const double t10 : {0.01, 0.3, 0.9})
     states("t_n at n = 10", T10Fragments{}.breakage_function(0.1, 1e-3, t10), t10, 1e-15,
@@ -116,37 +82,9 @@ TEST(Fragments, share_finer_than_a_tenth_is_t10) {
          0.2, 1e-15, "(frg.3)");
 }
 
-/// Kolmogorov's distance between drawn sizes and the breakage function.
-template <class Model>
-double distance(const Model& model, double parent, double t10, int count) {
+TEST(Fragments, halves_are_two_equal_volumes) {
   SplitMix64 draw(7);
-  std::vector<double> sizes;
-  for (int i = 0; i < count; ++i) sizes.push_back(model.draw_fragment(parent, t10, draw));
-  std::ranges::sort(sizes);
-  double far = 0;
-  for (int i = 0; i < count; ++i) {
-    const double said =
-        model.breakage_function(sizes[static_cast<std::size_t>(i)] / parent, parent, t10);
-    far = std::max({far, std::abs(said - static_cast<double>(i) / count),
-                    std::abs(said - static_cast<double>(i + 1) / count)});
-  }
-  return far;
-}
-
-TEST(Fragments, sizes_drawn_follow_their_curve) {
-  constexpr int count = 100000;
-  for (const AnyFragments& any : tests::every_fragments())
-    std::visit(
-        [](const auto& model) {
-          if (std::is_same_v<std::decay_t<decltype(model)>, Halves>) return;  // one size only
-          for (const double t10 : {0.05, 0.6})
-            tests::stays_below(std::string(model.name) + ", Kolmogorov's distance",
-                               distance(model, 1e-3, t10, count), 1.95 / std::sqrt(count),
-                               "exceeded once in a thousand; 1.95/sqrt(n)");
-        },
-        any);
-  SplitMix64 draw(7);
-  states("halves", Halves{}.draw_fragment(1, 0, draw), std::cbrt(0.5), 1e-15, "two equal volumes");
+  states("size", Halves{}.draw_fragment(1, 0, draw), std::cbrt(0.5), 1e-15, "two equal volumes");
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "mahlwerk/powder/population_balance.hpp"
-#include "models.hpp"
+#include "powder_models.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::powder::sample_test {

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "mahlwerk/report/paper/band.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report::figure_plot_test {
 namespace {

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/report/paper/page.hpp"
 #include "unit/results/fake.hpp"

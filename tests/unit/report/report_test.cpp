@@ -12,9 +12,9 @@
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
-#include "mahlwerk/report/readable.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"

@@ -16,12 +16,13 @@
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
+#include "mahlwerk/parts/wear/wear.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
+#include "unit/results/table_of.hpp"
 
 namespace mahlwerk::results::wall_test {
 namespace {
@@ -244,12 +245,14 @@ TEST(WallMap, rings_of_a_disc_have_equal_areas) {
   }
 }
 
-class Wear : public testing::TestWithParam<cases::Wear::Model> {
+using WearOf = parts::wear::Wear;
+
+class Wear : public testing::TestWithParam<WearOf::Model> {
  protected:
   static Outcome worn(const AnyShape& shape) {
     Outcome outcome;
     outcome.mill_case = case_of(shape);
-    outcome.mill_case.wear = cases::Wear{GetParam(), 2e-4};
+    outcome.mill_case.parts.set(WearOf{GetParam(), 2e-4});
     outcome.mill_case.powder = cases::Powder{"", 0.003, {}, {}};
     outcome.replicates.assign(2, empty_replicate(outcome.mill_case));
     outcome.replicates[0].tally.collisions(hits(shape, 400));
@@ -282,7 +285,7 @@ TEST_P(Wear, of_the_cells_is_that_of_the_jar) {
 TEST_P(Wear, of_the_faces_is_that_of_the_jar) {
   for (const AnyShape& shape : walls()) {
     const Outcome outcome = worn(shape);
-    const Table table = results::wear(outcome);
+    const Table table = table_of(outcome, "wear");
     double balls = 0, jar = 0;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       (i < outcome.mill_case.balls.size() ? balls : jar) += table.rows[i][2];
@@ -307,7 +310,7 @@ TEST_P(Wear, and_contamination_are_those_written_by_hand) {
       const double f = std::tan(a) <= 1.0 / 3 ? std::sin(2 * a) - 3 * std::pow(std::sin(a), 2)
                                               : std::pow(std::cos(a), 2) / 3;
       const double by =
-          GetParam() == cases::Wear::Model::archard ? c.lost_tangential / 0.4 : c.mass * u2 * f;
+          GetParam() == WearOf::Model::archard ? c.lost_tangential / 0.4 : c.mass * u2 * f;
       const auto of_ball = [](int ball) { return ball < 3 ? 7850 / 800.0 : 6000 / 600.0; };
       mass += 2e-4 * by / 9.80665e6 *
               (of_ball(c.ball) +
@@ -321,9 +324,9 @@ TEST_P(Wear, and_contamination_are_those_written_by_hand) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Wear,
-                         testing::Values(cases::Wear::Model::archard, cases::Wear::Model::finnie),
+                         testing::Values(WearOf::Model::archard, WearOf::Model::finnie),
                          [](const auto& of) {
-                           return of.param == cases::Wear::Model::archard ? "archard" : "finnie";
+                           return of.param == WearOf::Model::archard ? "archard" : "finnie";
                          });
 
 }  // namespace

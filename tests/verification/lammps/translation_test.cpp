@@ -98,7 +98,7 @@ TEST_F(Lammps, two_balls_rebound_with_the_restitution_of_the_case) {
       balls[1].velocity = {-0.5, 0, 0};
       const lammps::Launch launch;
       const auto engine = lammps::make_engine(mill_case, cases::chamber(mill_case), balls,
-                                              campaign::lammps_steps(mill_case), launch);
+                                              *campaign::RunSetup(mill_case).steps, launch);
       Recorder seen;
       engine->advance(0.012, seen);
       const auto after = engine->balls();

@@ -14,7 +14,7 @@
 #include "mahlwerk/campaign/calibrate/likelihood.hpp"
 #include "mahlwerk/campaign/calibrate/posterior.hpp"
 #include "mahlwerk/campaign/fit/minimiser.hpp"
-#include "mahlwerk/campaign/sweep/designs.hpp"
+#include "mahlwerk/campaign/points/designs.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

@@ -14,6 +14,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/search/search_job.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::campaign {

@@ -17,7 +17,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/settling.hpp"
 
 namespace mahlwerk::campaign {

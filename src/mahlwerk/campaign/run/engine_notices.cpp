@@ -13,7 +13,6 @@
 #include "mahlwerk/campaign/run/step_check.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/notices.hpp"
 
 namespace mahlwerk::campaign {

@@ -15,8 +15,7 @@
 
 namespace mahlwerk::campaign {
 
-lammps::Steps lammps_steps(const cases::Case& mill_case) {
-  const SoftSettings s = soft_settings(mill_case);
+lammps::Steps lammps_steps(const cases::Case& mill_case, const SoftSettings& s) {
   const cases::Run& run = mill_case.run;
   return lammps::steps_of(mill_case, run.settle.value_or(0) + run.time, run.time, s.rules.time_step,
                           s.steps.contact);
@@ -42,8 +41,9 @@ std::vector<std::filesystem::path> write_lammps_folders(
   for (int replicate = 0; replicate < mill_case.run.replicates; ++replicate) {
     const cases::Case& own = by_sense.of(static_cast<std::size_t>(replicate));
     folders.push_back(lammps_folder(launch.folder, 0, 1, replicate));
-    lammps::write_folder(folders.back(), own, cases::chamber(own), start_of(own, replicate),
-                         lammps_steps(own), launch.ranks);
+    const RunSetup setup(own);
+    lammps::write_folder(folders.back(), own, setup.chamber, start_of(setup, replicate),
+                         *setup.steps, launch.ranks);
     if (slurm) lammps::write_slurm_script(folders.back(), launch.ranks, slurm_options);
   }
   return folders;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/lammps/launch.hpp"
@@ -15,7 +16,7 @@
 namespace mahlwerk::campaign {
 
 /// Steps of such a run: those of the soft engine.
-lammps::Steps lammps_steps(const cases::Case& mill_case);
+lammps::Steps lammps_steps(const cases::Case& mill_case, const SoftSettings& s);
 
 /// Ranks of one run on `cores` cores: at least 2000 balls for each rank.
 int usual_ranks(const cases::Case& mill_case, int cores);

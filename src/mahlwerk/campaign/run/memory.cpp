@@ -11,7 +11,7 @@
 
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

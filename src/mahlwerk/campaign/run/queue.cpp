@@ -61,21 +61,26 @@ struct ActivePoint {
     if (distinct > 1)
       for (std::size_t k = 0; k < std::min(count, distinct); ++k)
         drawn.push_back(cases::case_of_replicate(decided, k));
-    for (cases::Case& one : drawn) one.contact.softening = decided.contact.softening;
+    for (cases::Case& one : drawn) {
+      one.contact.softening = decided.contact.softening;
+      setups.push_back(std::make_shared<const RunSetup>(one));
+    }
+    if (drawn.empty()) setups.push_back(std::make_shared<const RunSetup>(decided));
   }
 
-  const cases::Case& case_of(std::size_t replicate) const {
-    return drawn.empty() ? decided : drawn[replicate % distinct];
+  const std::shared_ptr<const RunSetup>& setup_of(std::size_t replicate) const {
+    return setups[replicate % distinct];
   }
 
   std::size_t index;
   EngineChoice choice;
   cases::Case decided;  // the case with the chosen engine
   results::Outcome outcome;
-  std::size_t distinct;               // replicates that have different cases
-  std::vector<cases::Case> drawn;     // their cases, if there is more than one
-  std::size_t next = 0;               // next replicate to begin
-  std::size_t left = 0;               // replicates that have not ended
+  std::size_t distinct;                                 // replicates that have different cases
+  std::vector<cases::Case> drawn;                       // their cases, if there is more than one
+  std::vector<std::shared_ptr<const RunSetup>> setups;  // of each
+  std::size_t next = 0;                                 // next replicate to begin
+  std::size_t left = 0;                                 // replicates that have not ended
   std::exception_ptr failure;         // of the first failed replicate: no further one is begun
   std::atomic<bool> dropped = false;  // tells active replicates to end after a failure
   Clock::time_point began = Clock::now();
@@ -273,7 +278,7 @@ class CampaignRunner {
     // A kept state is restored even after a stop, so that the outcome includes it.
     const bool begun = states != nullptr && states->has_state(one.job);
     one.run = std::make_unique<ReplicateRun>(
-        point.case_of(replicate), r, options_.records ? options_.records(point.index, r) : nullptr,
+        point.setup_of(replicate), r, options_.records ? options_.records(point.index, r) : nullptr,
         options_.frames ? options_.frames(point.index, r) : nullptr, queue_.threads_per_replicate,
         begun ? nullptr : options_.stop, launch(point, r));
     one.run->stop_on(options_.stop);

@@ -11,9 +11,7 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
-#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"
@@ -50,7 +48,7 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     if (replica_.window_ == 0) return count_hits(finished);
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
-    r.sensors.collisions(finished);
+    for (const auto& recorder : r.recorders.all()) recorder->collisions(finished);
     if (replica_.streams_)
       r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
@@ -90,19 +88,27 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
                            std::unique_ptr<scene::Observer> recorder,
                            std::unique_ptr<results::FrameFiles> frames, int threads,
                            const std::atomic<bool>* stop, const lammps::Launch& launch)
-    : mill_case_(&mill_case),
+    : ReplicateRun(std::make_shared<const RunSetup>(mill_case), index, std::move(recorder),
+                   std::move(frames), threads, stop, launch) {}
+
+ReplicateRun::ReplicateRun(std::shared_ptr<const RunSetup> setup, int index,
+                           std::unique_ptr<scene::Observer> recorder,
+                           std::unique_ptr<results::FrameFiles> frames, int threads,
+                           const std::atomic<bool>* stop, const lammps::Launch& launch)
+    : setup_(std::move(setup)),
+      mill_case_(setup_->mill_case),
       index_(index),
       recorder_(std::move(recorder)),
-      result_(results::empty_replicate(mill_case)),
-      samplers_(samplers(mill_case, std::move(frames), result_)),
-      blocks_(cases::settles(mill_case) ? cases::settling_blocks(mill_case)
-                                        : cases::SettlingBlocks{}),
-      window_length_(first_window_length(mill_case)),
-      streams_(mill_case.grinding &&
-               mill_case.grinding->method != cases::Grinding::Method::balance),
-      engine_(engine(mill_case, index, threads, stop, launch)),
-      window_(cases::least_settling(mill_case) > 0 ? 0 : 1) {
-  result_.charge = observe::Charge(cases::chamber(mill_case), result_.tally.wall_map.grid().radius);
+      result_(results::empty_replicate(*mill_case_)),
+      samplers_(samplers(*setup_, std::move(frames), result_)),
+      blocks_(cases::settles(*mill_case_) ? cases::settling_blocks(*mill_case_)
+                                          : cases::SettlingBlocks{}),
+      window_length_(first_window_length(*mill_case_)),
+      streams_(mill_case_->grinding &&
+               mill_case_->grinding->method != cases::Grinding::Method::balance),
+      engine_(engine(*setup_, index, threads, stop, launch)),
+      window_(cases::least_settling(*mill_case_) > 0 ? 0 : 1) {
+  result_.charge = observe::Charge(setup_->chamber, result_.tally.wall_map.grid().radius);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   settling_.add(last_, 0);
   if (index == 0) record_replay();
@@ -111,14 +117,14 @@ ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
     begin_window({});
   }
   // First slice of the soft engine: 1000 steps, below 0.1 s of computing for 1000 balls.
-  if (mill_case.run.engine == cases::EngineName::soft)
-    slice_ = std::min(slice_, 1e3 * soft_settings(mill_case).rules.time_step);
+  if (mill_case_->run.engine == cases::EngineName::soft)
+    slice_ = std::min(slice_, 1e3 * setup_->soft->rules.time_step);
 }
 
 void ReplicateRun::record_replay() {
   if (records_replay_) return;
   records_replay_ = true;
-  samplers_.push_back(replay_sampler(*mill_case_, result_));
+  samplers_.push_back(replay_sampler(*setup_, result_));
   if (window_ > 0) samplers_.back()->begin(begin_);
 }
 
@@ -129,7 +135,6 @@ std::optional<double> ReplicateRun::counting_begins() const {
 /// Sets the time at which all that is recorded begins.
 void ReplicateRun::begin_counting(double time) {
   begin_ = time;
-  if (result_.sensors.accelerometer) result_.sensors.accelerometer->begin(time);
   for (const auto& sampler : samplers_) sampler->begin(time);
 }
 
@@ -303,7 +308,7 @@ void ReplicateRun::serialize(Archive& archive) {
   r.charge.serialize(archive);
   r.replay.serialize(archive);
   r.stream.serialize(archive);
-  r.sensors.serialize(archive);
+  for (const auto& recorder : r.recorders.all()) recorder->serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
   archive(last_)(all_)(above_)(window_length_)(converged_);
   for (const auto& sampler : samplers_) sampler->serialize(archive);

@@ -10,7 +10,6 @@
 #include "mahlwerk/campaign/run/replicate_engine.hpp"
 #include "mahlwerk/campaign/run/samplers.hpp"
 #include "mahlwerk/campaign/run/settling_test.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/files/frames.hpp"
@@ -26,6 +25,11 @@ class ReplicateRun {
   /// `recorder` receives every counted record, `frames` the frames that the case requests. Once
   /// `*stop` is set, run_slice() returns early; throws Interrupted if `*stop` is set while balls
   /// are placed.
+  ReplicateRun(std::shared_ptr<const RunSetup> setup, int index,
+               std::unique_ptr<scene::Observer> recorder = nullptr,
+               std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
+               const std::atomic<bool>* stop = nullptr, const lammps::Launch& launch = {});
+  /// Of a case that has no other replicate. `mill_case` must outlive the run.
   ReplicateRun(const cases::Case& mill_case, int index,
                std::unique_ptr<scene::Observer> recorder = nullptr,
                std::unique_ptr<results::FrameFiles> frames = nullptr, int threads = 1,
@@ -77,6 +81,7 @@ class ReplicateRun {
   void take_samples();
   void end_window();
 
+  std::shared_ptr<const RunSetup> setup_;
   const cases::Case* mill_case_;
   int index_;
   std::unique_ptr<scene::Observer> recorder_;

@@ -9,8 +9,8 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
-#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::campaign {

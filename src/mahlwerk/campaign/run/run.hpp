@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/checkpoint.hpp"
 #include "mahlwerk/campaign/run/memory.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/lammps/launch.hpp"
 #include "mahlwerk/results/outcome.hpp"

@@ -7,8 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "mahlwerk/campaign/run/lammps_runs.hpp"
-#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
@@ -49,30 +47,16 @@ class ChargeSampler final : public Sampler {
   std::int64_t ever_ = 0;
 };
 
-/// Reads the work of the jar at the intervals of the power meter.
-class PowerMeterSampler final : public Sampler {
+/// Calls a recorder of a part at its times.
+class RecorderSampler final : public Sampler {
  public:
-  PowerMeterSampler(const cases::Case& mill_case, results::Replicate& result)
-      : interval_(mill_case.sensors.power_meter->interval),
-        end_(mill_case.run.time),
-        readings_(&result.sensors.power_meter) {}
-  void begin(double time) override { begin_ = time; }
-  /// The last reading is at the end of the run, whatever the rounding of the interval.
-  double next() const override {
-    constexpr double rounding = 1e-6;
-    const double at = interval_ * static_cast<double>(count_ + 1);
-    return begin_ + (std::abs(at - end_) < rounding * interval_ ? end_ : at);
-  }
-  void take(Moment& moment) override {
-    readings_->push_back({moment.now().time, moment.now().wall_work});
-    while (next() <= moment.now().time) ++count_;
-  }
-  void serialize(Archive& archive) override { archive(count_); }
+  explicit RecorderSampler(observe::Recorder& recorder) : recorder_(&recorder) {}
+  void begin(double time) override { recorder_->begin(time); }
+  double next() const override { return recorder_->next(); }
+  void take(Moment& moment) override { recorder_->take(moment.now()); }
 
  private:
-  double interval_, end_, begin_ = never;  // [s]
-  std::vector<results::WorkReading>* readings_;
-  std::int64_t count_ = 0;
+  observe::Recorder* recorder_;
 };
 
 /// Writes the frames that the case asks for.
@@ -95,14 +79,13 @@ class FrameSampler final : public Sampler {
 /// Keeps the frames of the film that reports show.
 class ReplaySampler final : public Sampler {
  public:
-  ReplaySampler(const cases::Case& mill_case, results::Replicate& result)
-      : mill_case_(&mill_case), replay_(&result.replay) {}
+  ReplaySampler(const RunSetup& setup, results::Replicate& result)
+      : setup_(&setup), replay_(&result.replay) {}
   void begin(double time) override {
-    const bool in_lammps = mill_case_->run.engine == cases::EngineName::lammps;
-    *replay_ = observe::Replay(cases::chamber(*mill_case_),
-                               static_cast<std::size_t>(cases::balls_count(mill_case_->balls)),
-                               time, mill_case_->run.time,
-                               in_lammps ? lammps_steps(*mill_case_).frame_time() : 0);
+    const cases::Case& mill_case = *setup_->mill_case;
+    *replay_ = observe::Replay(setup_->chamber,
+                               static_cast<std::size_t>(cases::balls_count(mill_case.balls)), time,
+                               mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
   }
   double next() const override { return replay_->next_frame_time(); }
   void take(Moment& moment) override {
@@ -111,7 +94,7 @@ class ReplaySampler final : public Sampler {
   }
 
  private:
-  const cases::Case* mill_case_;
+  const RunSetup* setup_;
   observe::Replay* replay_;
 };
 
@@ -125,18 +108,18 @@ const std::vector<scene::Ball>& Moment::balls() {
 void Sampler::begin_window(double, double, std::optional<std::int64_t>) {}
 void Sampler::serialize(Archive&) {}
 
-Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
+Samplers samplers(const RunSetup& setup, std::unique_ptr<results::FrameFiles> frames,
                   results::Replicate& result) {
   Samplers made;
-  if (mill_case.sensors.power_meter)
-    made.push_back(std::make_unique<PowerMeterSampler>(mill_case, result));
-  if (frames) made.push_back(std::make_unique<FrameSampler>(mill_case, std::move(frames)));
+  for (const auto& recorder : result.recorders.all())
+    made.push_back(std::make_unique<RecorderSampler>(*recorder));
+  if (frames) made.push_back(std::make_unique<FrameSampler>(*setup.mill_case, std::move(frames)));
   made.push_back(std::make_unique<ChargeSampler>(result));
   return made;
 }
 
-std::unique_ptr<Sampler> replay_sampler(const cases::Case& mill_case, results::Replicate& result) {
-  return std::make_unique<ReplaySampler>(mill_case, result);
+std::unique_ptr<Sampler> replay_sampler(const RunSetup& setup, results::Replicate& result) {
+  return std::make_unique<ReplaySampler>(setup, result);
 }
 
 }  // namespace mahlwerk::campaign

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
+#include "mahlwerk/campaign/run/run_setup.hpp"
 #include "mahlwerk/results/files/frames.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/scene/engine.hpp"
@@ -49,10 +50,10 @@ class Sampler {
 };
 using Samplers = std::vector<std::unique_ptr<Sampler>>;
 
-/// The samplers of a case: charge, power meter, frames. They write into `result`.
-Samplers samplers(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> frames,
+/// The samplers of a case: recorders of parts, frames, charge. They write into `result`.
+Samplers samplers(const RunSetup& setup, std::unique_ptr<results::FrameFiles> frames,
                   results::Replicate& result);
 /// The sampler of the film that reports show.
-std::unique_ptr<Sampler> replay_sampler(const cases::Case& mill_case, results::Replicate& result);
+std::unique_ptr<Sampler> replay_sampler(const RunSetup& setup, results::Replicate& result);
 
 }  // namespace mahlwerk::campaign

@@ -13,7 +13,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/deck.hpp"
@@ -72,29 +72,30 @@ std::string reason(const cases::Case& mill_case, const soft::TimeSteps& steps) {
 
 /// Error of the shortest collision due to the time step, in words.
 std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
-  const soft::StepError e = step_error(mill_case, s.speed);
+  const soft::StepError e = step_error(mill_case, s, s.speed);
   return fmt::format(
       "With this step, the shortest collision is off by at most about {} % of its rebound "
       "speed, {} % of its tangential speed and {} % of its spin.",
       two_digits(100 * e.rebound), two_digits(100 * e.tangential), two_digits(100 * e.spin));
 }
 
-soft::TimeSteps time_steps(const cases::Case& mill_case, double speed) {
-  return soft::time_steps(one_of_each(mill_case), *mill_case.contact.model.law,
-                          cases::pair_table(mill_case), speed,
+soft::TimeSteps time_steps(const cases::Case& mill_case, const contact::PairTable& pairs,
+                           double speed) {
+  return soft::time_steps(one_of_each(mill_case), *mill_case.contact.model.law, pairs, speed,
                           mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt);
 }
 
-/// Rounded down to two digits.
-double rounded_down(double x) {
-  const double unit = math::pow(10, std::floor(math::log10(x)) - 1);
-  return std::floor(x / unit * (1 + 1e-12)) * unit;
+/// [s] The recommended step, rounded down to two digits.
+double usual_step(const cases::Case& mill_case, const soft::TimeSteps& steps) {
+  const double step = steps.recommended(mill_case.run.time_step_fraction);
+  const double unit = math::pow(10, std::floor(math::log10(step)) - 1);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
 }
 
 }  // namespace
 
 SoftSettings soft_settings(const cases::Case& mill_case) {
-  SoftSettings s;
+  SoftSettings s{.rules = {}, .steps = {}, .pairs = cases::pair_table(mill_case)};
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
@@ -103,20 +104,22 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   if (mill_case.run.start_from.states || mill_case.run.settle_at_rest > 0)
     s.rules.max_initial_overlap = pressed;
   s.speed = meeting_speed(mill_case);
-  s.steps = time_steps(mill_case, s.speed);
-  s.rules.time_step =
-      mill_case.run.time_step ? *mill_case.run.time_step : recommended_step(mill_case, s.speed);
+  s.steps = time_steps(mill_case, s.pairs, s.speed);
+  s.rules.time_step = mill_case.run.time_step.value_or(usual_step(mill_case, s.steps));
   return s;
 }
 
 double recommended_step(const cases::Case& mill_case, double speed) {
-  return rounded_down(time_steps(mill_case, speed).recommended(mill_case.run.time_step_fraction));
+  return usual_step(mill_case, time_steps(mill_case, cases::pair_table(mill_case), speed));
 }
 
 soft::StepError step_error(const cases::Case& mill_case, double speed) {
-  const contact::PairTable pairs = cases::pair_table(mill_case);
-  const double steps =
-      time_steps(mill_case, speed).contact / soft_settings(mill_case).rules.time_step;
+  return step_error(mill_case, soft_settings(mill_case), speed);
+}
+
+soft::StepError step_error(const cases::Case& mill_case, const SoftSettings& s, double speed) {
+  const contact::PairTable& pairs = s.pairs;
+  const double steps = time_steps(mill_case, pairs, speed).contact / s.rules.time_step;
   soft::StepError worst;
   const auto include = [&](const contact::Pair& pair) {
     const soft::StepError e =
@@ -207,7 +210,7 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
              "m/s",
              show_rounded(s.rules.time_step, "s"), show_rounded(s.steps.limit, "s"), s.speed),
          fmt::format("write time_step = \"{}\" or less, or leave it out",
-                     show(recommended_step(mill_case, s.speed), "s")),
+                     show(usual_step(mill_case, s.steps), "s")),
          "time-step-too-large"});
   return found;
 }

@@ -13,16 +13,18 @@
 
 namespace mahlwerk::campaign {
 
-/// Settings of the soft engine for a case: its rules with the time step, and the time scales that
-/// determine it.
+/// Settings of the soft engine for a case: its rules with the time step, the time scales that
+/// determine it, and the elastic pairs.
 struct SoftSettings {
   soft::Settings rules;
   soft::TimeSteps steps;
+  contact::PairTable pairs;
   double speed = 0;  ///< [m/s] highest expected: peak wall speed and a fall through the jar
 };
 SoftSettings soft_settings(const cases::Case& mill_case);
 
 /// Error of the case's time step in collisions at up to `speed` [m/s], the largest over all pairs.
+soft::StepError step_error(const cases::Case& mill_case, const SoftSettings& s, double speed);
 soft::StepError step_error(const cases::Case& mill_case, double speed);
 /// The time step [s] that such collisions need.
 double recommended_step(const cases::Case& mill_case, double speed);

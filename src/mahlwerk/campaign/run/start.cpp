@@ -15,10 +15,9 @@ class NullObserver final : public scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
-/// The jar of the case, standing still where its mill starts.
-scene::Chamber at_rest(const cases::Case& mill_case) {
-  scene::Chamber jar = cases::chamber(mill_case);
-  jar.mount = kinematics::rotation(*mill_case.mill.motion, 0) * jar.mount;
+/// The jar, standing still where its mill starts.
+scene::Chamber at_rest(scene::Chamber jar) {
+  jar.mount = kinematics::rotation(*jar.motion, 0) * jar.mount;
   jar.motion = kinematics::AnyMotion(kinematics::Still{});
   if (const auto* stirred = geometry::as<geometry::Attritor>(*jar.shape)) {
     geometry::Attritor still = *stirred;
@@ -30,8 +29,9 @@ scene::Chamber at_rest(const cases::Case& mill_case) {
 
 }  // namespace
 
-std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, int replicate,
-                                        const EngineMaker& make, const std::atomic<bool>* stop) {
+std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scene::Chamber& mill,
+                                        int replicate, const EngineMaker& make,
+                                        const std::atomic<bool>* stop) {
   std::vector<scene::Ball> balls = cases::starting_balls(mill_case, replicate, stop);
   const cases::Run& run = mill_case.run;
   if (run.start_from.states && run.engine == cases::EngineName::event)
@@ -40,7 +40,7 @@ std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, int replic
   // Velocities are relative to the jar's centre, which moves once the mill has started.
   const Vec3 centre = kinematics::frame_motion(*mill_case.mill.motion, 0).velocity;
   for (scene::Ball& b : balls) b.velocity += centre;
-  const auto engine = make(at_rest(mill_case), balls);
+  const auto engine = make(at_rest(mill), balls);
   engine->stop_on(stop);
   NullObserver nobody;
   engine->advance(run.settle_at_rest, nobody);

@@ -19,8 +19,8 @@ using EngineMaker = std::function<std::unique_ptr<scene::Engine>(const scene::Ch
 
 /// The balls of a replicate when its mill starts: the starting balls, after run.settle_at_rest [s]
 /// in the jar at rest. Throws Interrupted once `*stop` is set.
-std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, int replicate,
-                                        const EngineMaker& make,
+std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scene::Chamber& mill,
+                                        int replicate, const EngineMaker& make,
                                         const std::atomic<bool>* stop = nullptr);
 
 /// The balls in the axes of the jar's carrier, as run.start_from reads them. `balls` are those of

@@ -28,7 +28,8 @@ Notices speed_notices(const cases::Case& mill_case, double speed) {
   constexpr double much = 1.1, large = 0.02;
   const SoftSettings s = soft_settings(mill_case);
   if (!(speed > s.speed)) return {};
-  const soft::StepError stated = step_error(mill_case, s.speed), e = step_error(mill_case, speed);
+  const soft::StepError stated = step_error(mill_case, s, s.speed),
+                        e = step_error(mill_case, s, speed);
   if (!(e.tangential > much * stated.tangential)) return {};
   const bool matters = std::max({e.rebound, e.tangential, e.spin}) > large;
   std::string text = fmt::format(

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/run/streams.hpp"
 
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
 
 namespace mahlwerk::campaign {
 

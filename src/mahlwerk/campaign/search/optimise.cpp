@@ -8,9 +8,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "mahlwerk/campaign/points/designs.hpp"
 #include "mahlwerk/campaign/search/optimum.hpp"
 #include "mahlwerk/campaign/search/surrogate.hpp"
-#include "mahlwerk/campaign/sweep/designs.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
 namespace mahlwerk::campaign {

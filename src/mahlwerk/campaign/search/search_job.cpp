@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/campaign/points/designs.hpp"
 #include "mahlwerk/campaign/search/maximum.hpp"
-#include "mahlwerk/campaign/sweep/designs.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

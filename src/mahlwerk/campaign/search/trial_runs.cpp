@@ -13,11 +13,12 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
 
 namespace mahlwerk::campaign {
 namespace {

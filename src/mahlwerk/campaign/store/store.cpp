@@ -12,6 +12,7 @@
 #include "mahlwerk/base/fingerprint.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::campaign {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/outcome.hpp"
 

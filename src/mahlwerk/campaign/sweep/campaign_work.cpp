@@ -14,6 +14,7 @@
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/streams.hpp"
 #include "mahlwerk/campaign/sweep/campaign_folder.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::campaign {

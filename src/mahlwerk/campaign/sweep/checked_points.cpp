@@ -8,8 +8,8 @@
 #include <iterator>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
 
 namespace mahlwerk::campaign {
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 
 namespace mahlwerk::campaign {

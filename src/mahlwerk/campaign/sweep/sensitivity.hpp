@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "mahlwerk/campaign/sweep/designs.hpp"
+#include "mahlwerk/campaign/points/designs.hpp"
 
 // Sensitivity of an outcome to each key, from the points of a design (docs/theory/sensitivity.md).
 // Outcomes are given by row of the design, NaN where a run failed; effects that need a failed run

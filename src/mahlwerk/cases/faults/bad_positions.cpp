@@ -7,8 +7,8 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/faults/faults.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/setup/grid.hpp"
 
 namespace mahlwerk::cases {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/faults/faults.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/grinding_fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"

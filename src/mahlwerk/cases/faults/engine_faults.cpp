@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {

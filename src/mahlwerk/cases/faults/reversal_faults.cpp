@@ -4,8 +4,8 @@
 // Drives that cannot be reversed, and replicates that do not hold both senses equally.
 #include <fmt/format.h>
 
-#include "mahlwerk/cases/faults/faults.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/reversal.hpp"
 
 namespace mahlwerk::cases {

@@ -9,8 +9,8 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/faults/faults.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/faults/inconsistencies.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
@@ -74,9 +75,9 @@ void describe_gravity_direction(KeyVisitor& v, Vec3& direction) {
 }
 
 void describe(CaseVisitor& v, Case& c) {
-  const auto section = [&](const char* name, auto&&... parts) {
+  const auto section = [&](const char* name, auto&&... values) {
     v.section(name);
-    describe(v, parts...);
+    describe(v, values...);
   };
   describe_top(v, c);
   section("mill", c.mill, c);
@@ -97,19 +98,12 @@ void describe(CaseVisitor& v, Case& c) {
   section("run", c.run);
   section("observe", c.observe);
   if (c.milling) section("milling", *c.milling);
-  if (c.wear) section("wear", *c.wear);
-  if (c.heat) section("heat", *c.heat);
-  if (c.capture) section("capture", *c.capture, c, false);
-  if (c.grinding) {
-    section("breakage", *c.grinding->breakage, c);
-    section("fragments", *c.grinding->fragments, c);
-    section("grinding", *c.grinding, c);
-  }
-  if (c.kinetics) section("kinetics", *c.kinetics, c);
-  if (c.sensors.power_meter) section("power_meter", *c.sensors.power_meter, c);
-  if (c.sensors.microphone) section("microphone", *c.sensors.microphone);
-  if (c.sensors.accelerometer) section("accelerometer", *c.sensors.accelerometer);
-  if (c.sensors.thermocouple) section("thermocouple", *c.sensors.thermocouple);
+  for (const Part* part : parts())
+    for (const PartSection& one : part->sections) {
+      if (!one.present(c)) continue;
+      v.section(one.spec.name);
+      one.describe(v, c);
+    }
 }
 
 void describe_many_runs(CaseVisitor& v) {

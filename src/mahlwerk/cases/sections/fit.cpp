@@ -8,12 +8,13 @@
 
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/cases/sections/writer.hpp"
+#include "mahlwerk/cases/write.hpp"
 
 namespace mahlwerk::cases {
 namespace {

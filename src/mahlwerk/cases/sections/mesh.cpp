@@ -9,9 +9,9 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
-#include "mahlwerk/cases/setup/stl.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/cases/sections/writer.hpp"
 
 namespace mahlwerk::cases {
 namespace {

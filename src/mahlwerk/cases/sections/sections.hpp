@@ -42,21 +42,6 @@ void describe(KeyVisitor& v, Liquid& liquid);
 void describe(KeyVisitor& v, Run& run);
 void describe(KeyVisitor& v, Observe& observe);
 void describe(KeyVisitor& v, MillingTime& milling);
-void describe(KeyVisitor& v, Wear& wear);
-void describe(KeyVisitor& v, Heat& heat);
-/// The sections of grinding. Require `c` with powder and heat. `remembering`: the breakage model
-/// tracks the strength of grains.
-void describe(KeyVisitor& v, Capture& capture, const Case& c, bool remembering);
-void describe(KeyVisitor& v, powder::AnyBreakage& breakage, const Case& c);
-void describe(KeyVisitor& v, powder::AnyFragments& fragments, const Case& c);
-void describe(KeyVisitor& v, Grinding& g, const Case& c);
-/// Requires `c` with grinding and heat.
-void describe(KeyVisitor& v, Kinetics& k, const Case& c);
-/// Requires `c` with run.
-void describe(KeyVisitor& v, PowerMeter& meter, const Case& c);
-void describe(KeyVisitor& v, Microphone& microphone);
-void describe(KeyVisitor& v, Accelerometer& sensor);
-void describe(KeyVisitor& v, Thermocouple& sensor);
 
 /// Source of the defaults of [[contact.pairs]].
 constexpr std::string_view of_contact = "as in [contact]";
@@ -137,15 +122,10 @@ bool describe_kind(KeyVisitor& v, std::string_view category, std::string_view ab
 Jar invalid_jar();  ///< stands for a jar with faults, so that other sections are still checked
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, Findings& findings);
 Contact read_contact(const Node* table, const Case& c, Findings& findings);
-/// The tables of the sections of grinding; null for a missing section.
-struct GrindingTables {
-  const Node *capture, *breakage, *fragments, *grinding;
-};
 /// A node that is a whole number from 1; no value otherwise.
 std::optional<double> whole_number(const Node& node);
 /// The milling time that the sections of a case state together: a fault if they differ.
 void find_milling_time(const Node& root, Findings& findings);
-void read_grinding(const GrindingTables& tables, Case& c, Findings& findings);
 
 // Sections about many runs.
 

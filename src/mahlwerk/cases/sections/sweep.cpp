@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <set>
 
-#include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sections/sweep_words.hpp"
+#include "mahlwerk/cases/sections/writer.hpp"
 
 namespace mahlwerk::cases {
 

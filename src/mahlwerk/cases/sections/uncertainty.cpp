@@ -8,10 +8,11 @@
 
 #include <algorithm>
 
-#include "mahlwerk/cases/file/writer.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/cases/sections/writer.hpp"
+#include "mahlwerk/cases/write.hpp"
 
 namespace mahlwerk::cases {
 namespace {

@@ -31,21 +31,8 @@ double largest(const M& motion, Of of) {
   return most;
 }
 
-/// [m] Radius of the largest circle about the jar's axis that fits into the jar.
-double radius_of(const auto& round) {
-  return 0.5 * round.diameter;
-}
-double radius_of(const geometry::Box& box) {
-  return 0.5 * std::min(box.width, box.depth);
-}
-double radius_of(const geometry::PeriodicBox& box) {
-  return box.inradius();
-}
-double radius_of(const geometry::Mesh& mesh) {
-  return mesh.radius_about_axis();  // circumscribed: the shell of a drum, not its lifters
-}
 double jar_radius(const Jar& jar) {
-  return std::visit([](const auto& s) { return radius_of(s); }, *jar.shape);
+  return geometry::radius_about_axis(*jar.shape);
 }
 bool axisymmetric(const Jar& jar) {
   return geometry::axisymmetric(*jar.shape);

@@ -4,10 +4,12 @@
 // The values of a case that its results depend on: marks assumptions and finds ignored keys.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/contact/laws.hpp"
 
@@ -66,18 +68,20 @@ class UnreadKeys : public CaseVisitor {
   std::set<std::string, std::less<>> keys_;
 };
 
-/// Whether a value is needed: properties for wear and heat only with [wear] or [heat].
+/// Whether a value is needed. Properties of materials that the motion of the balls does not depend
+/// on are needed by parts only.
 bool is_relevant(std::string_view dotted, const Case& c) {
   const std::string_view key = name_in(dotted);
-  if (key == "hardness") {  // a default yield pressure follows from it
-    const auto* law = std::get_if<contact::ThorntonNing>(
-        &static_cast<const contact::Laws&>(*c.contact.model.law));
-    return c.wear.has_value() || (law != nullptr && law->yield_pressure == 0);
-  }
-  if (key == "conductivity" || key == "heat_capacity") return c.heat.has_value();
-  const bool moved = c.sensors.accelerometer && !c.sensors.accelerometer->mass;
-  if (key == "wall") return c.heat || moved;
-  return dotted != "jar.density" || c.wear || c.heat || moved;
+  const bool of_parts = key == "hardness" || key == "conductivity" || key == "heat_capacity" ||
+                        dotted == "jar.wall" || dotted == "jar.density";
+  if (!of_parts) return true;
+  // A default yield pressure follows from the hardness.
+  const auto* law =
+      std::get_if<contact::ThorntonNing>(&static_cast<const contact::Laws&>(*c.contact.model.law));
+  if (key == "hardness" && law != nullptr && law->yield_pressure == 0) return true;
+  return std::ranges::any_of(parts_of(c), [&](const Part* part) {
+    return part->needs != nullptr && part->needs(c, dotted);
+  });
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/setup/push_apart.hpp"
 
 namespace mahlwerk::cases {

@@ -10,7 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/manifest.hpp"

@@ -10,9 +10,10 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/campaigns/paper_folders.hpp"
 #include "mahlwerk/commands/campaigns/render.hpp"
 #include "mahlwerk/commands/compute.hpp"

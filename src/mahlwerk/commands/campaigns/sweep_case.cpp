@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"

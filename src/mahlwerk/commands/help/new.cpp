@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/help/case_template.hpp"
 #include "mahlwerk/commands/help/start_values.hpp"

@@ -16,6 +16,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/campaigns/sweep_case.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"

@@ -16,7 +16,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
 #include "mahlwerk/campaign/fit/minimiser.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"

@@ -11,11 +11,11 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/sweep/plan.hpp"
+#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/json.hpp"
 
 namespace mahlwerk::commands {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/report/campaign/campaign.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 // A campaign with the levels of its keys, prepared for plots and tables.
 namespace mahlwerk::report {

@@ -6,7 +6,7 @@
 
 #include "mahlwerk/report/campaign/campaign.hpp"
 #include "mahlwerk/report/campaign/sheet.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 

@@ -14,7 +14,7 @@
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
 #include "mahlwerk/report/paper/tables.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/report/paper/claim_rules.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

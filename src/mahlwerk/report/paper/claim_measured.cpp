@@ -10,7 +10,7 @@
 
 #include "mahlwerk/report/paper/claim_rules.hpp"
 #include "mahlwerk/report/paper/measurements.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -10,7 +10,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_rules.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
 
 namespace mahlwerk::report {

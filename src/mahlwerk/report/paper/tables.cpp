@@ -9,7 +9,7 @@
 
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/paper/claim_lines.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::report {

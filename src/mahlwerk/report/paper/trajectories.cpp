@@ -11,7 +11,7 @@
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/plot/svg_element.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 
 namespace mahlwerk::report {

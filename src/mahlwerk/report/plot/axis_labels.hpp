@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 // Labels of axes in figures: name, symbol and unit (marks as in rich_text.hpp).
 namespace mahlwerk::report {

@@ -11,7 +11,7 @@
 #include "mahlwerk/report/plot/scale.hpp"
 #include "mahlwerk/report/plot/svg_element.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "mahlwerk/report/plot/laws.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/report/plot/colours.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 

@@ -15,7 +15,7 @@
 #include "mahlwerk/report/plot/rich_text.hpp"
 #include "mahlwerk/report/plot/scale.hpp"
 #include "mahlwerk/report/plot/svg_element.hpp"
-#include "mahlwerk/report/readable.hpp"
+#include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {

@@ -6,15 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
-#include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
-#include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
 
@@ -53,20 +50,10 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("fields", "density and velocity of the charge", fields(outcome));
   unless_empty("bed", "density and velocity along the line through the bed of a drum",
                bed_table(outcome));
-  unless_empty("wear", "wear of balls and jar", wear(outcome));
-  unless_empty("temperature", "temperatures of balls and jar over milling and pauses",
-               temperatures(outcome));
-  unless_empty("capture", "captured powder per bin of energy, by kind of pair", capture(outcome));
-  unless_empty("captured_grains", "collisions by number of captured grains",
-               captured_grains(outcome));
-  unless_empty("grinding", "sizes of the powder over the milling time", grinding(outcome));
-  unless_empty("size_distribution", "sizes of the powder at some times",
-               size_distribution(outcome));
-  unless_empty("conversion", "dose and conversion over the milling time", conversion(outcome));
-  unless_empty("power_meter", "readings of the motor's power", power_readings(outcome));
-  unless_empty("microphone", "hits that the microphone hears, by energy", heard_hits(outcome));
-  unless_empty("accelerometer", "samples of the accelerometer", acceleration(outcome));
-  unless_empty("thermocouple", "readings of the thermocouple", thermocouple_readings(outcome));
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
+    if (part->tables != nullptr)
+      for (NamedTable& one : part->tables(outcome))
+        unless_empty(std::move(one.name), std::move(one.about), std::move(one.table));
   unless_empty("sizes", "the sizes of balls of each set", sizes(outcome.mill_case));
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*outcome.mill_case.mill.motion))
     all.push_back({"motion", "the measured motion of the jar", motion_samples(*measured)});

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/cases/setup/stl.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
 #include "mahlwerk/results/files/csv.hpp"

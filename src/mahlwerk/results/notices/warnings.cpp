@@ -10,10 +10,8 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/results/quantities/grinding.hpp"
-#include "mahlwerk/results/quantities/kinetics.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
-#include "mahlwerk/results/quantities/sensors.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
 namespace mahlwerk::results {
@@ -176,9 +174,8 @@ Notices warnings(const Outcome& outcome) {
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));
   append(list, settling_warnings(outcome));
-  append(list, grinding_warnings(outcome));
-  append(list, kinetics_warnings(outcome));
-  append(list, sensor_warnings(outcome));
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
+    if (part->notices != nullptr) append(list, part->notices(outcome));
   not_certain(outcome, list);
   return list;
 }

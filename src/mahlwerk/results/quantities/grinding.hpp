@@ -54,7 +54,4 @@ Table grinding(const Outcome& outcome);  ///< grinding.csv: sizes over time
 /// size_distribution.csv: shares of the classes in the feed and at some milling times.
 Table size_distribution(const Outcome& outcome);
 
-/// Warnings where grinding models are used beyond their range of validity; else empty.
-Notices grinding_warnings(const Outcome& outcome);
-
 }  // namespace mahlwerk::results

@@ -6,14 +6,11 @@
 #include <iterator>
 #include <map>
 
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
-#include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
-#include "mahlwerk/results/quantities/kinetics.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
-#include "mahlwerk/results/quantities/sensors.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -22,18 +19,18 @@ constexpr std::string_view above_threshold = "_above_threshold";
 
 Measures all_groups() {
   Measures all;
-  for (Measures (*group)() : {collision_rates,     collision_rates_by_partner,
-                              collision_means,     power_measures,
-                              loss_measures,       contact_time_measures,
-                              mill_measures,       energy_balance_measures,
-                              dose_measures,       regime_measures,
-                              motion_measures,     bed_measures,
-                              tangential_measures, wear_measures,
-                              heat_measures,       capture_measures,
-                              grinding_measures,   kinetics_measures,
-                              sensor_measures,     grain_measures,
-                              check_measures})
+  const auto add = [&](Measures (*group)()) {
     std::ranges::move(group(), std::back_inserter(all));
+  };
+  for (Measures (*group)() :
+       {collision_rates, collision_rates_by_partner, collision_means, power_measures, loss_measures,
+        contact_time_measures, mill_measures, energy_balance_measures, dose_measures,
+        regime_measures, motion_measures, bed_measures, tangential_measures})
+    add(group);
+  for (const cases::Part* part : cases::parts())
+    if (part->quantities != nullptr) add(part->quantities);
+  add(grain_measures);
+  add(check_measures);
   return all;
 }
 

@@ -2,8 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Quantities that a case would have with more sections than it has.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <set>
 
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 
@@ -20,7 +26,7 @@ std::set<std::string> names(const Case& mill_case) {
 
 struct Addition {
   std::string section;
-  void (*add)(Case& mill_case);
+  std::function<void(Case&)> add;
 };
 
 void add_powder(Case& mill_case) {
@@ -28,20 +34,19 @@ void add_powder(Case& mill_case) {
   mill_case.powder->mass = 1;
 }
 
-const std::vector<Addition>& additions() {
-  static const std::vector<Addition> list{
-      {"[powder] with its mass", add_powder},
-      {"[wear]", [](Case& c) { c.wear = cases::Wear(); }},
-      {"[heat]", [](Case& c) { c.heat = cases::Heat(); }},
-      {"[capture]", [](Case& c) { c.capture = cases::Capture(); }},
-      {"[grinding]", [](Case& c) { c.grinding = cases::Grinding(); }},
-      {"[kinetics]", [](Case& c) { c.kinetics = cases::Kinetics(); }},
-      {"[wear], and [powder] with its mass",
-       [](Case& c) {
-         c.wear = cases::Wear();
-         add_powder(c);
-       }},
-  };
+std::vector<Addition> additions() {
+  std::vector<Addition> list{{"[powder] with its mass", add_powder}}, with_powder;
+  for (const cases::Part* part : cases::parts())
+    for (const cases::PartSection& one : part->sections) {
+      if (one.add == nullptr) continue;
+      list.push_back({fmt::format("[{}]", one.spec.name), one.add});
+      with_powder.push_back({fmt::format("[{}], and [powder] with its mass", one.spec.name),
+                             [add = one.add](Case& c) {
+                               add(c);
+                               add_powder(c);
+                             }});
+    }
+  std::ranges::move(with_powder, std::back_inserter(list));
   return list;
 }
 

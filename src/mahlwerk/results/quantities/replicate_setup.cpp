@@ -9,6 +9,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
 #include "mahlwerk/powder/wear.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
@@ -57,32 +58,6 @@ observe::PairFactors factors(const cases::Case& mill_case, const contact::Bounce
 
 }  // namespace
 
-namespace {
-
-/// Intervals of the record of impacts in each sample: they follow the sensor's response closely.
-constexpr double finer = 4;
-
-SensorRecords sensor_records(const cases::Case& mill_case) {
-  SensorRecords made;
-  if (const auto& microphone = mill_case.sensors.microphone)
-    made.microphone.emplace(microphone->threshold, microphone->definition_time,
-                            microphone->hears == cases::Microphone::Hears::all);
-  if (const auto& sensor = mill_case.sensors.accelerometer) {
-    using Axis = cases::Accelerometer::Axis;
-    const Vec3 axis = sensor->axis == Axis::x   ? Vec3{1, 0, 0}
-                      : sensor->axis == Axis::y ? Vec3{0, 1, 0}
-                                                : Vec3{0, 0, 1};
-    const double duration = std::min(sensor->duration, mill_case.run.time);
-    const double count = std::max(1.0, std::round(duration * sensor->sample_rate));
-    made.accelerometer.emplace(axis, mill_case.run.settle.value_or(0),
-                               1 / (finer * sensor->sample_rate),
-                               static_cast<std::size_t>(finer * count));
-  }
-  return made;
-}
-
-}  // namespace
-
 Replicate empty_replicate(const cases::Case& mill_case) {
   std::vector<std::int32_t> of_ball = cases::kinds_of_balls(mill_case);
   const int faces = geometry::faces(*mill_case.jar.shape);
@@ -98,7 +73,9 @@ Replicate empty_replicate(const cases::Case& mill_case) {
     const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
     pairs.set_factors(pair, factors(mill_case, rule, one, other));
   }
-  made.sensors = sensor_records(mill_case);
+  for (const cases::Part* part : cases::parts_of(mill_case))
+    if (auto one = part->recorder != nullptr ? part->recorder(mill_case) : nullptr)
+      made.recorders.add(std::move(one));
   return made;
 }
 

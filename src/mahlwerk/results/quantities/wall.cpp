@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -14,9 +15,9 @@
 #include <utility>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
-#include "mahlwerk/results/quantities/wear.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -234,9 +235,11 @@ Table wall_map(const Outcome& outcome) {
                {"power_lost", "W", "power that the hits dissipate"},
                {"slid", "N m/s", "normal force times sliding distance, per second"}},
               {}};
-  const bool wears = outcome.mill_case.wear.has_value();
-  if (wears)
-    table.columns.push_back({"wear_depth_rate", "m/s", "depth of wall worn off per second"});
+  std::vector<WallColumn> more;
+  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
+    if (part->wall_columns != nullptr)
+      std::ranges::move(part->wall_columns(), std::back_inserter(more));
+  for (const WallColumn& one : more) table.columns.push_back(one.column);
   if (averaged_replicates(outcome).empty()) return table;
   const WallRates rates = wall_rates(outcome);
   for (int cell = 0; cell < WallGrid::cells; ++cell) {
@@ -246,10 +249,8 @@ Table wall_map(const Outcome& outcome) {
     table.rows.push_back({table.columns[0].number_of(part_name(cell)), b.angle[0], b.angle[1],
                           b.across[0], b.across[1], rates.area[i], rates.rate[i],
                           rates.energy_normal[i], rates.lost[i], rates.slid[i]});
-    if (wears) {
-      const double volume = wall_wear_rate(outcome.mill_case, rates.slid[i], rates.erosion[i]);
-      table.rows.back().push_back(rates.area[i] > 0 ? volume / rates.area[i] : 0);
-    }
+    for (const WallColumn& one : more)
+      table.rows.back().push_back(one.value(outcome.mill_case, rates, i));
   }
   return table;
 }

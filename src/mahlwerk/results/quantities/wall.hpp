@@ -25,6 +25,12 @@ struct WallRates {
 };
 WallRates wall_rates(const Outcome& outcome);
 
+/// A column that a part adds to wall_map.csv: its value in a cell.
+struct WallColumn {
+  Column column;
+  double (*value)(const cases::Case&, const WallRates&, std::size_t cell);
+};
+
 Table wall_map(const Outcome& outcome);  ///< wall_map.csv: a row per cell of the wall
 Table fields(const Outcome& outcome);    ///< fields.csv: a row per cell of the plane and frame
 

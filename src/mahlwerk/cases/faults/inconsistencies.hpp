@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/case.hpp"
+
+// The parts of faults() of read.hpp.
+namespace mahlwerk::cases {
+
+/// Values out of range, for a case that was constructed without a reader.
+std::vector<Fault> bad_values(const Case& c);
+/// Inconsistencies between valid parts of a case. Ignores values that are `invalid_value`.
+std::vector<Fault> inconsistencies(const Case& c);
+
+// Called by inconsistencies().
+
+/// Given initial positions outside the jar, and overlaps with its wall or between balls. For a case
+/// without other inconsistencies.
+void bad_positions(const Case& c, std::vector<Fault>& found);
+/// A start state with other balls, or too few states for the replicates.
+void bad_start_state(const Case& c, std::vector<Fault>& found);
+/// Solid volume of powder and balls larger than the jar.
+void bad_powder(const Case& c, std::vector<Fault>& found);
+/// A reversed drive ([milling] reverse) of a mill that does not turn, of a single cycle, or with
+/// unequal numbers of replicates in its two senses.
+void bad_reversal(const Case& c, std::vector<Fault>& found);
+
+}  // namespace mahlwerk::cases

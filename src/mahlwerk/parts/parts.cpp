@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The register of parts, in the order of sections, quantities, tables and panels.
+#include <array>
+
+#include "mahlwerk/cases/part.hpp"
+
+namespace mahlwerk::parts {
+namespace wear {
+const cases::Part& part();
+}
+namespace heat {
+const cases::Part& part();
+}
+namespace grinding {
+const cases::Part& part();
+}
+namespace kinetics {
+const cases::Part& part();
+}
+namespace power_meter {
+const cases::Part& part();
+}
+namespace microphone {
+const cases::Part& part();
+}
+namespace accelerometer {
+const cases::Part& part();
+}
+namespace thermocouple {
+const cases::Part& part();
+}
+}  // namespace mahlwerk::parts
+
+std::span<const mahlwerk::cases::Part* const> mahlwerk::cases::parts() {
+  using namespace mahlwerk::parts;
+  static const std::array all{&wear::part(),          &heat::part(),        &grinding::part(),
+                              &kinetics::part(),      &power_meter::part(), &microphone::part(),
+                              &accelerometer::part(), &thermocouple::part()};
+  return all;
+}
