@@ -163,7 +163,13 @@ class PartWriter {
     if (material_.put(out_, key)) return;
     if (!key.required) return out_.left_out(key, key.default_value, default_remark(key));
     if (name == "file") return out_.value(key, file, "a sample file was written for you");
-    out_.value(key, key.start, replace_it);
+    out_.value(key, start_of(key), replace_it);
+  }
+  /// The value of a new case; of a key whose description names none, one of its kind.
+  static std::string start_of(const KeyInfo& key) {
+    if (!key.start.empty()) return key.start;
+    if (!key.words.empty()) return key.words.front();
+    return key.type == "integer" ? "1" : example_of(key.unit);
   }
   static std::string default_remark(const KeyInfo& key) {
     return key.default_source.empty() ? "" : "default: " + key.default_source;
