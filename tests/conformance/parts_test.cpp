@@ -21,6 +21,7 @@
 #include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/summarise.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
 namespace mahlwerk::tests::parts_test {
@@ -123,6 +124,18 @@ TEST_P(Parts, belong_to_cases_with_a_section_of_theirs_only) {
   std::vector<Fault> faults;
   if (part.check != nullptr) part.check(with, faults);
   EXPECT_TRUE(faults.empty());
+}
+
+TEST_P(Parts, name_the_section_that_a_missing_quantity_needs) {
+  const std::vector<results::MissingQuantity> missing =
+      results::missing_quantities(case_of_text(plain));
+  const results::Measures own = results::applying(GetParam()->quantities(), case_with(*GetParam()));
+  ASSERT_FALSE(own.empty());
+  const auto found = std::ranges::find(missing, own.front().name, &results::MissingQuantity::name);
+  ASSERT_NE(found, missing.end()) << own.front().name;
+  EXPECT_TRUE(std::ranges::any_of(GetParam()->sections, [&](const cases::PartSection& one) {
+    return found->section == fmt::format("[{}]", one.spec.name);
+  })) << found->section;
 }
 
 void check_tables(const std::vector<results::NamedTable>& tables) {

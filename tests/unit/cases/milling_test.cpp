@@ -39,6 +39,10 @@ TEST(MillingTime, is_given_once_for_sizes_conversion_and_temperatures) {
   EXPECT_EQ(milling_time(read_sample(powdered)), std::nullopt);
 }
 
+TEST(MillingTime, makes_another_case) {
+  EXPECT_FALSE(read_sample(powdered + milling) == read_sample(powdered));
+}
+
 TEST(MillingTime, of_heat_is_shared_by_its_cycles) {
   const Case c = read_sample(powdered + milling + "[heat]\npause = \"5 min\"\ncycles = 4\n");
   EXPECT_EQ(c.heat->milling, 900);
