@@ -162,6 +162,15 @@ double parse_in(std::string_view text, std::string_view unit) {
   return finite_or_fault(converted(p.number, found.scale, wanted.scale), text);
 }
 
+double largest_admitted(std::string_view unit) {
+  constexpr std::pair<std::string_view, double> limits[] = {
+      {"m", 1e6},  {"s", 1e12},    {"m/s", 1e5},   {"m/s2", 1e8}, {"rad/s", 1e7},
+      {"Hz", 1e9}, {"kg/m3", 1e6}, {"kg", 1e15},   {"m3", 1e12},  {"Pa", 1e18},
+      {"K", 1e9},  {"J", 1e18},    {"J/kg", 1e15}, {"N/m", 1e20}, {"rad", 1e6}};
+  const auto found = std::ranges::find(limits, unit, [](const auto& one) { return one.first; });
+  return found == std::end(limits) ? 1e30 : found->second;
+}
+
 std::string example_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> examples[] = {{"m", "12 mm"},
                                                                         {"kg", "10 g"},

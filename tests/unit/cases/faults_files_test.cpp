@@ -48,6 +48,7 @@ TEST(CaseFaults, bad_rows_of_a_measured_motion) {
   EXPECT_EQ(found(head + "0,0,0,0\n1,0,0,1\n1,0,0,0\n2,0,0,0\n"),
             (Places{"m.csv:4 bad-motion-file"}));
   EXPECT_EQ(found("t,x,y,z\n0,0,0,0\n"), (Places{"m.csv:1 bad-motion-file"}));
+  EXPECT_EQ(found(head + "0,0,0,0\n1,1e308,0,0\n2,0,0,0\n"), (Places{"m.csv:3 bad-motion-file"}));
   EXPECT_EQ(found(head + "0,0,0,0\n1,0,0,1\n"), (Places{"m.csv bad-motion-file"}));
   EXPECT_EQ(found(""), (Places{"m.csv bad-motion-file"}));
   std::filesystem::remove(folder.path() / "m.csv");

@@ -17,6 +17,20 @@ namespace mahlwerk::cases::faults_test {
 namespace {
 
 using namespace sample;
+// Grids and numbers of steps would overflow.
+TEST(CaseFaults, sizes_and_times_that_no_mill_has_are_refused) {
+  for (const char* line : {"amplitude = \"1e308 mm\"", "amplitude = \"1.1e6 m\""}) {
+    const auto found = sample::faults_of(sample::with(sample::vial, "amplitude", line));
+    ASSERT_EQ(found.size(), 1U) << line;
+    EXPECT_EQ(found[0].code, "out-of-range");
+    EXPECT_NE(found[0].what.find("1000 km at most"), std::string::npos) << found[0].what;
+  }
+  Case built = sample::read_sample(sample::vial);
+  EXPECT_TRUE(faults(built).empty());
+  built.run.time = 1.1e12;
+  EXPECT_FALSE(faults(built).empty());
+}
+
 TEST(CaseFaults, unknown_keys_name_the_nearest_known_one) {
   EXPECT_TRUE(only(with(vial, "frequency", "frequency = \"10 Hz\"\nfrequancy = \"10 Hz\""),
                    "case.toml:6", "did you mean `frequency`?", "unknown-key"));

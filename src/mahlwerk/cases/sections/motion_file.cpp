@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 
 #include "mahlwerk/base/text.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
@@ -48,6 +50,11 @@ class MotionFile {
       } else if (const auto cells = numbers(row); cells && cells->size() == columns_) {
         const auto& c = *cells;
         samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
+        const double far = std::max({std::abs(c[1]), std::abs(c[2]), std::abs(c[3])});
+        if (far > largest_admitted("m") || std::abs(c[0]) > largest_admitted("s"))
+          fault(fmt::format("\"{}\" is beyond all that a mill has", row.substr(0, 60)),
+                fmt::format("give times in seconds and positions in metres, {} at most",
+                            show(largest_admitted("m"), "m")));
         if (samples.size() > 1 && !(c[0] > samples[samples.size() - 2].time))
           fault("the time does not increase", "sort the rows by time, each time once");
       } else {

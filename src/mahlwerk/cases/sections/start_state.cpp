@@ -4,12 +4,14 @@
 // run.start_from: the state of the balls at the end of another run.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include "mahlwerk/base/text.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
@@ -90,6 +92,12 @@ class StateFile {
         return std::nullopt;
     }
     if (!(v[0] >= 1 && v[0] < 1e6 && v[1] > 0)) return std::nullopt;
+    const auto beyond = [&](std::size_t from, std::size_t to, std::string_view unit) {
+      return std::ranges::any_of(v.begin() + static_cast<std::ptrdiff_t>(from),
+                                 v.begin() + static_cast<std::ptrdiff_t>(to),
+                                 [&](double x) { return std::abs(x) > largest_admitted(unit); });
+    };
+    if (beyond(1, 5, "m") || beyond(5, 8, "m/s") || beyond(8, 11, "rad/s")) return std::nullopt;
     return BallState{v[1],
                      static_cast<std::int32_t>(v[0]) - 1,
                      {v[2], v[3], v[4]},
