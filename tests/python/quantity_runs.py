@@ -26,9 +26,22 @@ CASES = {
                "power_meter": {"interval": "0.1 s", "idle_power": "7 W", "efficiency": 0.5},
                "microphone": {"threshold": "0.2 mJ", "definition_time": "2 ms"}},
     # No friction: the normal impulses alone do the work of the jar.
-    "frictionless": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+    "frictionless": {"mill": {**SHAKEN, "jars_carried": 3}, "jar": JAR, "balls": [BALLS],
                      "contact": {"restitution": 0.6, "friction": 0},
-                     "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"}},
+                     "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
+                     "power_meter": {"interval": "0.05 s", "idle_power": "5 W", "efficiency": 0.8}},
+    # Without weight: what the jar does and collisions lose is all that changes the kinetic energy.
+    "weightless": {"gravity": "0 m/s2", "mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+                   "contact": {"restitution": 0.9, "friction": 0.3}, "observe": {"final_state": True},
+                   "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"}},
+    # Two sets, one with balls of two sizes; three replicates.
+    "mixed": {"mill": SHAKEN, "jar": {**JAR, "hardness": 600, "density": "7000 kg/m3"},
+              "balls": [{**BALLS, "count": 4},
+                        {"count": 5, "distribution": "uniform", "smallest": "6 mm", "largest": "10 mm", "classes": 2,
+                         "density": "7850 kg/m3", "youngs_modulus": "1 GPa", "hardness": 400}],
+              "contact": {"restitution": 0.6, "friction": 0.3}, "observe": {"final_state": True},
+              "wear": {"model": "archard", "coefficient": 1e-3},
+              "run": {"engine": "soft", "time": "0.4 s", "settle": "0.2 s", "replicates": 3}},
     # Contacts that last, one ball.
     "soft": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 1}],
              "contact": {"restitution": 0.6, "friction": 0.3, "rolling_friction": 0.05},
@@ -41,10 +54,11 @@ CASES = {
              "balls": [{**BALLS, "count": 30}], "powder": POWDER,
              "contact": {"restitution": 0.5, "friction": 0.4},
              "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2},
+    "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2,
+                           "jars_carried": 2},
                   "jar": JAR, "balls": [BALLS], "contact": {"restitution": 0.5, "friction": 0.4},
-                  "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "stirred": {"mill": {"kind": "still"},
+                  "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}, "power_meter": {"interval": "20 ms"}},
+    "stirred": {"mill": {"kind": "still", "jars_carried": 2}, "power_meter": {"interval": "5 ms"},
                 "jar": {"kind": "attritor", "diameter": "100 mm", "height": "120 mm", "shaft_diameter": "20 mm",
                         "shaft_clearance": "10 mm", "arms": 4, "arm_diameter": "8 mm", "arm_span": "80 mm",
                         "arm_clearance": "20 mm", "arm_spacing": "20 mm", "rotor_speed": "300 rpm",
@@ -81,6 +95,24 @@ CASES = {
              "fragments": {"model": "halves"},
              "grinding": {"smallest": "4 um"},
              "kinetics": {"model": "ignition", "ignition_dose": "1 kJ/g", "dose": "dissipated"}},
+    # Milling with pauses.
+    "cycled": {"mill": SHAKEN, "jar": {**JAR, **THERMAL, "wall": "3 mm"}, "balls": [{**BALLS, **THERMAL, "count": 1}],
+               "powder": POWDER, "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
+               "heat": {"milling": "10 min", "pause": "5 min", "cycles": 3, "cooling": "15 W/m2/K",
+                        "ball_exchange": "50 W/m2/K", "share_in_balls": 0.4, "ambient": "20 degC"},
+               "thermocouple": {"place": "gas", "lag": "60 s"},
+               "kinetics": {"model": "thermal", "frequency_factor": "1e7 1/s", "activation_energy": "60 kJ/mol"}},
+    # Hits that capture less than a grain, and others that capture many; one replicate.
+    "ground": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": {**POWDER, "size": "0.3 mm"},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "2 s", "settle": "0.2 s", "replicates": 1},
+               "capture": {"model": "trapped-volume", "thickness": "50 um", "packing": 0.6, "energy_share": 0.8},
+               "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.01 J m/kg"},
+               "fragments": {"model": "halves"},
+               "grinding": {"time": "20 min", "smallest": "20 um", "method": "both"},
+               "kinetics": {"law": "avrami", "dose": "captured", "dose_constant": "10 kJ/kg", "exponent": 1.5,
+                            "onset": "2 kJ/kg", "molar_mass": "60 g/mol"}},
     "grains": {"mill": {"kind": "still"}, "jar": JAR, "balls": [{**BALLS, "count": 1}],
                "powder": {"as": "grains", "mass": "0.1 g", "size": "0.5 mm", "grain_size": "2 mm",
                           "density": "4000 kg/m3", "youngs_modulus": "10 MPa"},
@@ -98,11 +130,12 @@ class Run:
 
     def __init__(self, name):
         case = {"title": name, "seed": 7, **CASES[name]}
-        case["run"] = {**case["run"], "replicates": 2}
+        case["run"] = {"replicates": 2, **case["run"]}
         case["balls"] = [{key: value for key, value in one.items() if value is not None} for one in case["balls"]]
         self.result = mahlwerk.Case(case).run(collisions=True)
-        self.hits = [self.result.collisions(i) for i in (1, 2)]
+        self.hits = [self.result.collisions(i + 1) for i in range(case["run"]["replicates"])]
         self.time = self["simulated_time"]
+        self.begin = float(case["run"]["settle"].split()[0])  # [s] of counting
         self.balls = sum(one.get("count", 1) for one in case["balls"])
 
     def mean(self, of):

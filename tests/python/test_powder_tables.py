@@ -1,0 +1,404 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""The tables of powder, heat and sensors, computed a second time: from other tables and the records, by numpy and the
+equations of docs/theory."""
+import math
+
+import numpy as np
+import pytest
+
+from quantity_runs import run_of
+from test_quantities import energies, heard, jar_work
+from test_tables import EXACT, is_same, quarters, rates
+
+CELSIUS = 273.15
+BALL = 7850 * math.pi / 6 * 8e-3**3  # [kg] of 8 mm
+
+
+def exponential(matrix):
+    """exp(matrix) by squaring a Taylor series."""
+    squarings = max(0, int(np.ceil(np.log2(np.abs(matrix).sum(axis=0).max() + 1e-300))) + 6)
+    small = matrix / 2.0**squarings
+    term = total = np.eye(len(matrix))
+    for k in range(1, 16):
+        term = term @ small / k
+        total = total + term
+    for _ in range(squarings):
+        total = total @ total
+    return total
+
+
+def after(matrix, source, start, time):
+    """The solution of y' = matrix y + source at a time."""
+    n = len(start)
+    whole = np.zeros((n + 1, n + 1))
+    whole[:n, :n], whole[:n, n] = matrix, source
+    return (exponential(whole * time) @ np.append(start, 1))[:n]
+
+
+# Heat: a ball of steel in a jar of steel, 3 mm thick. It mills three times for 10 min with pauses of 5 min.
+
+class Heat:
+    """Temperatures of balls and jar, and the reading of a thermocouple in the gas (hea.1 to hea.3, sns.7, sns.8)."""
+    MILLING, PAUSE, LAG, SHARE, AMBIENT = 600, 300, 60, 0.4, 20
+
+    def __init__(self, run, power):
+        wall = run.result.table("wall_map")["area_m2"].sum()  # the drawn wall, of facets
+        balls = math.pi * 8e-3**2
+        c_b, c_j = BALL * 460, wall * 3e-3 * 7850 * 460
+        g_bj, g_ja = 50 * balls, 15 * wall
+        gas = balls / (balls + wall)
+        self.matrix = np.array([[-g_bj / c_b, g_bj / c_b, 0],
+                                [g_bj / c_j, -(g_bj + g_ja) / c_j, 0],
+                                [gas / self.LAG, (1 - gas) / self.LAG, -1 / self.LAG]])
+        self.heating = np.array([self.SHARE * power / c_b, (1 - self.SHARE) * power / c_j, 0])
+        self.gas = gas
+
+    def at(self, time):
+        """Balls, jar and reading [degC] at a time of the clock."""
+        above, begin = np.zeros(3), 0.0
+        while begin < time:
+            for length, source in ((self.MILLING, self.heating), (self.PAUSE, np.zeros(3))):
+                step = min(length, time - begin)
+                if step > 0:
+                    above, begin = after(self.matrix, source, above, step), begin + step
+        return above + self.AMBIENT
+
+    def clock(self, milling):
+        """The time of the clock at a milling time, without the pause that follows it."""
+        return milling + self.PAUSE * max(0, math.ceil(milling / self.MILLING - 1e-9) - 1)
+
+
+@pytest.fixture(scope="module")
+def heat():
+    run = run_of("cycled")
+    return Heat(run, run["dissipated_power"])
+
+
+def test_temperatures_are_those_of_two_lumps(heat):
+    rows = run_of("cycled").result.table("temperature")
+    assert rows["time_s"][0] == 0 and rows["time_s"][-1] == pytest.approx(3 * 900)
+    assert {600, 900, 1500, 1800, 2400} <= set(np.round(rows["time_s"], 6))
+    found = np.array([heat.at(time) for time in rows["time_s"]])
+    is_same(rows["balls_degC"], found[:, 0], "balls", rel=1e-8)
+    is_same(rows["jar_degC"], found[:, 1], "jar", rel=1e-8)
+
+
+def test_the_thermocouple_lags_behind_the_gas(heat):
+    rows = run_of("cycled").result.table("thermocouple")
+    found = np.array([heat.at(time) for time in rows["time_s"]])
+    is_same(rows["surroundings_degC"], heat.gas * found[:, 0] + (1 - heat.gas) * found[:, 1], "gas", rel=1e-8)
+    is_same(rows["reading_degC"], found[:, 2], "reading", rel=1e-8)
+
+
+def test_temperatures_after_milling_are_those_before_the_last_pause(heat):
+    run = run_of("cycled")
+    for i, power in enumerate(run.by_replicate("dissipated_power")):
+        end = Heat(run, power).at(2400)
+        for name, value in zip(("temperature_balls", "temperature_jar", "thermocouple_reading"), end):
+            assert run.by_replicate(name)[i] == pytest.approx(value, rel=1e-8), name
+
+
+def test_arrhenius_reads_the_temperature_of_the_balls_over_milling_and_pauses():
+    run = run_of("cycled")
+    rows = run.result.table("conversion")
+    assert len(rows) == 201
+    is_same(rows["time_s"], np.linspace(0, 1800, 201), "milling time")
+    of = [Heat(run, power) for power in run.by_replicate("dissipated_power")]
+    for row in rows[[0, 50, 66, 67, 150, 200]]:
+        temperatures, shares = [], []
+        for heat in of:
+            clock = heat.clock(row["time_s"])
+            grid = np.linspace(0, clock, 601)
+            kelvin = np.array([heat.at(time)[0] for time in grid]) + CELSIUS
+            rate = 1e7 * np.exp(-60e3 / (8.31446261815324 * kelvin))
+            shares.append(1 - math.exp(-np.trapz(rate, grid)))
+            temperatures.append(kelvin[-1])
+        assert row["temperature_K"] == pytest.approx(np.mean(temperatures), rel=1e-8)
+        assert row["conversion"] == pytest.approx(np.mean(shares), rel=1e-4, abs=1e-12)  # of the quadrature
+
+
+# Captured powder: grains of 0.3 mm in a layer of 50 um, of which 0.6 is solid.
+
+SOLID, LAYER, GRAIN, POWDER, SHARE = 0.6 * 4000, 50e-6, 0.3e-3, 2e-3, 0.8
+MODULUS = 1e9 / (2 * (1 - 0.3**2))
+RADII = {"balls.1": 2e-3, "jar.bottom": 4e-3, "jar.top": 4e-3,
+         "jar.side": 1 / math.sqrt(1 / 4e-3 * (1 / 4e-3 - 1 / 20e-3))}  # (cap.3)
+
+
+def grain_mass(size):
+    return 4000 * math.pi / 6 * size**3
+
+
+def captured(partner, energy):
+    """Contact radius (cap.1) and captured mass (cap.10)."""
+    radius = (15 * energy / (8 * MODULUS))**0.2 * np.array([RADII[one] for one in partner])**0.4
+    return radius, SOLID * math.pi * radius**2 * LAYER
+
+
+def test_capture_is_what_the_contact_area_holds():
+    run = run_of("ground")
+    rows = run.result.table("capture")
+    assert set(rows["other"]) == set(RADII) and set(rows["one"]) == {"balls.1"}
+    radius, mass = captured(rows["other"], rows["energy_J"])
+    grains = mass / grain_mass(GRAIN)
+    is_same(rows["radius_m"], radius, "radius", rel=1e-6)
+    is_same(rows["mass_kg"], mass, "mass", rel=1e-6)
+    is_same(rows["grains"], grains, "grains", rel=1e-6)
+    assert min(grains) < 1 < max(grains), "the case has both kinds of hits"
+    each = SHARE * rows["energy_J"] / np.maximum(1, grains)
+    is_same(rows["energy_per_grain_J"], each, "energy of a grain", rel=1e-6)
+    is_same(rows["specific_energy_J_per_kg"], each / grain_mass(GRAIN), "by mass", rel=1e-6)
+
+
+def test_captures_are_those_of_the_collisions():
+    run = run_of("ground")
+    rows = run.result.table("capture")
+    assert rows["rate_per_s"].sum() == pytest.approx(rates(run, len), rel=EXACT)
+    power = rates(run, lambda h: energies(h)["normal"].sum())
+    assert (rows["rate_per_s"] * rows["energy_J"]).sum() == pytest.approx(power, rel=EXACT)
+    faces = {"balls.1": lambda h: h["other"] >= 0, "jar.side": lambda h: h["other"] == -1,
+             "jar.bottom": lambda h: h["other"] == -2, "jar.top": lambda h: h["other"] == -3}
+    for partner, of in faces.items():
+        those = rows[rows["other"] == partner]
+        assert those["rate_per_s"].sum() == pytest.approx(rates(run, lambda h: of(h).sum()), rel=EXACT)
+        # One row for each quarter of an octave, at the mean energy of its collisions.
+        k = np.floor(4 * np.log2(those["energy_J"]))
+        assert len(set(k)) == len(k)
+        for row, low in zip(those, k):
+            inside = lambda h: energies(h)["normal"][of(h) & (np.floor(4 * np.log2(energies(h)["normal"])) == low)]
+            assert row["rate_per_s"] == pytest.approx(rates(run, lambda h: len(inside(h))), rel=EXACT)
+            assert row["energy_J"] == pytest.approx(np.mean(np.concatenate([inside(h) for h in run.hits])), rel=EXACT)
+
+
+def test_capture_rates_are_the_sums_of_their_table():
+    run = run_of("ground")
+    rows = run.result.table("capture")
+    grains = np.maximum(1, rows["mass_kg"] / grain_mass(GRAIN))
+    chance = np.minimum(1, rows["mass_kg"] / grain_mass(GRAIN))
+    mass = (rows["rate_per_s"] * rows["mass_kg"]).sum()
+    power = SHARE * (rows["rate_per_s"] * chance * rows["energy_J"]).sum()
+    of_energy = rows["rate_per_s"] * rows["energy_J"]
+    for name, value in {"captured_mass_rate": mass, "captured_share_rate": mass / POWDER,
+                        "captured_dose_rate": power / POWDER / 1000, "captured_energy_mean": power / mass / 1000,
+                        "captured_grains_mean": (of_energy * chance * grains).sum() / of_energy.sum(),
+                        "specific_grinding_energy": 1200 * power / POWDER / 1000,
+                        "milling_dose": 1200 * power / POWDER / 1000,
+                        "milling_dose_per_mole": 1200 * power / POWDER * 0.06 / 1000}.items():
+        assert run[name] == pytest.approx(value, rel=1e-6), name
+
+
+def test_captured_grains_are_binned_by_their_number():
+    run = run_of("ground")
+    rows, table = run.result.table("capture"), run.result.table("captured_grains")
+    chance = np.minimum(1, rows["grains"])
+    grains = np.maximum(1, rows["mass_kg"] / grain_mass(GRAIN))
+    bins = np.where(grains > 1, 1 + np.floor(4 * np.log2(grains)), 0)
+    is_same(table["grains_low"], [1 if b == 0 else 2**((b - 1) / 4) for b in sorted(set(bins))], "lower edge")
+    is_same(table["grains_high"], [1 if b == 0 else 2**(b / 4) for b in sorted(set(bins))], "upper edge")
+    assert 0 in bins and len(table) > 3, "the case has single grains and many"
+    for row, b in zip(table, sorted(set(bins))):
+        inside = bins == b
+        assert row["rate_per_s"] == pytest.approx((rows["rate_per_s"] * chance)[inside].sum(), rel=EXACT)
+        assert row["power_W"] == pytest.approx((rows["rate_per_s"] * chance * rows["energy_J"])[inside].sum(), rel=EXACT)
+
+
+# Sizes: a hit breaks a grain into halves, with the probability of (brk.1).
+
+class Balance:
+    """The population balance (pbm.1, pbm.2) on the classes of the table, from coarse to fine."""
+
+    def __init__(self, run):
+        table = run.result.table("size_distribution")
+        first = np.sort(table[table["time_s"] == 0], order="size_low_m")[::-1]
+        self.low, self.high, self.start = first["size_low_m"], first["size_high_m"], first["share"]
+        self.middle = np.sqrt(self.low * self.high)
+        hits = run.result.table("capture")
+        _, mass = captured(hits["other"], hits["energy_J"])
+        rate = []
+        for size in self.middle:
+            grain = grain_mass(size)
+            work = SHARE * hits["energy_J"] / (np.maximum(1, mass / grain) * grain)
+            chance = 1 - np.exp(-0.1 * np.maximum(0, size * work - 0.01))
+            rate.append((hits["rate_per_s"] * mass / POWDER * chance).sum())
+        rate[-1] = 0  # the finest class does not break
+        n = len(rate)
+        self.matrix = -np.diag(rate)
+        for i in range(n):
+            self.matrix[min(i + 2, n - 1), i] += rate[i]  # a third of an octave finer: two classes
+
+    def shares(self, time):
+        return exponential(self.matrix * time) @ self.start
+
+    def quantile(self, shares, part):
+        """(siz.2)"""
+        edges = np.log(np.append(self.low[::-1], self.high[0]))
+        return math.exp(np.interp(part, np.append(0, np.cumsum(shares[::-1])), edges))
+
+    def surface(self, shares):
+        return np.sum(6 * shares / (4000 * self.middle))  # (siz.3)
+
+
+@pytest.fixture(scope="module")
+def balance():
+    return Balance(run_of("ground"))
+
+
+def test_the_feed_is_one_class_of_a_sixth_of_an_octave(balance):
+    is_same(balance.high / balance.low, 2**(1 / 6), "width", rel=1e-12)
+    is_same(balance.high[1:], balance.low[:-1], "neighbours", rel=1e-12)
+    assert balance.start.max() == 1 and balance.middle[balance.start.argmax()] == pytest.approx(GRAIN, rel=1e-12)
+    assert balance.low[-1] <= 20e-6 <= balance.high[-1] * 2**(1 / 6)
+
+
+def test_the_size_distribution_solves_the_balance(balance):
+    table = run_of("ground").result.table("size_distribution")
+    times = 1200 * np.array([0, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1])
+    assert list(np.unique(table["time_s"])) == pytest.approx(list(times))
+    for time in times:
+        rows = table[np.isclose(table["time_s"], time)]
+        assert list(rows["size_low_m"]) == sorted(rows["size_low_m"]), "from fine to coarse"
+        shares = balance.shares(time)[::-1]
+        is_same(rows["share"], shares, "share", rel=1e-6, least=1e-12)
+        is_same(rows["passing"], np.cumsum(shares), "passing", rel=1e-6, least=1e-12)
+        is_same(rows["density"], shares / (math.log(2) / 6), "density", rel=1e-6, least=1e-12)
+
+
+def test_sizes_over_time_are_those_of_the_balance(balance):
+    run = run_of("ground")
+    rows = run.result.table("grinding")
+    first = 1200 / 2**12
+    times = [*(first * np.arange(17) / 16), *(first * 2.0**k * (1 + i / 16) for k in range(12) for i in range(1, 17))]
+    is_same(rows["time_s"], times, "output times")
+    is_same(rows["specific_energy_J_per_g"], run["captured_dose_rate"] * rows["time_s"], "energy")
+    for row in rows[[0, 1, 100, 150, 190, 208]]:
+        shares = balance.shares(row["time_s"])
+        for name, part in (("d10_m", 0.1), ("d50_m", 0.5), ("d90_m", 0.9)):
+            assert row[name] == pytest.approx(balance.quantile(shares, part), rel=1e-5), name
+        assert row["specific_surface_m2_per_kg"] == pytest.approx(balance.surface(shares), rel=1e-6)
+    shares = balance.shares(1200)
+    for name, value in {"d10": balance.quantile(shares, 0.1), "d50": balance.quantile(shares, 0.5),
+                        "d90": balance.quantile(shares, 0.9), "specific_surface": balance.surface(shares),
+                        "finest_share": shares[-1]}.items():
+        assert run[name] == pytest.approx(value, rel=1e-5), name
+
+
+def test_a_sample_agrees_with_the_balance_and_with_itself(balance):
+    run = run_of("ground")
+    table, rows = run.result.table("size_distribution"), run.result.table("grinding")
+    for time in np.unique(table["time_s"]):
+        those = table[table["time_s"] == time]
+        # 10 000 grains; four standard deviations of a share of a half
+        assert np.abs(those["sample_passing"] - those["passing"]).max() <= 4 * 0.5 / math.sqrt(10000)
+        is_same(those["sample_passing"], np.cumsum(those["sample_share"]), "passing")
+        is_same(those["sample_density"], those["sample_share"] / (math.log(2) / 6), "density")
+        row = rows[np.isclose(rows["time_s"], time)][0]
+        shares = those["sample_share"][::-1]
+        for name, part in (("d10", 0.1), ("d50", 0.5), ("d90", 0.9)):
+            assert row[f"sample_{name}_m"] == pytest.approx(balance.quantile(shares, part), rel=1e-9), name
+        assert row["sample_specific_surface_m2_per_kg"] == pytest.approx(balance.surface(shares), rel=1e-9)
+    assert np.abs(table["sample_share"] - table["share"]).max() > 0, "the sample is another method"
+
+
+# Conversion.
+
+def test_conversion_follows_the_dose_of_captured_powder():
+    run = run_of("ground")
+    rows = run.result.table("conversion")
+    is_same(rows["time_s"], np.linspace(0, 1200, 201), "milling time")
+    dose = run["captured_dose_rate"] * rows["time_s"]
+    is_same(rows["dose_J_per_g"], dose, "dose")
+    assert dose[-1] > 2, "the onset is passed"
+    is_same(rows["conversion"], 1 - np.exp(-(np.maximum(0, dose - 2) / 10)**1.5), "(dos.1)", rel=1e-9, least=1e-15)
+    assert run["conversion"] == pytest.approx(rows["conversion"][-1], rel=EXACT)
+
+
+def test_conversion_by_impact_follows_the_hits():
+    run = run_of("flying")
+    rows = run.result.table("conversion")
+    is_same(rows["time_s"], np.linspace(0, 7200, 201), "milling time")
+    is_same(rows["dose_J_per_g"], run["specific_energy_dose_rate"] * rows["time_s"], "dose")
+    a = np.array([[len(hits) / run.time * 0.5 * 2e-9 / 2e-3] for hits in run.hits])
+    first, second = np.exp(-a * rows["time_s"]), np.exp(-a / 2 * rows["time_s"])
+    product = 2 * (second - first)  # a sequence whose second rate is half of the first (rea.5)
+    # One hit processes a share of 5e-7 of the powder: rates differ by this share from those of many small hits.
+    for name, value in {"conversion": 1 - first, "yield": product, "second_yield": 1 - first - product,
+                        "property": 1 + 2 * (1 - first)}.items():
+        is_same(rows[name], value.mean(axis=0), name, rel=2e-6, least=1e-12)
+
+
+# Sensors.
+
+def test_the_power_meter_reads_the_work_of_the_jar():
+    run = run_of("frictionless")
+    rows = run.result.table("power_meter")
+    is_same(rows["time_s"], np.arange(1, 21) * 0.05, "end of the reading")
+    hits = run.hits[0]
+    at = hits["time"] + hits["duration"] - run.begin
+    w = 2 * math.pi * 20
+    for row in rows:
+        those = hits[(at > row["time_s"] - 0.05) & (at <= row["time_s"])]
+        # A record sums the bounces of 20 us: so much later, the jar has another speed.
+        unsure = 2 * 20e-6 * w * 8e-3 * w * np.sum(those["impulse"]) / 0.05
+        assert row["drawn_power_W"] == pytest.approx(jar_work(those, run) / 0.05, abs=unsure + 1e-9)
+    is_same(rows["motor_power_W"], 5 + 3 * rows["drawn_power_W"] / 0.8, "motor")
+    assert rows["drawn_power_W"].mean() == pytest.approx(run.by_replicate("drawn_power")[0], rel=1e-9)
+    assert run.by_replicate("motor_power_scatter")[0] == pytest.approx(rows["motor_power_W"].std(ddof=1), rel=1e-9)
+
+
+@pytest.mark.parametrize("name, speed", [("planetary", 300 * math.pi / 30), ("stirred", 300 * math.pi / 30)])
+def test_the_power_meter_reads_the_torque_of_a_shaft(name, speed):
+    run = run_of(name)
+    rows = run.result.table("power_meter")
+    is_same(rows["torque_N_m"], 2 * rows["drawn_power_W"] / speed, "torque of two jars")
+    lengths = np.diff(np.append(0, rows["time_s"]))  # the soft engine reads at the end of a time step
+    assert np.average(rows["drawn_power_W"], weights=lengths) == pytest.approx(
+        run.by_replicate("drawn_power")[0], rel=1e-9)
+
+
+def test_the_microphone_counts_the_hits_that_it_hears_by_energy():
+    run = run_of("flying")
+    rows = run.result.table("microphone")
+    low, high = rows["energy_low_J"], rows["energy_high_J"]
+    assert quarters(low, high)
+    loud = np.concatenate([heard(hits) for hits in run.hits])
+    time = run.time * len(run.hits)
+    is_same(rows["rate_per_s"], [np.sum((loud >= a) & (loud < b)) / time for a, b in zip(low, high)], "rate")
+    is_same(rows["rate_above_per_s"], [np.sum(loud >= a) / time for a in low], "above")
+
+
+def filtered(values, step, bandwidth, start):
+    """x'' + sqrt(2) w x' + w^2 x = w^2 u at the end of each step, u constant in each (sns.6)."""
+    w = 2 * math.pi * bandwidth
+    matrix = np.array([[0, 1], [-w * w, -math.sqrt(2) * w]])
+    move, state, made = exponential(matrix * step), np.array([start, 0.0]), []
+    for u in values:
+        steady = np.array([u, 0.0])
+        state = steady + move @ (state - steady)
+        made.append(state[0])
+    return np.array(made)
+
+
+def test_the_accelerometer_follows_the_jar_and_the_impacts():
+    run = run_of("warm")
+    rows, hits = run.result.table("accelerometer"), run.hits[0]
+    step, mass, w = 1 / 40e3, 0.4, 2 * math.pi * 20
+    is_same(rows["time_s"], np.arange(1, 1001) * 1e-4, "samples")
+    middle = run.begin + step * (np.arange(4000) + 0.5)
+    motion = filtered(-8e-3 * w * w * np.sin(w * middle), step, 1e3, -8e-3 * w * w * math.sin(w * middle[0]))
+    is_same(rows["of_motion_m_per_s2"], motion[3::4], "motion", rel=1e-7, least=1e-7)
+    edges = run.begin + step * np.arange(4001)
+    impulse = np.zeros(4000)
+    for h in hits[hits["other"] < 0]:
+        end = h["time"] + h["duration"]
+        inside = np.clip(np.minimum(end, edges[1:]) - np.maximum(h["time"], edges[:-1]), 0, None)
+        impulse += h["impulse"] * h["normal_z"] * inside / h["duration"]
+    of_impacts = filtered(impulse / (step * mass), step, 1e3, 0)
+    largest = np.abs(of_impacts).max()
+    is_same(rows["of_impacts_m_per_s2"], of_impacts[3::4], "impacts", rel=1e-6, least=1e-6 * largest)
+    is_same(rows["acceleration_m_per_s2"], (motion + of_impacts)[3::4], "signal", rel=1e-6, least=1e-6 * largest)
+    whole = motion + of_impacts
+    for name, value in {"acceleration_rms": math.sqrt(np.mean(whole**2)),
+                        "acceleration_rms_of_impacts": math.sqrt(np.mean(of_impacts**2)),
+                        "acceleration_peak": np.abs(whole).max()}.items():
+        assert run.by_replicate(name)[0] == pytest.approx(value, rel=1e-6), name
