@@ -113,6 +113,12 @@ CASES = {
                "grinding": {"time": "20 min", "smallest": "20 um", "method": "both"},
                "kinetics": {"law": "avrami", "dose": "captured", "dose_constant": "10 kJ/kg", "exponent": 1.5,
                             "onset": "2 kJ/kg", "molar_mass": "60 g/mol"}},
+    # Powder that coats balls and a jar with flat walls; nothing becomes of what is captured.
+    "coated": {"mill": SHAKEN, "jar": {"kind": "box", "width": "40 mm", "depth": "50 mm", "height": "60 mm",
+                                       "youngs_modulus": "1 GPa"},
+               "balls": [BALLS], "powder": POWDER, "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"},
+               "capture": {"model": "surface-layer", "surface_density": "0.1 kg/m2", "energy": "contact-point"}},
     "grains": {"mill": {"kind": "still"}, "jar": JAR, "balls": [{**BALLS, "count": 1}],
                "powder": {"as": "grains", "mass": "0.1 g", "size": "0.5 mm", "grain_size": "2 mm",
                           "density": "4000 kg/m3", "youngs_modulus": "10 MPa"},

@@ -126,6 +126,10 @@ RADII = {"balls.1": 2e-3, "jar.bottom": 4e-3, "jar.top": 4e-3,
          "jar.side": 1 / math.sqrt(1 / 4e-3 * (1 / 4e-3 - 1 / 20e-3))}  # (cap.3)
 
 
+FACES_OF_BOX = {"left": ("x", -1), "right": ("x", 1), "front": ("y", -1), "back": ("y", 1), "bottom": ("z", -1),
+                "top": ("z", 1)}  # axis and sign of the normal from a ball to the face
+
+
 def grain_mass(size):
     return 4000 * math.pi / 6 * size**3
 
@@ -201,6 +205,25 @@ def test_captured_grains_are_binned_by_their_number():
         inside = bins == b
         assert row["rate_per_s"] == pytest.approx((rows["rate_per_s"] * chance)[inside].sum(), rel=EXACT)
         assert row["power_W"] == pytest.approx((rows["rate_per_s"] * chance * rows["energy_J"])[inside].sum(), rel=EXACT)
+
+
+def test_a_coating_is_captured_by_the_contact_area():
+    """(cap.11), by the energy of the contact points, in a box: the effective radius is that of the ball on a plane."""
+    run = run_of("coated")
+    rows = run.result.table("capture")
+    assert set(rows["other"]) == {"balls.1", *(f"jar.{face}" for face in FACES_OF_BOX)}
+    radius = np.where(rows["other"] == "balls.1", 2e-3, 4e-3)
+    spot = (15 * rows["energy_J"] / (8 * MODULUS))**0.2 * radius**0.4
+    is_same(rows["radius_m"], spot, "radius", rel=1e-6)
+    is_same(rows["mass_kg"], 2 * 0.1 * math.pi * spot**2, "mass", rel=1e-6)
+    power = rates(run, lambda h: energies(h)["contact_point"].sum())
+    assert (rows["rate_per_s"] * rows["energy_J"]).sum() == pytest.approx(power, rel=EXACT)
+    for face, (axis, sign) in FACES_OF_BOX.items():
+        count = rates(run, lambda h: np.sum((h["other"] < 0) & (h[f"normal_{axis}"] * sign > 0.5)))
+        assert rows["rate_per_s"][rows["other"] == f"jar.{face}"].sum() == pytest.approx(count, rel=EXACT)
+    for table in ("grinding", "size_distribution", "conversion"):
+        assert table not in run.result.tables
+    assert not {"no-ignition", "no-hit-above-threshold"} & {notice.code for notice in run.result.notices}
 
 
 # Sizes: a hit breaks a grain into halves, with the probability of (brk.1).

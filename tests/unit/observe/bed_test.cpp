@@ -10,6 +10,7 @@
 
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/scene/chamber.hpp"
+#include "meshes.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::observe::bed_test {
@@ -50,6 +51,19 @@ TEST(Bed, a_ball_at_the_side_is_in_it_and_a_ball_at_an_end_is_not_by_that_alone)
   std::vector<scene::Ball> two = {at(0, 0, 0.1 - r), at(d, 0, 0.1 - r),
                                   at(d / 2, d * 0.87, 0.1 - r)};
   states("three on an end", outside(two), 0, 0, "two balls and the end");
+}
+
+/// A mesh counts as the cylinder about its axis that holds it, here of 100 mm.
+TEST(Bed, a_ball_at_the_side_of_a_mesh_is_in_it) {
+  const auto in_mesh = [](double x, double y) {
+    return outside({at(x, y, 0)}, tests::mesh_of(tests::cylinder(64, 0.2, 0.2)));
+  };
+  const double near = 0.1 - r - 0.05 * d, away = 0.1 - r - 0.15 * d;  // within 0.1 d, and not
+  states("near the side", in_mesh(near, 0), 0, 0, "gaps below 0.1 d");
+  states("near the side", in_mesh(0, -near), 0, 0, "gaps below 0.1 d");
+  states("near the side", in_mesh(0.6 * near, 0.8 * near), 0, 0, "gaps below 0.1 d");
+  states("apart from it", in_mesh(away, 0), 1, 1e-12, "in mid-air");
+  states("apart from it", in_mesh(0.6 * away, 0.8 * away), 1, 1e-12, "in mid-air");
 }
 
 TEST(Bed, neighbours_are_found_across_a_period_and_whatever_the_number_of_balls) {

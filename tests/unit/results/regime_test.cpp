@@ -99,6 +99,21 @@ TEST(Regime, toe_and_shoulder_of_a_wedge_are_those_by_hand_in_both_senses_of_tur
   }
 }
 
+/// 20 kg in ten slots: 5 % are 1 kg, 0.2 kg of the 1.2 kg of the third slot; 95 % end in the middle
+/// of the last.
+TEST(Regime, toe_and_shoulder_of_an_uneven_charge_are_quantiles_of_its_mass) {
+  const std::vector<double> masses{0.4, 0.4, 1.2, 1, 2, 3, 4, 4, 2, 2};
+  Outcome forwards = drum(3), backwards = drum(-3);
+  for (int i = 0; i < std::ssize(masses); ++i) {
+    put(forwards, 135 + 4 + i, 1, masses[static_cast<std::size_t>(i)]);
+    put(backwards, 135 - 4 - 1 - i, 1, masses[static_cast<std::size_t>(i)]);
+  }
+  for (const Outcome* outcome : {&forwards, &backwards}) {
+    states("toe [deg]", value(*outcome, "toe_angle"), (4 + 2 + 0.2 / 1.2) * slot, 1e-9, "by hand");
+    states("shoulder [deg]", value(*outcome, "shoulder_angle"), (4 + 9.5) * slot, 1e-9, "by hand");
+  }
+}
+
 TEST(Regime, a_few_strays_do_not_move_the_ends_of_a_charge) {
   Outcome clean = drum(3), dirty = drum(3);
   put(clean, 130, 40);
