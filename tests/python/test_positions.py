@@ -192,6 +192,16 @@ def test_the_final_state_is_in_the_axes_of_the_carrier(flight):
             turned(value, -DISC * TIME), rel=1e-9, abs=1e-12)
 
 
+def test_a_run_from_a_state_keeps_a_copy_of_it(flight, tmp_path):
+    mahlwerk.Case({"title": "second", "mill": {"kind": "still"}, "jar": JAR, "balls": [{**BALLS, "count": 1}],
+                   "contact": {"restitution": 0.6, "friction": 0.3},
+                   "run": {"engine": "event", "time": "1 ms", "settle": "0 s", "replicates": 2,
+                           "start_from": str(flight[1])}}).run(tmp_path / "second")
+    for i in (1, 2):
+        state = (flight[1] / f"final-{i}.csv").read_text()
+        assert (tmp_path / "second" / "start" / f"final-{i}.csv").read_text() == state
+
+
 @pytest.mark.parametrize("frame, speed", [("jar", JAR_SPIN), ("carrier", DISC)])
 def test_the_replay_shows_the_ball_in_the_axes_of_a_frame(flight, frame, speed):
     shown = replay(flight[0], frame)

@@ -456,3 +456,81 @@ VICKERS = {"flying": {"balls.1": 600}, "mixed": {"balls.1": 600, "balls.2": 400}
 WEAR = {"flying": lambda h: 2e-4 * erosion(h) / HARDNESS,
         "mixed": lambda h: 1e-3 * h["lost_tangential"] / 0.3 / HARDNESS}  # Archard (wea.1, wea.3), over the hardness
 DENSITY_OF_JAR = {"flying": 7850, "mixed": 7000}
+
+
+# The bed of a drum, from the cells of its fields; one replicate.
+
+CELLS, DRUM_RADIUS = 48, 0.05
+CELL = 2 * DRUM_RADIUS / CELLS
+
+
+class Bed:
+    def __init__(self, run):
+        rows = run.result.table("fields")
+        rows = rows[rows["frame"] == "carrier"]
+        self.density, self.momentum = np.zeros((CELLS, CELLS)), np.zeros((CELLS, CELLS, 2))
+        for row in rows:
+            i, j = (round((row[axis] + DRUM_RADIUS) / CELL - 0.5) for axis in ("x_m", "y_m"))
+            self.density[i, j] = row["density_kg_per_m2"]
+            self.momentum[i, j] = row["density_kg_per_m2"] * np.array(
+                [row["velocity_x_m_per_s"], row["velocity_y_m_per_s"]])
+        self.middles = (np.arange(CELLS) + 0.5) * CELL - DRUM_RADIUS
+        whole = self.density.sum()
+        self.centre = np.array([(self.density.sum(axis=1) * self.middles).sum(),
+                                (self.density.sum(axis=0) * self.middles).sum()]) / whole
+        self.down = self.centre / np.hypot(*self.centre)
+        self.across = np.array([-self.down[1], self.down[0]])  # in the sense of rotation
+
+    def at(self, distance):
+        """Density and velocity across the line, bilinear between the middles of cells (obs.11)."""
+        place = np.clip((distance * self.down + DRUM_RADIUS) / CELL - 0.5, 0, CELLS - 1)
+        i, j = np.minimum(place.astype(int), CELLS - 2)
+        a, b = place - [i, j]
+        density = momentum = 0.0
+        for di, dj, weight in ((0, 0, (1 - a) * (1 - b)), (1, 0, a * (1 - b)), (0, 1, (1 - a) * b), (1, 1, a * b)):
+            density += weight * self.density[i + di, j + dj]
+            momentum += weight * self.momentum[i + di, j + dj] @ self.across
+        return density, momentum / density if density > 0 else math.nan
+
+
+@pytest.fixture(scope="module")
+def bed():
+    return Bed(run_of("drum"))
+
+
+def test_the_line_through_the_bed_is_that_of_its_fields(bed):
+    rows = run_of("drum").result.table("bed")
+    is_same(rows["distance_m"], np.arange(-CELLS, CELLS + 1) * CELL / 2, "half cells", least=1e-15)
+    found = np.array([bed.at(distance) for distance in rows["distance_m"]])
+    is_same(rows["density_kg_per_m2"], found[:, 0], "density", least=1e-9 * found[:, 0].max())
+    there = found[:, 0] > 1e-9 * found[:, 0].max()
+    is_same(rows["velocity_m_per_s"][there], found[there, 1], "velocity", rel=1e-6)
+    assert np.all(np.isnan(rows["velocity_ci95_m_per_s"])), "one replicate"
+
+
+def test_numbers_of_the_bed_are_those_of_its_line(bed):
+    run = run_of("drum")
+    rows = run.result.table("bed")
+    x, y = bed.centre
+    assert run["charge_distance"] == pytest.approx(np.hypot(x, y), rel=1e-9)
+    assert run["charge_lever_arm"] == pytest.approx(x, rel=1e-9)
+    assert run["bed_angle"] == pytest.approx(math.degrees(math.atan2(x, -y)), rel=1e-9)
+    place, density, velocity = (rows[name] for name in ("distance_m", "density_kg_per_m2", "velocity_m_per_s"))
+    dense = density.max() / 2
+    top = int(np.argmax(density > dense))
+    surface = np.interp(dense, density[top - 1:top + 1], place[top - 1:top + 1])
+    assert run["surface_distance"] == pytest.approx(surface, rel=1e-9)
+    turns = next(k for k in range(top, len(place) - 1) if velocity[k] < 0 <= velocity[k + 1])
+    bottom = np.interp(0, velocity[turns:turns + 2], place[turns:turns + 2])
+    assert run["surface_layer_bottom"] == pytest.approx(bottom, rel=1e-9)
+    assert run["surface_speed"] == pytest.approx(-velocity[top:turns + 1].min(), rel=1e-9)
+    layer = (place >= surface + CELL) & (place <= bottom)
+    assert np.sum(layer) >= 3, "the case has a layer"
+    assert run["surface_shear_rate"] == pytest.approx(np.polyfit(place[layer], velocity[layer], 1)[0], rel=1e-6)
+
+
+def test_the_occupied_share_counts_cells_with_a_tenth_of_an_even_charge(bed):
+    x, y = np.meshgrid(bed.middles, bed.middles, indexing="ij")
+    within = bed.density[np.hypot(x, y) < DRUM_RADIUS - 4e-3]
+    even = bed.density.sum() / len(within)
+    assert run_of("drum")["occupied_share"] == pytest.approx(np.mean(within > 0.1 * even), rel=1e-12)

@@ -314,5 +314,21 @@ TEST(Regime, is_named_for_each_replicate_and_for_their_mean) {
       << regime_reason(outcome);
 }
 
+TEST(Regime, the_reason_has_the_numbers_of_the_word) {
+  Outcome outcome = drum(5);
+  put(outcome, 135 + 20, 20);  // 40 to 80 degrees from the lowest point
+  moves(outcome, 0.4, 0.33, 0.083);
+  Charge& charge = outcome.replicates[0].charge;
+  charge.mass_sought = 2, charge.mass_outside = 0.3;
+  charge.jar_speed_fourth = 1.5 * 0.4 * 0.4 * 0.4 * 0.4;
+  touch(outcome, 0.4);
+  EXPECT_EQ(regime_reason(outcome),
+            "15 % of the mass fly outside the bed (balls touch nothing for 60 % of their time), "
+            "the emptiest 10° about the axis hold 0 % of a uniform charge's share, the charge lies "
+            "from 42° to 78° and moves at 0.8 of the wall's speed seen from the jar, 0.66 seen "
+            "from its carrier, balls slip at 0.17 of it on the wall, intermittency 1.5, Froude "
+            "number 0.24");
+}
+
 }  // namespace
 }  // namespace mahlwerk::results::regime_test
