@@ -90,7 +90,7 @@ CASES = {
              "thermocouple": {"place": "balls", "lag": "0 s"},
              "power_meter": {"interval": "0.02 s"},
              "accelerometer": {"mass": "0.4 kg", "sample_rate": "10 kHz", "bandwidth": "1 kHz",
-                               "duration": "0.1 s"},
+                               "duration": "0.15 s"},
              "capture": {"model": "fixed", "mass": "3 ug", "energy": "lost", "energy_share": 0.5},
              "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.1 J m/kg"},
              "fragments": {"model": "halves"},
@@ -104,6 +104,12 @@ CASES = {
                         "ball_exchange": "50 W/m2/K", "share_in_balls": 0.4, "ambient": "20 degC"},
                "thermocouple": {"place": "gas", "lag": "60 s"},
                "kinetics": {"model": "thermal", "frequency_factor": "1e7 1/s", "activation_energy": "60 kJ/mol"}},
+    # A reaction whose attempts are the hits above the threshold.
+    "reacting": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": POWDER,
+                 "contact": {"restitution": 0.6, "friction": 0.3},
+                 "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"},
+                 "kinetics": {"model": "thermal", "attempts": "by-impact", "factor_per_impact": 100,
+                              "activation_energy": "60 kJ/mol", "temperature": "350 K", "time": "1 h"}},
     # Hits that capture less than a grain, and others that capture many; one replicate.
     "ground": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": {**POWDER, "size": "0.3 mm"},
                "contact": {"restitution": 0.6, "friction": 0.3},
@@ -114,6 +120,21 @@ CASES = {
                "grinding": {"time": "20 min", "smallest": "20 um", "method": "both"},
                "kinetics": {"law": "avrami", "dose": "captured", "dose_constant": "10 kJ/kg", "exponent": 1.5,
                             "onset": "2 kJ/kg", "molar_mass": "60 g/mol"}},
+    # A jar of one face; two sets.
+    "sphere": {"mill": SHAKEN, "jar": {"kind": "sphere", "diameter": "40 mm", "youngs_modulus": "1 GPa"},
+               "balls": [{**BALLS, "count": 2}, {**BALLS, "count": 2, "diameter": "6 mm"}], "wear": {},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.3 s", "settle": "0.2 s"}},
+    # Powder of many sizes, which also welds.
+    "spread": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+               "powder": {"mass": "2 g", "distribution": "lognormal", "size": "40 um", "spread": 1.5,
+                          "density": "4000 kg/m3"},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.1 s", "settle": "0.2 s", "replicates": 1},
+               "capture": {"model": "fixed", "mass": "3 ug"},
+               "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.1 J m/kg"},
+               "fragments": {"model": "halves"},
+               "grinding": {"time": "1 min", "smallest": "4 um", "classes_per_octave": 3, "welding": 0.1}},
     # Powder that coats balls and a jar with flat walls; nothing becomes of what is captured.
     "coated": {"mill": SHAKEN, "jar": {"kind": "box", "width": "40 mm", "depth": "50 mm", "height": "60 mm",
                                        "youngs_modulus": "1 GPa"},

@@ -270,9 +270,12 @@ def test_the_balls_of_a_stopped_run_are_where_they_came_to_rest():
             "balls": [{**{k: v for k, v in BALLS.items() if k != "count"}, "positions": [["3 mm", "-2 mm", "-10 mm"]],
                        "velocities": [["0 m/s", "0 m/s", "0 m/s"]], "spins": [["1 rad/s", "2 rad/s", "3 rad/s"]]}],
             "contact": {"restitution": 0.5, "friction": 0, "lasting": "none"},
+            "accelerometer": {"mass": "1 kg", "bandwidth": "1 kHz", "sample_rate": "10 kHz", "duration": "0.9 s"},
             "run": {"engine": "event", "time": "1 s", "settle": "0 s", "replicates": 1}}
     with pytest.raises(mahlwerk.RunError) as stopped:
         mahlwerk.Case(case).run()
+    shown = stopped.value.result.table("accelerometer")["time_s"]
+    assert shown[-1] == pytest.approx(stopped.value.result["simulated_time"].value, abs=1e-4), "a sample"
     row = stopped.value.result.table("stopped-1")[0]
     found = [row[name] for name in row.dtype.names]
     assert found == pytest.approx([1, 1, RADIUS, 3e-3, -2e-3, -16e-3, 0, 0, 0, 1, 2, 3], abs=1e-6)

@@ -229,6 +229,58 @@ TEST(Regime, of_a_charge_under_which_the_wall_passes_is_sliding_or_surging) {
   EXPECT_EQ(word_with(side_by_side, false), "sliding");
 }
 
+/// docs/theory/observe.md, Regimes: each limit from both sides.
+TEST(Regime, words_change_at_the_limits_of_the_rule) {
+  using Signs = RegimeSigns;
+  const auto round = [](double emptiest, double flight, double lag) {
+    return word_with(
+        [=](Signs& s) { s.emptiest_sector = emptiest, s.flight_share = flight, s.jar_lag = lag; });
+  };
+  EXPECT_EQ(round(0.11, 0.019, 0.8), "centrifuging");
+  EXPECT_EQ(round(0.09, 0.019, 0.8), "cascading");
+  EXPECT_EQ(round(0.11, 0.021, 0.8), "cascading");
+  EXPECT_EQ(round(0.11, 0.09, 0.19), "centrifuging");
+  EXPECT_EQ(round(0.11, 0.11, 0.19), "rigid");
+  EXPECT_EQ(round(0.11, 0.09, 0.21), "cascading");
+  const auto thrown = [](double froude, double airborne, bool drum, double slip = 0.2) {
+    return word_with(
+        [=](Signs& s) {
+          s.froude = froude, s.airborne_share = airborne, s.wall_slip = slip;
+          if (slip > 0.5) s.carrier_motion = 0.3;
+        },
+        drum);
+  };
+  EXPECT_EQ(thrown(0.101, 0.2, true), "cataracting");
+  EXPECT_EQ(thrown(0.099, 0.2, true), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.051, true), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.049, true), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.121, false), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.119, false), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.21, true, 0.6), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.19, true, 0.6), "sliding");
+  const auto slips = [](double slip, double carrier, double flight) {
+    return word_with(
+        [=](Signs& s) { s.wall_slip = slip, s.carrier_motion = carrier, s.flight_share = flight; });
+  };
+  EXPECT_EQ(slips(0.51, 0.39, 0.2), "sliding");
+  EXPECT_EQ(slips(0.49, 0.39, 0.2), "cascading");
+  EXPECT_EQ(slips(0.51, 0.41, 0.2), "cascading");
+  EXPECT_EQ(slips(0.11, 0.09, 0.019), "sliding");
+  EXPECT_EQ(slips(0.09, 0.09, 0.019), "cascading");
+  EXPECT_EQ(slips(0.11, 0.11, 0.019), "cascading");
+  EXPECT_EQ(slips(0.11, 0.09, 0.021), "cascading");
+  const auto stops = [](double intermittency, double froude, double slip) {
+    return word_with(
+        [=](Signs& s) { s.intermittency = intermittency, s.froude = froude, s.wall_slip = slip; });
+  };
+  EXPECT_EQ(stops(2.1, 0.009, 0.51), "surging");
+  EXPECT_EQ(stops(2.1, 0.009, 0.49), "slumping");
+  EXPECT_EQ(stops(1.9, 0.009, 0.51), "cascading");
+  EXPECT_EQ(stops(2.1, 0.011, 0.51), "cascading");
+  EXPECT_EQ(word_with([](Signs& s) { s.wall_share = 0.96; }), "rolling on the wall");
+  EXPECT_EQ(word_with([](Signs& s) { s.wall_share = 0.94; }), "cascading");
+}
+
 TEST(Regime, of_balls_that_roll_on_the_wall_says_so) {
   const auto rolls = [](RegimeSigns& s) {
     s.flight_share = s.airborne_share = 0, s.wall_slip = 0.01, s.wall_share = 1;
