@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/scene/chamber.hpp"
@@ -82,6 +83,18 @@ TEST(Bed, neighbours_are_found_across_a_period_and_whatever_the_number_of_balls)
   states("cubic lattice", outside(lattice), 0, 0, "every ball has three neighbours");
   for (scene::Ball& b : lattice) b.position = 1.2 * b.position;
   states("spread by a fifth", outside(lattice), 512, 1e-9, "gaps of 0.2 d");
+}
+
+/// The grid begins at the first ball. The second has three neighbours, one of them 1.05 diameters
+/// away, which is in the next column of 1.1 diameters.
+TEST(Bed, a_neighbour_within_the_gap_is_found_in_the_next_column) {
+  const double x = 0.85 * d;
+  const std::vector<scene::Ball> balls{at(0, 0, 9 * d), at(x, 0, 0), at(x + 1.05 * d, 0, 0),
+                                       at(x, 0, d), at(x, 0, -d)};
+  states("along x", outside(balls), 4, 1e-12, "all but the one in the middle");
+  std::vector<scene::Ball> across = balls;
+  for (scene::Ball& b : across) std::swap(b.position.x, b.position.y);
+  states("along y", outside(across), 4, 1e-12, "all but the one in the middle");
 }
 
 TEST(Bed, the_jar_may_be_turned) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "mahlwerk/base/random.hpp"
 
@@ -37,8 +38,9 @@ TEST(LogHistogram, what_lies_beyond_the_ends_is_not_lost) {
 /// Losses of a contact law that gains energy are negative, and as large as others.
 TEST(LogHistogram, the_first_bin_sums_what_is_not_above_zero) {
   LogHistogram h;
-  for (const double value : {-100.0, -3.5, 0.0, 0.25, NAN}) h.add(value);
-  EXPECT_EQ(h.count(0), 4);
+  for (const double value : {-100.0, -3.5, 0.0, 0.25}) h.add(value);
+  h.add(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(h.count(0), 3);
   EXPECT_EQ(h.sum(0), -103.5);
   EXPECT_EQ(h.total(), 5);
   EXPECT_EQ(h.sum(), -103.25);

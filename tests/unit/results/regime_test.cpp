@@ -306,6 +306,21 @@ TEST(Regime, of_a_jar_that_does_not_turn_on_its_disc_is_resting_once_the_balls_r
   EXPECT_NE(regime(moving), "resting");
 }
 
+/// k^2 (R - r)/R_p with R - r = 95 mm and R_p = 300 mm: 0.079 and 0.114, the limit is 0.1.
+TEST(Regime, of_a_planetary_jar_is_cataracting_only_where_it_turns_fast_enough_to_throw) {
+  const auto word = [](double ratio) {
+    Outcome mill = planetary(ratio);
+    put(mill, 0, 20);
+    const double wall = std::abs(ratio) * 40 * 0.1;  // [m/s]
+    moves(mill, 0.8 * wall, 0.6 * wall, 0.2 * wall);
+    mill.replicates[0].charge.mass_sought = 1, mill.replicates[0].charge.mass_outside = 0.2;
+    touch(mill, 0.5);
+    return regime(mill);
+  };
+  EXPECT_EQ(word(0.5), "cascading");
+  EXPECT_EQ(word(0.6), "cataracting");
+}
+
 TEST(Regime, is_that_of_drums_and_planetary_mills_alone) {
   EXPECT_EQ(regime(of(kinematics::Still{})), "");
   EXPECT_EQ(regime(of(kinematics::Tumbling{0})), "") << "a drum at rest";

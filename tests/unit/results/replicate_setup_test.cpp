@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "meshes.hpp"
 #include "statement.hpp"
 #include "unit/results/fake.hpp"
@@ -41,6 +43,16 @@ TEST(ReplicateSetup, the_record_of_impacts_has_quarters_of_samples_and_ends_with
   EXPECT_EQ(empty_replicate(c).sensors.accelerometer->impulses().size(), 100U) << "0.005 s";
   c.run.time = 1e-9;
   EXPECT_EQ(empty_replicate(c).sensors.accelerometer->impulses().size(), 4U) << "one sample";
+}
+
+TEST(ReplicateSetup, a_replicate_that_counted_nothing_has_no_signal) {
+  Outcome o;
+  o.mill_case = with_accelerometer(Accelerometer::Axis::z);
+  o.replicates.push_back(empty_replicate(o.mill_case));
+  const Summary summary = summarise(o);
+  for (const char* name : {"acceleration_rms", "acceleration_rms_of_impacts", "acceleration_peak"})
+    EXPECT_TRUE(std::isnan(named(summary.quantities, name).value)) << name;
+  ASSERT_EQ(summary.by_replicate.size(), 1U);
 }
 
 TEST(ReplicateSetup, faces_are_told_apart_unless_they_are_many) {
