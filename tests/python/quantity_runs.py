@@ -26,9 +26,22 @@ CASES = {
                "power_meter": {"interval": "0.1 s", "idle_power": "7 W", "efficiency": 0.5},
                "microphone": {"threshold": "0.2 mJ", "definition_time": "2 ms"}},
     # No friction: the normal impulses alone do the work of the jar.
-    "frictionless": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+    "frictionless": {"mill": {**SHAKEN, "jars_carried": 3}, "jar": JAR, "balls": [BALLS],
                      "contact": {"restitution": 0.6, "friction": 0},
-                     "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"}},
+                     "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
+                     "power_meter": {"interval": "0.05 s", "idle_power": "5 W", "efficiency": 0.8}},
+    # Without weight: what the jar does and collisions lose is all that changes the kinetic energy.
+    "weightless": {"gravity": "0 m/s2", "mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+                   "contact": {"restitution": 0.9, "friction": 0.3}, "observe": {"final_state": True},
+                   "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"}},
+    # Two sets, one with balls of two sizes; three replicates.
+    "mixed": {"mill": SHAKEN, "jar": {**JAR, "hardness": 600, "density": "7000 kg/m3"},
+              "balls": [{**BALLS, "count": 4},
+                        {"count": 5, "distribution": "uniform", "smallest": "6 mm", "largest": "10 mm", "classes": 2,
+                         "density": "7850 kg/m3", "youngs_modulus": "1 GPa", "hardness": 400}],
+              "contact": {"restitution": 0.6, "friction": 0.3}, "observe": {"final_state": True},
+              "wear": {"model": "archard", "coefficient": 1e-3},
+              "run": {"engine": "soft", "time": "0.4 s", "settle": "0.2 s", "replicates": 3}},
     # Contacts that last, one ball.
     "soft": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 1}],
              "contact": {"restitution": 0.6, "friction": 0.3, "rolling_friction": 0.05},
@@ -37,14 +50,16 @@ CASES = {
     "slippery": {"mill": SHAKEN, "jar": JAR, "balls": [{**BALLS, "count": 2}],
                  "contact": {"restitution": 0.6, "friction": 0.002, "rolling_friction": 0},
                  "run": {"engine": "soft", "time": "1 s", "settle": "0.2 s"}},
-    "drum": {"mill": {"kind": "tumbling", "speed": "60 %"}, "jar": {**JAR, "diameter": "100 mm"},
-             "balls": [{**BALLS, "count": 30}], "powder": POWDER,
-             "contact": {"restitution": 0.5, "friction": 0.4},
-             "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2},
+    # A bed with a layer that flows down.
+    "drum": {"mill": {"kind": "tumbling", "speed": "30 %"}, "jar": {**JAR, "diameter": "100 mm"},
+             "balls": [{**BALLS, "count": 120}], "powder": POWDER,
+             "contact": {"restitution": 0.3, "friction": 0.7},
+             "run": {"engine": "soft", "time": "0.5 s", "settle": "0.5 s", "replicates": 1}},
+    "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2,
+                           "jars_carried": 2},
                   "jar": JAR, "balls": [BALLS], "contact": {"restitution": 0.5, "friction": 0.4},
-                  "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}},
-    "stirred": {"mill": {"kind": "still"},
+                  "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s"}, "power_meter": {"interval": "20 ms"}},
+    "stirred": {"mill": {"kind": "still", "jars_carried": 2}, "power_meter": {"interval": "5 ms"},
                 "jar": {"kind": "attritor", "diameter": "100 mm", "height": "120 mm", "shaft_diameter": "20 mm",
                         "shaft_clearance": "10 mm", "arms": 4, "arm_diameter": "8 mm", "arm_span": "80 mm",
                         "arm_clearance": "20 mm", "arm_spacing": "20 mm", "rotor_speed": "300 rpm",
@@ -75,12 +90,57 @@ CASES = {
              "thermocouple": {"place": "balls", "lag": "0 s"},
              "power_meter": {"interval": "0.02 s"},
              "accelerometer": {"mass": "0.4 kg", "sample_rate": "10 kHz", "bandwidth": "1 kHz",
-                               "duration": "0.1 s"},
+                               "duration": "0.15 s"},
              "capture": {"model": "fixed", "mass": "3 ug", "energy": "lost", "energy_share": 0.5},
              "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.1 J m/kg"},
              "fragments": {"model": "halves"},
              "grinding": {"smallest": "4 um"},
              "kinetics": {"model": "ignition", "ignition_dose": "1 kJ/g", "dose": "dissipated"}},
+    # Milling with pauses.
+    "cycled": {"mill": SHAKEN, "jar": {**JAR, **THERMAL, "wall": "3 mm"}, "balls": [{**BALLS, **THERMAL, "count": 1}],
+               "powder": POWDER, "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
+               "heat": {"milling": "10 min", "pause": "5 min", "cycles": 3, "cooling": "15 W/m2/K",
+                        "ball_exchange": "50 W/m2/K", "share_in_balls": 0.4, "ambient": "20 degC"},
+               "thermocouple": {"place": "gas", "lag": "60 s"},
+               "kinetics": {"model": "thermal", "frequency_factor": "1e7 1/s", "activation_energy": "60 kJ/mol"}},
+    # A reaction whose attempts are the hits above the threshold.
+    "reacting": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": POWDER,
+                 "contact": {"restitution": 0.6, "friction": 0.3},
+                 "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"},
+                 "kinetics": {"model": "thermal", "attempts": "by-impact", "factor_per_impact": 100,
+                              "activation_energy": "60 kJ/mol", "temperature": "350 K", "time": "1 h"}},
+    # Hits that capture less than a grain, and others that capture many; one replicate.
+    "ground": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": {**POWDER, "size": "0.3 mm"},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "2 s", "settle": "0.2 s", "replicates": 1},
+               "capture": {"model": "trapped-volume", "thickness": "50 um", "packing": 0.6, "energy_share": 0.8},
+               "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.01 J m/kg"},
+               "fragments": {"model": "halves"},
+               "grinding": {"time": "20 min", "smallest": "20 um", "method": "both"},
+               "kinetics": {"law": "avrami", "dose": "captured", "dose_constant": "10 kJ/kg", "exponent": 1.5,
+                            "onset": "2 kJ/kg", "molar_mass": "60 g/mol"}},
+    # A jar of one face; two sets.
+    "sphere": {"mill": SHAKEN, "jar": {"kind": "sphere", "diameter": "40 mm", "youngs_modulus": "1 GPa"},
+               "balls": [{**BALLS, "count": 2}, {**BALLS, "count": 2, "diameter": "6 mm"}], "wear": {},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.3 s", "settle": "0.2 s"}},
+    # Powder of many sizes, which also welds.
+    "spread": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS],
+               "powder": {"mass": "2 g", "distribution": "lognormal", "size": "40 um", "spread": 1.5,
+                          "density": "4000 kg/m3"},
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.1 s", "settle": "0.2 s", "replicates": 1},
+               "capture": {"model": "fixed", "mass": "3 ug"},
+               "breakage": {"model": "vogel-peukert", "f_mat": "0.1 kg/J/m", "x_w_min": "0.1 J m/kg"},
+               "fragments": {"model": "halves"},
+               "grinding": {"time": "1 min", "smallest": "4 um", "classes_per_octave": 3, "welding": 0.1}},
+    # Powder that coats balls and a jar with flat walls; nothing becomes of what is captured.
+    "coated": {"mill": SHAKEN, "jar": {"kind": "box", "width": "40 mm", "depth": "50 mm", "height": "60 mm",
+                                       "youngs_modulus": "1 GPa"},
+               "balls": [BALLS], "powder": POWDER, "contact": {"restitution": 0.6, "friction": 0.3},
+               "run": {"engine": "event", "time": "0.5 s", "settle": "0.2 s"},
+               "capture": {"model": "surface-layer", "surface_density": "0.1 kg/m2", "energy": "contact-point"}},
     "grains": {"mill": {"kind": "still"}, "jar": JAR, "balls": [{**BALLS, "count": 1}],
                "powder": {"as": "grains", "mass": "0.1 g", "size": "0.5 mm", "grain_size": "2 mm",
                           "density": "4000 kg/m3", "youngs_modulus": "10 MPa"},
@@ -98,11 +158,12 @@ class Run:
 
     def __init__(self, name):
         case = {"title": name, "seed": 7, **CASES[name]}
-        case["run"] = {**case["run"], "replicates": 2}
+        case["run"] = {"replicates": 2, **case["run"]}
         case["balls"] = [{key: value for key, value in one.items() if value is not None} for one in case["balls"]]
         self.result = mahlwerk.Case(case).run(collisions=True)
-        self.hits = [self.result.collisions(i) for i in (1, 2)]
+        self.hits = [self.result.collisions(i + 1) for i in range(case["run"]["replicates"])]
         self.time = self["simulated_time"]
+        self.begin = float(case["run"]["settle"].split()[0])  # [s] of counting
         self.balls = sum(one.get("count", 1) for one in case["balls"])
 
     def mean(self, of):

@@ -97,7 +97,7 @@ def wear(hits, jar):
 def drum(run):
     """Radius that the centre of a ball at the wall has, and the drum's angular velocity."""
     arm = 0.05 - 0.004
-    return arm, 0.6 * math.sqrt(GRAVITY / arm)
+    return arm, 0.3 * math.sqrt(GRAVITY / arm)
 
 
 def collision_quantities():
@@ -195,8 +195,8 @@ PROOFS["dissipated_power_rolling"] = ("soft", lambda run: run["dissipated_power"
 DRUM = {
     "shaft_torque": lambda run: run["drawn_power"] / drum(run)[1],
     "drum_speed": lambda run: drum(run)[1] * 30 / math.pi,
-    "bulk_filling": lambda run: 30 * 8e-3**3 * math.pi / 6 / 0.6 / (math.pi / 4 * 0.1**2 * 0.04),
-    "void_filling": lambda run: 2e-3 / 4000 / 0.6 / (0.4 * 30 * 8e-3**3 * math.pi / 6 / 0.6),
+    "bulk_filling": lambda run: 120 * 8e-3**3 * math.pi / 6 / 0.6 / (math.pi / 4 * 0.1**2 * 0.04),
+    "void_filling": lambda run: 2e-3 / 4000 / 0.6 / (0.4 * 120 * 8e-3**3 * math.pi / 6 / 0.6),
     "froude_number": lambda run: drum(run)[1]**2 * drum(run)[0] / GRAVITY,
     "flight_share": lambda run: 1 - run["contact_time_share"],
 }

@@ -7,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/scene/chamber.hpp"
+#include "meshes.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::observe::bed_test {
@@ -52,6 +54,19 @@ TEST(Bed, a_ball_at_the_side_is_in_it_and_a_ball_at_an_end_is_not_by_that_alone)
   states("three on an end", outside(two), 0, 0, "two balls and the end");
 }
 
+/// A mesh counts as the cylinder about its axis that holds it, here of 100 mm.
+TEST(Bed, a_ball_at_the_side_of_a_mesh_is_in_it) {
+  const auto in_mesh = [](double x, double y) {
+    return outside({at(x, y, 0)}, tests::mesh_of(tests::cylinder(64, 0.2, 0.2)));
+  };
+  const double near = 0.1 - r - 0.05 * d, away = 0.1 - r - 0.15 * d;  // within 0.1 d, and not
+  states("near the side", in_mesh(near, 0), 0, 0, "gaps below 0.1 d");
+  states("near the side", in_mesh(0, -near), 0, 0, "gaps below 0.1 d");
+  states("near the side", in_mesh(0.6 * near, 0.8 * near), 0, 0, "gaps below 0.1 d");
+  states("apart from it", in_mesh(away, 0), 1, 1e-12, "in mid-air");
+  states("apart from it", in_mesh(0.6 * away, 0.8 * away), 1, 1e-12, "in mid-air");
+}
+
 TEST(Bed, neighbours_are_found_across_a_period_and_whatever_the_number_of_balls) {
   const double h = d * std::sqrt(3) / 2;
   const geometry::AnyShape endless = geometry::PeriodicCylinder{0.2, 4 * d};
@@ -68,6 +83,18 @@ TEST(Bed, neighbours_are_found_across_a_period_and_whatever_the_number_of_balls)
   states("cubic lattice", outside(lattice), 0, 0, "every ball has three neighbours");
   for (scene::Ball& b : lattice) b.position = 1.2 * b.position;
   states("spread by a fifth", outside(lattice), 512, 1e-9, "gaps of 0.2 d");
+}
+
+/// The grid begins at the first ball. The second has three neighbours, one of them 1.05 diameters
+/// away, which is in the next column of 1.1 diameters.
+TEST(Bed, a_neighbour_within_the_gap_is_found_in_the_next_column) {
+  const double x = 0.85 * d;
+  const std::vector<scene::Ball> balls{at(0, 0, 9 * d), at(x, 0, 0), at(x + 1.05 * d, 0, 0),
+                                       at(x, 0, d), at(x, 0, -d)};
+  states("along x", outside(balls), 4, 1e-12, "all but the one in the middle");
+  std::vector<scene::Ball> across = balls;
+  for (scene::Ball& b : across) std::swap(b.position.x, b.position.y);
+  states("along y", outside(across), 4, 1e-12, "all but the one in the middle");
 }
 
 TEST(Bed, the_jar_may_be_turned) {

@@ -142,6 +142,94 @@ TEST(StatisticsByPair,
     }
 }
 
+/// Hits on the wall of a cylinder and between balls, with factors to wear and flash temperatures.
+CollisionStatistics with_factors() {
+  CollisionStatistics tally(0.3, kinds, {.radius = 0.02, .bottom = -0.02, .top = 0.02});
+  PairFactors factors{.load_distance_per_loss = 3};
+  factors.flash_per_loss.assign(LogHistogram::bins, 1e4);
+  factors.hertz_time.assign(LogHistogram::bins, 1e-5);
+  for (int i = 0; i < tally.by_pair.pairs(); ++i) tally.by_pair.set_factors(i, factors);
+  return tally;
+}
+
+std::vector<scene::Collision> on_walls(std::uint64_t seed, int count) {
+  Random random(seed, 1);
+  std::vector<scene::Collision> list = some(seed, count);
+  for (scene::Collision& c : list) {
+    c.where = 0.02 * random.direction();
+    c.normal = random.direction();
+    c.glide = random.uniform(0, 1);
+    c.duration = random.uniform(0, 1e-4);
+  }
+  return list;
+}
+
+/// Checks that all sums are the same but for their order.
+void expect_same(const CollisionStatistics& found, const CollisionStatistics& wanted) {
+  const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-12 * std::abs(b)); };
+  for (const auto which : {&CollisionStatistics::all, &CollisionStatistics::above}) {
+    const CollisionSums &a = found.*which, &b = wanted.*which;
+    EXPECT_EQ(a.count, b.count);
+    EXPECT_EQ(a.between_balls, b.between_balls);
+    for (const auto sum : {&CollisionSums::energy_normal, &CollisionSums::energy_contact_point,
+                           &CollisionSums::energy_centre, &CollisionSums::lost,
+                           &CollisionSums::approach, &CollisionSums::slip, &CollisionSums::angle})
+      near(a.*sum, b.*sum);
+  }
+  for (int i = 0; i < wanted.by_pair.pairs(); ++i) {
+    const PairStatistics &a = found.by_pair[i], &b = wanted.by_pair[i];
+    EXPECT_EQ(a.above.count, b.above.count);
+    for (const auto sum : {&PairSums::energy_normal, &PairSums::energy_contact_point,
+                           &PairSums::lost_normal, &PairSums::lost_tangential})
+      near(a.above.*sum, b.above.*sum);
+    for (const auto sum :
+         {&PairStatistics::load_distance, &PairStatistics::erosion, &PairStatistics::flash}) {
+      near(a.*sum, b.*sum);
+      EXPECT_GT(b.*sum, 0);
+    }
+    for (const auto part :
+         {&Spectra::energy_normal, &Spectra::energy_contact_point, &Spectra::energy_centre,
+          &Spectra::energy_lost, &Spectra::lost_normal, &Spectra::lost_tangential,
+          &Spectra::approach, &Spectra::duration, &Spectra::flash})
+      for (int bin = 0; bin < LogHistogram::bins; ++bin)
+        ASSERT_EQ((a.spectra.*part).count(bin), (b.spectra.*part).count(bin));
+    EXPECT_EQ(a.spectra.angle_all, b.spectra.angle_all);
+    EXPECT_EQ(a.spectra.angle_above, b.spectra.angle_above);
+    for (int n = 0; n < JointHistogram::bins; ++n)
+      for (int t = 0; t < JointHistogram::bins; ++t)
+        ASSERT_EQ(a.spectra.normal_tangential.count(n, t), b.spectra.normal_tangential.count(n, t));
+  }
+  for (int cell = 0; cell < WallGrid::cells; ++cell) {
+    const WallSums &a = found.wall_map[cell], &b = wanted.wall_map[cell];
+    ASSERT_EQ(a.count, b.count);
+    for (const auto sum :
+         {&WallSums::energy_normal, &WallSums::lost, &WallSums::load_distance, &WallSums::erosion})
+      near(a.*sum, b.*sum);
+  }
+}
+
+TEST(StatisticsByPair, a_stream_split_and_merged_has_all_sums_of_the_whole) {
+  CollisionStatistics whole = with_factors(), one = with_factors(), other = with_factors();
+  const auto first = on_walls(5, 3000), second = on_walls(6, 2000);
+  whole.collisions(first);
+  whole.collisions(second);
+  one.collisions(first);
+  other.collisions(second);
+  one.merge(other);
+  expect_same(one, whole);
+}
+
+TEST(StatisticsByPair, a_saved_state_has_all_sums) {
+  CollisionStatistics whole = with_factors(), again = with_factors();
+  whole.collisions(on_walls(7, 3000));
+  Archive out;
+  whole.serialize(out);
+  Archive in(out.bytes());
+  again.serialize(in);
+  in.finish();
+  expect_same(again, whole);
+}
+
 TEST(StatisticsByPair, a_state_written_and_read_goes_on_to_the_bit) {
   CollisionStatistics first(0.3, kinds), second(0.3, kinds);
   first.collisions(some(1, 300));

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -100,6 +101,24 @@ TEST(Fields, hold_the_charges_mass_middle_momentum_and_energy) {
          1, 1e-12, "weights of 0.45 s");
 }
 
+/// Seen from above, x points right; seen from below, left. y is up in both.
+TEST(Fields, are_seen_from_where_the_axis_of_the_motion_points_to) {
+  const auto axes = [](const Vec3& axis) {
+    std::vector<kinematics::Sample> samples;
+    for (int i = 0; i <= 4; ++i) samples.push_back({0.1 * i, {}, 0.5 * pi * i});
+    const Charge charge(
+        {geometry::Cylinder{0.2, 0.1}, kinematics::Tabulated(samples, axis), {}, {}}, 0.1);
+    return std::pair(charge.right(), charge.up());
+  };
+  EXPECT_EQ(axes({0, 0, 1}), std::pair(Vec3(1, 0, 0), Vec3(0, 1, 0)));
+  EXPECT_EQ(axes({0, 0, -1}), std::pair(Vec3(-1, 0, 0), Vec3(0, 1, 0)));
+  const auto [right, up] = axes({0.6, 0, 0.8});  // leaning: right is level
+  EXPECT_NEAR(norm(right - Vec3(0, 1, 0)), 0, 1e-15);
+  EXPECT_NEAR(norm(up - Vec3(-0.8, 0, 0.6)), 0, 1e-15);
+  EXPECT_EQ(axes({std::sqrt(1 - 0.89 * 0.89), 0, 0.89}).first, Vec3(0, 1, 0)) << "still upright";
+  EXPECT_EQ(axes({std::sqrt(1 - 0.91 * 0.91), 0, 0.91}).first, Vec3(1, 0, 0)) << "flat";
+}
+
 TEST(Fields, mass_at_the_very_edge_is_not_lost) {
   PlaneField field(1);
   for (const double x : {-1.0, 1.0, -1.5, 0.999})
@@ -185,10 +204,13 @@ TEST(Charge, slip_is_that_of_the_wall_under_the_ball) {
 
 TEST(Charge, merged_or_carried_is_the_same) {
   Charge one(drum(2), 0.1), other(drum(2), 0.1), both(drum(2), 0.1);
-  one.sample(0.1, random_balls_in(0.09, 20), 0.5);
-  other.sample(0.2, random_balls_in(0.05, 30), 0.25);
-  both.sample(0.1, random_balls_in(0.09, 20), 0.5);
-  both.sample(0.2, random_balls_in(0.05, 30), 0.25);
+  std::vector<scene::Ball> many = random_balls_in(0.09, 20), few = random_balls_in(0.05, 30);
+  for (std::vector<scene::Ball>* balls : {&many, &few})  // one at the wall
+    balls->push_back({2e-3, 7850, {0, 0, -(0.1 - 2e-3)}, {0.1, 0.2, 0}, {3, 1, 2}});
+  one.sample(0.1, many, 0.5);
+  other.sample(0.2, few, 0.25);
+  both.sample(0.1, many, 0.5);
+  both.sample(0.2, few, 0.25);
   Archive out;
   one.serialize(out);
   Charge again(drum(2), 0.1);
@@ -197,9 +219,24 @@ TEST(Charge, merged_or_carried_is_the_same) {
   in.finish();
   again.merge(other);
   EXPECT_EQ(again.mass_total, one.mass_total + other.mass_total);
-  const Held sum = held(again.in_jar), wanted = held(both.in_jar);
-  states("mass over that of looking at both", sum.mass / wanted.mass, 1, 1e-12, "sums");
-  states("energy, likewise", sum.energy / wanted.energy, 1, 1e-12, "sums");
+  for (PlaneField Charge::*field : {&Charge::in_jar, &Charge::in_carrier}) {
+    const Held sum = held(again.*field), wanted = held(both.*field);
+    const double scale = wanted.mass;
+    states("mass over that of looking at both", sum.mass / wanted.mass, 1, 1e-12, "sums");
+    states("energy, likewise", sum.energy / wanted.energy, 1, 1e-12, "sums");
+    states("middle [m], likewise", sum.x / scale, wanted.x / scale, 1e-12, "sums");
+    states("middle [m], likewise", sum.y / scale, wanted.y / scale, 1e-12, "sums");
+    states("velocity [m/s], likewise", sum.px / scale, wanted.px / scale, 1e-12, "sums");
+    states("velocity [m/s], likewise", sum.py / scale, wanted.py / scale, 1e-12, "sums");
+    EXPECT_EQ((again.*field).time(), 0.75);
+  }
+  for (double Charge::*sum : {&Charge::mass_at_wall, &Charge::wall_slip, &Charge::spin_squared,
+                              &Charge::jar_speed_fourth})
+    states("a sum over that of looking at both", again.*sum, both.*sum, 1e-12 * both.*sum, "sums");
+  EXPECT_GT(both.wall_slip, 0);
+  EXPECT_GT(one.mass_outside, 0);
+  EXPECT_EQ(again.mass_outside, one.mass_outside + other.mass_outside) << "each its first sample";
+  EXPECT_EQ(again.mass_sought, one.mass_sought + other.mass_sought);
   for (std::size_t i = 0; i < both.mass_by_angle.size(); ++i)
     EXPECT_NEAR(again.mass_by_angle[i], both.mass_by_angle[i], 1e-12 * both.mass_total);
 }

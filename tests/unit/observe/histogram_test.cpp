@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "mahlwerk/base/random.hpp"
 
@@ -32,6 +33,17 @@ TEST(LogHistogram, what_lies_beyond_the_ends_is_not_lost) {
   EXPECT_EQ(LogHistogram::bin_of(5e-324), 0);
   EXPECT_EQ(LogHistogram::bin_of(1e300), LogHistogram::bins - 1);
   EXPECT_EQ(LogHistogram::bin_of(INFINITY), LogHistogram::bins - 1);
+}
+
+/// Losses of a contact law that gains energy are negative, and as large as others.
+TEST(LogHistogram, the_first_bin_sums_what_is_not_above_zero) {
+  LogHistogram h;
+  for (const double value : {-100.0, -3.5, 0.0, 0.25}) h.add(value);
+  h.add(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(h.count(0), 3);
+  EXPECT_EQ(h.sum(0), -103.5);
+  EXPECT_EQ(h.total(), 5);
+  EXPECT_EQ(h.sum(), -103.25);
 }
 
 TEST(LogHistogram, bins_are_those_of_the_logarithm) {

@@ -127,6 +127,27 @@ TEST(OverTime, of_few_or_equal_values) {
   EXPECT_EQ(time_series_estimate(std::vector<double>(100, 0.1)).ci95, 0);
 }
 
+TEST(Trend, of_a_straight_line_is_its_rise) {
+  std::vector<double> line;
+  for (int i = 0; i < 10; ++i) line.push_back(3 - 0.5 * i);
+  const Trend found = trend(line);
+  states("mean", found.mean, 3 - 0.5 * 4.5, 1e-13, "that of the middle");
+  states("change", found.change, -4.5, 1e-13, "nine steps of -0.5");
+  states("scatter", found.scatter, 0, 1e-13, "none");
+  states("half-width", found.ci95, 0, 1e-13, "none");
+}
+
+/// +1, -1, -1, +1 has neither a mean nor a slope: it scatters about the line.
+TEST(Trend, has_the_half_width_of_the_scatter_about_the_line) {
+  std::vector<double> values{2 + 1, 5 - 1, 8 - 1, 11 + 1};
+  const Trend found = trend(values);
+  states("mean", found.mean, 6.5, 1e-13, "that of the line");
+  states("change", found.change, 9, 1e-13, "three steps of 3");
+  states("scatter", found.scatter, std::sqrt(2), 1e-13, "four squares, two degrees of freedom");
+  states("half-width", found.ci95, 4.302652729911275 * std::sqrt(2) / std::sqrt(5) * 3, 1e-9,
+         "(sta.9): sum of squared places 2 (1.5^2 + 0.5^2) = 5");
+}
+
 TEST(Unsettled, finds_a_start_that_decays) {
   constexpr std::uint32_t few = 400;
   double found = 0;

@@ -10,6 +10,7 @@
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
 #include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
@@ -120,6 +121,25 @@ TEST(Tables, every_column_says_its_unit_and_what_it_is) {
       EXPECT_FALSE(c.unit.empty()) << c.name;
       EXPECT_FALSE(c.about.empty()) << c.name;
     }
+}
+
+/// A run that was stopped before it counted anything.
+TEST(Tables, without_a_replicate_have_no_rows) {
+  Outcome o = fake_outcome({});
+  o.mill_case.wear.emplace();
+  o.mill_case.heat.emplace();
+  o.mill_case.powder.emplace().mass = 0.001;
+  o.mill_case.capture.emplace();
+  o.mill_case.grinding.emplace();
+  o.mill_case.kinetics.emplace();
+  o.mill_case.sensors.power_meter.emplace();
+  o.mill_case.sensors.microphone.emplace();
+  o.mill_case.sensors.accelerometer.emplace();
+  o.mill_case.sensors.thermocouple.emplace();
+  for (const NamedTable& t : tables(o)) EXPECT_TRUE(t.table.rows.empty()) << t.name;
+  o.replicates.emplace_back(0.1);
+  EXPECT_TRUE(averaged_replicates(o).empty()) << "no time was counted";
+  for (const NamedTable& t : tables(o)) EXPECT_TRUE(t.table.rows.empty()) << t.name;
 }
 
 TEST(Tables, the_spectrum_holds_every_collision_and_all_energy) {

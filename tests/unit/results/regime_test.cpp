@@ -99,6 +99,21 @@ TEST(Regime, toe_and_shoulder_of_a_wedge_are_those_by_hand_in_both_senses_of_tur
   }
 }
 
+/// 20 kg in ten slots: 5 % are 1 kg, 0.2 kg of the 1.2 kg of the third slot; 95 % end in the middle
+/// of the last.
+TEST(Regime, toe_and_shoulder_of_an_uneven_charge_are_quantiles_of_its_mass) {
+  const std::vector<double> masses{0.4, 0.4, 1.2, 1, 2, 3, 4, 4, 2, 2};
+  Outcome forwards = drum(3), backwards = drum(-3);
+  for (int i = 0; i < std::ssize(masses); ++i) {
+    put(forwards, 135 + 4 + i, 1, masses[static_cast<std::size_t>(i)]);
+    put(backwards, 135 - 4 - 1 - i, 1, masses[static_cast<std::size_t>(i)]);
+  }
+  for (const Outcome* outcome : {&forwards, &backwards}) {
+    states("toe [deg]", value(*outcome, "toe_angle"), (4 + 2 + 0.2 / 1.2) * slot, 1e-9, "by hand");
+    states("shoulder [deg]", value(*outcome, "shoulder_angle"), (4 + 9.5) * slot, 1e-9, "by hand");
+  }
+}
+
 TEST(Regime, a_few_strays_do_not_move_the_ends_of_a_charge) {
   Outcome clean = drum(3), dirty = drum(3);
   put(clean, 130, 40);
@@ -214,6 +229,58 @@ TEST(Regime, of_a_charge_under_which_the_wall_passes_is_sliding_or_surging) {
   EXPECT_EQ(word_with(side_by_side, false), "sliding");
 }
 
+/// docs/theory/observe.md, Regimes: each limit from both sides.
+TEST(Regime, words_change_at_the_limits_of_the_rule) {
+  using Signs = RegimeSigns;
+  const auto round = [](double emptiest, double flight, double lag) {
+    return word_with(
+        [=](Signs& s) { s.emptiest_sector = emptiest, s.flight_share = flight, s.jar_lag = lag; });
+  };
+  EXPECT_EQ(round(0.11, 0.019, 0.8), "centrifuging");
+  EXPECT_EQ(round(0.09, 0.019, 0.8), "cascading");
+  EXPECT_EQ(round(0.11, 0.021, 0.8), "cascading");
+  EXPECT_EQ(round(0.11, 0.09, 0.19), "centrifuging");
+  EXPECT_EQ(round(0.11, 0.11, 0.19), "rigid");
+  EXPECT_EQ(round(0.11, 0.09, 0.21), "cascading");
+  const auto thrown = [](double froude, double airborne, bool drum, double slip = 0.2) {
+    return word_with(
+        [=](Signs& s) {
+          s.froude = froude, s.airborne_share = airborne, s.wall_slip = slip;
+          if (slip > 0.5) s.carrier_motion = 0.3;
+        },
+        drum);
+  };
+  EXPECT_EQ(thrown(0.101, 0.2, true), "cataracting");
+  EXPECT_EQ(thrown(0.099, 0.2, true), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.051, true), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.049, true), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.121, false), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.119, false), "cascading");
+  EXPECT_EQ(thrown(0.3, 0.21, true, 0.6), "cataracting");
+  EXPECT_EQ(thrown(0.3, 0.19, true, 0.6), "sliding");
+  const auto slips = [](double slip, double carrier, double flight) {
+    return word_with(
+        [=](Signs& s) { s.wall_slip = slip, s.carrier_motion = carrier, s.flight_share = flight; });
+  };
+  EXPECT_EQ(slips(0.51, 0.39, 0.2), "sliding");
+  EXPECT_EQ(slips(0.49, 0.39, 0.2), "cascading");
+  EXPECT_EQ(slips(0.51, 0.41, 0.2), "cascading");
+  EXPECT_EQ(slips(0.11, 0.09, 0.019), "sliding");
+  EXPECT_EQ(slips(0.09, 0.09, 0.019), "cascading");
+  EXPECT_EQ(slips(0.11, 0.11, 0.019), "cascading");
+  EXPECT_EQ(slips(0.11, 0.09, 0.021), "cascading");
+  const auto stops = [](double intermittency, double froude, double slip) {
+    return word_with(
+        [=](Signs& s) { s.intermittency = intermittency, s.froude = froude, s.wall_slip = slip; });
+  };
+  EXPECT_EQ(stops(2.1, 0.009, 0.51), "surging");
+  EXPECT_EQ(stops(2.1, 0.009, 0.49), "slumping");
+  EXPECT_EQ(stops(1.9, 0.009, 0.51), "cascading");
+  EXPECT_EQ(stops(2.1, 0.011, 0.51), "cascading");
+  EXPECT_EQ(word_with([](Signs& s) { s.wall_share = 0.96; }), "rolling on the wall");
+  EXPECT_EQ(word_with([](Signs& s) { s.wall_share = 0.94; }), "cascading");
+}
+
 TEST(Regime, of_balls_that_roll_on_the_wall_says_so) {
   const auto rolls = [](RegimeSigns& s) {
     s.flight_share = s.airborne_share = 0, s.wall_slip = 0.01, s.wall_share = 1;
@@ -237,6 +304,21 @@ TEST(Regime, of_a_jar_that_does_not_turn_on_its_disc_is_resting_once_the_balls_r
   put(moving, 0, 20);
   moves(moving, 3, 3, 0);
   EXPECT_NE(regime(moving), "resting");
+}
+
+/// k^2 (R - r)/R_p with R - r = 95 mm and R_p = 300 mm: 0.079 and 0.114, the limit is 0.1.
+TEST(Regime, of_a_planetary_jar_is_cataracting_only_where_it_turns_fast_enough_to_throw) {
+  const auto word = [](double ratio) {
+    Outcome mill = planetary(ratio);
+    put(mill, 0, 20);
+    const double wall = std::abs(ratio) * 40 * 0.1;  // [m/s]
+    moves(mill, 0.8 * wall, 0.6 * wall, 0.2 * wall);
+    mill.replicates[0].charge.mass_sought = 1, mill.replicates[0].charge.mass_outside = 0.2;
+    touch(mill, 0.5);
+    return regime(mill);
+  };
+  EXPECT_EQ(word(0.5), "cascading");
+  EXPECT_EQ(word(0.6), "cataracting");
 }
 
 TEST(Regime, is_that_of_drums_and_planetary_mills_alone) {
@@ -297,6 +379,22 @@ TEST(Regime, is_named_for_each_replicate_and_for_their_mean) {
   EXPECT_EQ(regime(outcome), "cataracting") << "a quarter of the mass outside the bed";
   EXPECT_NE(regime_reason(outcome).find("25 % of the mass"), std::string::npos)
       << regime_reason(outcome);
+}
+
+TEST(Regime, the_reason_has_the_numbers_of_the_word) {
+  Outcome outcome = drum(5);
+  put(outcome, 135 + 20, 20);  // 40 to 80 degrees from the lowest point
+  moves(outcome, 0.4, 0.33, 0.083);
+  Charge& charge = outcome.replicates[0].charge;
+  charge.mass_sought = 2, charge.mass_outside = 0.3;
+  charge.jar_speed_fourth = 1.5 * 0.4 * 0.4 * 0.4 * 0.4;
+  touch(outcome, 0.4);
+  EXPECT_EQ(regime_reason(outcome),
+            "15 % of the mass fly outside the bed (balls touch nothing for 60 % of their time), "
+            "the emptiest 10° about the axis hold 0 % of a uniform charge's share, the charge lies "
+            "from 42° to 78° and moves at 0.8 of the wall's speed seen from the jar, 0.66 seen "
+            "from its carrier, balls slip at 0.17 of it on the wall, intermittency 1.5, Froude "
+            "number 0.24");
 }
 
 }  // namespace

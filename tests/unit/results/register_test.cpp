@@ -12,6 +12,7 @@
 #include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "unit/results/fake.hpp"
 
 namespace mahlwerk::results::register_test {
 namespace {
@@ -73,6 +74,28 @@ TEST(Register, has_a_record_of_each_quantity_of_a_kind_of_pair) {
 TEST(Register, has_a_series_of_each_quantity_whose_precision_may_end_a_run) {
   for (const std::string& name : cases::until_quantities())
     EXPECT_NE(record_of(name)->traits.over_time, nullptr) << name;
+}
+
+/// What a case without powder would have with more sections, each quantity once.
+TEST(Register, says_which_section_a_missing_quantity_needs) {
+  const auto section_of = [](const cases::Case& c, const std::string& name) {
+    std::string section;
+    for (const MissingQuantity& m : missing_quantities(c))
+      if (m.name == name) section += m.section;
+    return section;
+  };
+  cases::Case c = fake_outcome().mill_case;
+  EXPECT_EQ(section_of(c, "specific_energy_dose_rate"), "[powder] with its mass");
+  EXPECT_EQ(section_of(c, "wear_rate_jar"), "[wear]");
+  EXPECT_EQ(section_of(c, "temperature_balls"), "[heat]");
+  EXPECT_EQ(section_of(c, "contamination_rate"), "[wear], and [powder] with its mass");
+  EXPECT_EQ(section_of(c, "dissipated_power"), "") << "is there";
+  c.powder.emplace().mass = 0.001;
+  EXPECT_EQ(section_of(c, "specific_energy_dose_rate"), "");
+  EXPECT_EQ(section_of(c, "captured_mass_rate"), "[capture]");
+  EXPECT_EQ(section_of(c, "d50"), "[grinding]");
+  EXPECT_EQ(section_of(c, "conversion"), "[kinetics]");
+  EXPECT_EQ(section_of(c, "contamination_rate"), "[wear]");
 }
 
 TEST(Register, orders_key_numbers_and_columns_without_gaps) {
