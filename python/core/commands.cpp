@@ -3,6 +3,7 @@
 
 // command: a command of the command line (sweep, fit, optimise, ...) in this process, with its
 // result as JSON.
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -10,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "job.hpp"
@@ -94,6 +97,24 @@ std::vector<std::string> names_of(const commands::Option& option) {
   return names;
 }
 
+/// Refuses values that the command line refuses. 0 and "" are those of options that are not given.
+void check_limits(const commands::Option& option, const std::string& name) {
+  if (const auto* count = std::get_if<int*>(&option.target); count != nullptr && **count != 0) {
+    const auto [least, most] = option.range;
+    if (most > 0 && (**count < least || **count > most))
+      throw py::value_error(fmt::format("{} is from {} to {}, or 0 for the default, not {}", name,
+                                        least, most, **count));
+  }
+  if (const auto* seconds = std::get_if<std::optional<double>*>(&option.target))
+    if (const double time = (*seconds)->value_or(1); !(time > 0 && time < 1e9))
+      throw py::value_error(fmt::format("{} is a number of seconds above 0, not {}", name, time));
+  if (const auto* word = std::get_if<std::string*>(&option.target))
+    if (!(*word)->empty() && !option.values.empty() &&
+        std::ranges::count(option.values, **word) == 0)
+      throw py::value_error(
+          fmt::format("{} is one of {}, not '{}'", name, fmt::join(option.values, ", "), **word));
+}
+
 /// Sets the options of a command by their names, and that its result is JSON.
 void set_options(const commands::Command& command, const py::dict& values) {
   for (const auto& item : values) {
@@ -104,8 +125,9 @@ void set_options(const commands::Command& command, const py::dict& values) {
     });
     if (option == command.options.end())
       throw py::type_error("mahlwerk " + command.name + " has no option " + name);
-    if (!value.is_none())
-      std::visit([&](auto* target) { take(value, name.c_str(), *target); }, option->target);
+    if (value.is_none()) continue;
+    std::visit([&](auto* target) { take(value, name.c_str(), *target); }, option->target);
+    check_limits(*option, name);
   }
   for (const commands::Option& option : command.options)
     if (option.name == "--json") *std::get<bool*>(option.target) = true;

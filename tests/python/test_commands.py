@@ -182,3 +182,15 @@ def test_options_have_the_names_of_the_command_line_and_others_are_refused():
         command(["check"], case="none", set={"run.replicates": 2})
     with pytest.raises(mahlwerk.InputError, match="there is no such file"):
         command(["match"], case="none", in_="none", out=None)
+
+
+def test_values_that_the_command_line_refuses_are_refused(ball):
+    from mahlwerk.commands import command
+    for threads in (-3, 4097):
+        with pytest.raises(ValueError, match=f"threads is from 1 to 4096, or 0 for the default, not {threads}"):
+            ball.sweep({"mill.frequency": ["10 Hz"]}, "out", threads=threads)
+    for seconds in (-1.0, 0.0, float("nan"), 1e9):
+        with pytest.raises(ValueError, match="checkpoint is a number of seconds above 0"):
+            command(["run"], case="none", checkpoint=seconds)
+    with pytest.raises(ValueError, match="shell is one of bash, zsh, not 'fish'"):
+        command(["completion"], shell="fish")
