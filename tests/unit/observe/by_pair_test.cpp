@@ -145,7 +145,8 @@ TEST(StatisticsByPair,
 /// Hits on the wall of a cylinder and between balls, with factors to wear and flash temperatures.
 CollisionStatistics with_factors() {
   CollisionStatistics tally(0.3, kinds, {.radius = 0.02, .bottom = -0.02, .top = 0.02});
-  PairFactors factors{.load_distance_per_loss = 3};
+  PairFactors factors;
+  factors.load_distance_per_loss = 3;
   factors.flash_per_loss.assign(LogHistogram::bins, 1e4);
   factors.hertz_time.assign(LogHistogram::bins, 1e-5);
   for (int i = 0; i < tally.by_pair.pairs(); ++i) tally.by_pair.set_factors(i, factors);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/hdf5.hpp"
 #include "mahlwerk/results/files/json.hpp"
@@ -126,16 +127,10 @@ TEST(Tables, every_column_says_its_unit_and_what_it_is) {
 /// A run that was stopped before it counted anything.
 TEST(Tables, without_a_replicate_have_no_rows) {
   Outcome o = fake_outcome({});
-  o.mill_case.wear.emplace();
-  o.mill_case.heat.emplace();
   o.mill_case.powder.emplace().mass = 0.001;
-  o.mill_case.capture.emplace();
-  o.mill_case.grinding.emplace();
-  o.mill_case.kinetics.emplace();
-  o.mill_case.sensors.power_meter.emplace();
-  o.mill_case.sensors.microphone.emplace();
-  o.mill_case.sensors.accelerometer.emplace();
-  o.mill_case.sensors.thermocouple.emplace();
+  for (const cases::Part* part : cases::parts())
+    for (const cases::PartSection& one : part->sections)
+      if (one.add != nullptr) one.add(o.mill_case);
   for (const NamedTable& t : tables(o)) EXPECT_TRUE(t.table.rows.empty()) << t.name;
   o.replicates.emplace_back(0.1);
   EXPECT_TRUE(averaged_replicates(o).empty()) << "no time was counted";

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+#include "mahlwerk/parts/accelerometer/accelerometer.hpp"
+#include "mahlwerk/parts/accelerometer/impact_record.hpp"
 #include "meshes.hpp"
 #include "statement.hpp"
 #include "unit/results/fake.hpp"
@@ -15,20 +17,22 @@
 namespace mahlwerk::results::replicate_setup_test {
 namespace {
 
-using cases::Accelerometer;
+using parts::accelerometer::Accelerometer;
+using parts::accelerometer::ImpactRecord;
 using tests::states;
 
 cases::Case with_accelerometer(Accelerometer::Axis axis) {
   cases::Case c = fake_outcome().mill_case;
-  c.sensors.accelerometer =
-      Accelerometer{.axis = axis, .bandwidth = 1e3, .sample_rate = 5e3, .duration = 0.02};
+  c.parts.set(Accelerometer{
+      .axis = axis, .mass = {}, .bandwidth = 1e3, .sample_rate = 5e3, .duration = 0.02});
   return c;
+}
+ImpactRecord record_of(const cases::Case& c) {
+  return *empty_replicate(c).recorders.find<ImpactRecord>();
 }
 
 TEST(ReplicateSetup, the_accelerometer_measures_along_the_axis_of_the_case) {
-  const auto axis = [](Accelerometer::Axis of) {
-    return empty_replicate(with_accelerometer(of)).sensors.accelerometer->axis();
-  };
+  const auto axis = [](Accelerometer::Axis of) { return record_of(with_accelerometer(of)).axis(); };
   EXPECT_EQ(axis(Accelerometer::Axis::x), (Vec3{1, 0, 0}));
   EXPECT_EQ(axis(Accelerometer::Axis::y), (Vec3{0, 1, 0}));
   EXPECT_EQ(axis(Accelerometer::Axis::z), (Vec3{0, 0, 1}));
@@ -36,13 +40,13 @@ TEST(ReplicateSetup, the_accelerometer_measures_along_the_axis_of_the_case) {
 
 TEST(ReplicateSetup, the_record_of_impacts_has_quarters_of_samples_and_ends_with_the_run) {
   cases::Case c = with_accelerometer(Accelerometer::Axis::z);
-  const observe::ImpactRecord whole = *empty_replicate(c).sensors.accelerometer;
+  const ImpactRecord whole = record_of(c);
   states("step [s]", whole.step(), 5e-5, 1e-18, "a quarter of 1/5 kHz");
   EXPECT_EQ(whole.impulses().size(), 400U) << "0.02 s";
   c.run.time = 0.005;
-  EXPECT_EQ(empty_replicate(c).sensors.accelerometer->impulses().size(), 100U) << "0.005 s";
+  EXPECT_EQ(record_of(c).impulses().size(), 100U) << "0.005 s";
   c.run.time = 1e-9;
-  EXPECT_EQ(empty_replicate(c).sensors.accelerometer->impulses().size(), 4U) << "one sample";
+  EXPECT_EQ(record_of(c).impulses().size(), 4U) << "one sample";
 }
 
 TEST(ReplicateSetup, a_replicate_that_counted_nothing_has_no_signal) {
