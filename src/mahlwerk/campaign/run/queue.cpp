@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/active_point.hpp"
 #include "mahlwerk/campaign/run/conclude.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/lammps_runs.hpp"
@@ -47,44 +48,6 @@ bool is_point_failure(const std::exception& why) {
                   fault.code == "store";
          });
 }
-
-/// An active point: its case, engine and replicates.
-struct ActivePoint {
-  ActivePoint(std::size_t point, const cases::Case& made, const std::atomic<bool>* stop)
-      : index(point),
-        choice(choose_engine(made, stop)),
-        decided(decided_case(made, choice)),
-        outcome(begun_outcome(made, choice)),
-        distinct(cases::distinct_replicates(decided)),
-        left(outcome.replicates.size()) {
-    const std::size_t count = left;
-    if (distinct > 1)
-      for (std::size_t k = 0; k < std::min(count, distinct); ++k)
-        drawn.push_back(cases::case_of_replicate(decided, k));
-    for (cases::Case& one : drawn) {
-      one.contact.softening = decided.contact.softening;
-      setups.push_back(std::make_shared<const RunSetup>(one));
-    }
-    if (drawn.empty()) setups.push_back(std::make_shared<const RunSetup>(decided));
-  }
-
-  const std::shared_ptr<const RunSetup>& setup_of(std::size_t replicate) const {
-    return setups[replicate % distinct];
-  }
-
-  std::size_t index;
-  EngineChoice choice;
-  cases::Case decided;  // the case with the chosen engine
-  results::Outcome outcome;
-  std::size_t distinct;                                 // replicates that have different cases
-  std::vector<cases::Case> drawn;                       // their cases, if there is more than one
-  std::vector<std::shared_ptr<const RunSetup>> setups;  // of each
-  std::size_t next = 0;                                 // next replicate to begin
-  std::size_t left = 0;                                 // replicates that have not ended
-  std::exception_ptr failure;         // of the first failed replicate: no further one is begun
-  std::atomic<bool> dropped = false;  // tells active replicates to end after a failure
-  Clock::time_point began = Clock::now();
-};
 
 /// Replicates of a point to be run by one thread.
 struct Task {
