@@ -4,7 +4,6 @@
 
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/event/engine.hpp"
 #include "mahlwerk/lammps/engine.hpp"
 #include "mahlwerk/soft/engine.hpp"

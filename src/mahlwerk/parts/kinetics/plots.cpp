@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/text/readable.hpp"
