@@ -67,6 +67,18 @@ TEST(ImpactRecord, has_the_part_of_a_contact_within_its_time) {
 
 constexpr double bandwidth = 100;  // [Hz]
 
+TEST(ImpactRecord, goes_on_from_its_saved_state_and_refuses_one_of_another_length) {
+  ImpactRecord one = with({impact(1.3, 0, 2, {0, 0, 1})}), again = with({});
+  ImpactRecord longer({0, 0, 1}, 1, 0.125, 9);
+  Archive out;
+  one.serialize(out);
+  Archive in(out.bytes()), into_longer(out.bytes());
+  again.serialize(in);
+  in.finish();
+  EXPECT_EQ(again.impulses(), one.impulses());
+  EXPECT_THROW(longer.serialize(into_longer), RunError);
+}
+
 TEST(LowPass, of_a_constant_stays_there) {
   for (const double a : low_pass(std::vector<double>(1000, 3.5), 1e-3, bandwidth, 3.5))
     EXPECT_DOUBLE_EQ(a, 3.5);
