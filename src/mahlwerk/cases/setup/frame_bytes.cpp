@@ -10,7 +10,8 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// Approximate number of triangles of a rotating jar in a frame (results/quantities/jar_surface.hpp).
+/// Approximate number of triangles of a rotating jar in a frame
+/// (results/quantities/jar_surface.hpp).
 double triangles(const geometry::Box&) {
   return 12;
 }
