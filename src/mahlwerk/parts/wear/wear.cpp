@@ -11,7 +11,6 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/powder/wear.hpp"
-#include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
