@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,7 +89,7 @@ struct Outcome {
   std::vector<Replicate> replicates;
   cases::EngineName engine = cases::EngineName::event;  ///< engine of the run, never auto
   // Computed once, when the run ends:
-  Summary summary = {};  ///< quantities (results/summarise.hpp)
+  Summary summary = {};  ///< quantities (results/quantities/summarise.hpp)
   Notices notices = {};  ///< warnings and notes (results/notices/warnings.hpp)
   double wall_seconds = 0, cpu_seconds = 0;
   bool interrupted = false;

@@ -168,7 +168,8 @@ double SectionReader::quantity(const Node& at, const NumberSpec& spec) {
       fault(at,
             fmt::format("{} is beyond all that a mill has: {} at most", as_written(spec.key, at),
                         show(most, spec.unit)),
-            fmt::format("{} is: {}", spec.key, spec.about), "out-of-range");
+            fmt::format("check the number and its unit; {} is: {}", spec.key, spec.about),
+            "out-of-range");
     else
       fault(at,
             fmt::format("{} is out of range: it must be {}", as_written(spec.key, at),
