@@ -110,13 +110,13 @@ TEST(Fields, are_seen_from_where_the_axis_of_the_motion_points_to) {
         {geometry::Cylinder{0.2, 0.1}, kinematics::Tabulated(samples, axis), {}, {}}, 0.1);
     return std::pair(charge.right(), charge.up());
   };
-  EXPECT_EQ(axes({0, 0, 1}), std::pair(Vec3(1, 0, 0), Vec3(0, 1, 0)));
-  EXPECT_EQ(axes({0, 0, -1}), std::pair(Vec3(-1, 0, 0), Vec3(0, 1, 0)));
+  EXPECT_EQ(axes({0, 0, 1}), std::pair(Vec3{1, 0, 0}, Vec3{0, 1, 0}));
+  EXPECT_EQ(axes({0, 0, -1}), std::pair(Vec3{-1, 0, 0}, Vec3{0, 1, 0}));
   const auto [right, up] = axes({0.6, 0, 0.8});  // leaning: right is level
-  EXPECT_NEAR(norm(right - Vec3(0, 1, 0)), 0, 1e-15);
-  EXPECT_NEAR(norm(up - Vec3(-0.8, 0, 0.6)), 0, 1e-15);
-  EXPECT_EQ(axes({std::sqrt(1 - 0.89 * 0.89), 0, 0.89}).first, Vec3(0, 1, 0)) << "still upright";
-  EXPECT_EQ(axes({std::sqrt(1 - 0.91 * 0.91), 0, 0.91}).first, Vec3(1, 0, 0)) << "flat";
+  EXPECT_NEAR(norm(right - Vec3{0, 1, 0}), 0, 1e-15);
+  EXPECT_NEAR(norm(up - Vec3{-0.8, 0, 0.6}), 0, 1e-15);
+  EXPECT_EQ(axes({std::sqrt(1 - 0.89 * 0.89), 0, 0.89}).first, (Vec3{0, 1, 0})) << "still upright";
+  EXPECT_EQ(axes({std::sqrt(1 - 0.91 * 0.91), 0, 0.91}).first, (Vec3{1, 0, 0})) << "flat";
 }
 
 TEST(Fields, mass_at_the_very_edge_is_not_lost) {
