@@ -171,6 +171,10 @@ double largest_admitted(std::string_view unit) {
   return found == std::end(limits) ? 1e30 : found->second;
 }
 
+bool admitted(double value, std::string_view unit) {
+  return std::abs(value) <= largest_admitted(unit);
+}
+
 std::string example_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> examples[] = {{"m", "12 mm"},
                                                                         {"kg", "10 g"},

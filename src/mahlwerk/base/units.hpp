@@ -51,6 +51,8 @@ std::string two_digits(double value);
 /// The largest magnitude in `unit` that is admitted: nothing in or about a mill is larger. Beyond
 /// it sizes of grids and numbers of steps overflow. For units without an entry, 1e30.
 double largest_admitted(std::string_view unit);
+/// Whether a number is finite and within that magnitude.
+bool admitted(double value, std::string_view unit);
 
 /// An example of a quantity in input that expects `unit`: "12 mm" for "m", "400 rpm" for "rad/s".
 std::string example_of(std::string_view unit);

@@ -28,10 +28,6 @@ using results::named;
 using results::Outcome;
 using results::Quantity;
 
-std::string text_of(const std::vector<Quantity>& list, std::string_view name) {
-  return readable(named(list, name)).text();
-}
-
 /// A table cell with the quantity's name and exact value as data attributes for programs.
 std::string number_cell(const Quantity* q, const std::string& text) {
   if (q == nullptr || !std::isfinite(q->value))

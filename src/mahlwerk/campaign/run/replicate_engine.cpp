@@ -33,12 +33,16 @@ std::unique_ptr<scene::Engine> event_engine(const cases::Case& mill_case,
   event::Rules treatment = rules(mill_case.contact);
   treatment.threshold = mill_case.observe.threshold;
   if (mill_case.liquid) treatment.liquid = mill_case.liquid->model;
-  cases::Case hard = mill_case;  // as the material is: its balls do not deform
-  hard.contact.softening = 1;
-  const contact::PairTable pairs = cases::pair_table(hard);
-  if (mill_case.contact.model.twisting != contact::Twisting::none) treatment.twisting = pairs;
+  const auto hard_pairs = [&] {  // as the material is: its balls do not deform
+    cases::Case hard = mill_case;
+    hard.contact.softening = 1;
+    return cases::pair_table(hard);
+  };
+  if (mill_case.contact.model.twisting != contact::Twisting::none)
+    treatment.twisting = hard_pairs();
   if (balls.size() > 1) {
-    if (mill_case.contact.lasting == cases::SustainedContactModel::tc) treatment.elastic = pairs;
+    if (mill_case.contact.lasting == cases::SustainedContactModel::tc)
+      treatment.elastic = hard_pairs();
     return event::many_balls(mill, balls, treatment, bounces);
   }
   for (int face = 0; face < bounces.faces(); ++face)

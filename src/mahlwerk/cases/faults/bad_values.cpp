@@ -25,7 +25,7 @@ class ValueCheck : public CaseVisitor {
     prefix_ = number > 0 ? fmt::format("{}.{}.", name, number) : fmt::format("{}.", name);
   }
   void number(const NumberSpec& spec, double& value) override {
-    if (!spec.range.holds(value) || !(std::abs(value) <= largest_admitted(spec.unit)))
+    if (!spec.range.holds(value) || !admitted(value, spec.unit))
       fault(spec.key, "{} = {} is out of range", show(value, spec.unit));
   }
   void optional_number(const NumberSpec& spec, std::optional<double>& value) override {

@@ -162,19 +162,14 @@ double SectionReader::quantity(const Node& at, const NumberSpec& spec) {
   }
   try {
     const double v = parse_in(at.text, spec.unit);
-    const double most = largest_admitted(spec.unit);
-    if (spec.range.holds(v) && std::abs(v) <= most) return v;
-    if (spec.range.holds(v))
-      fault(at,
-            fmt::format("{} is beyond all that a mill has: {} at most", as_written(spec.key, at),
-                        show(most, spec.unit)),
-            fmt::format("check the number and its unit; {} is: {}", spec.key, spec.about),
-            "out-of-range");
-    else
-      fault(at,
-            fmt::format("{} is out of range: it must be {}", as_written(spec.key, at),
-                        range_text(spec.range, spec.unit)),
-            fmt::format("{} is: {}", spec.key, spec.about), "out-of-range");
+    const bool in_range = spec.range.holds(v);
+    if (in_range && admitted(v, spec.unit)) return v;
+    fault(at,
+          fmt::format("{} is {}", as_written(spec.key, at),
+                      in_range ? fmt::format("beyond all that a mill has: {} at most",
+                                             show(largest_admitted(spec.unit), spec.unit))
+                               : "out of range: it must be " + range_text(spec.range, spec.unit)),
+          fmt::format("{} is: {}", spec.key, spec.about), "out-of-range");
   } catch (const UnitError& error) {
     fault(at, fmt::format("{}: {}", as_written(spec.key, at), error.what()),
           fmt::format("{} is: {}", spec.key, spec.about), "bad-quantity");

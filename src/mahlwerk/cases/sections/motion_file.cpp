@@ -50,8 +50,8 @@ class MotionFile {
       } else if (const auto cells = numbers(row); cells && cells->size() == columns_) {
         const auto& c = *cells;
         samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
-        const double far = std::max({std::abs(c[1]), std::abs(c[2]), std::abs(c[3])});
-        if (far > largest_admitted("m") || std::abs(c[0]) > largest_admitted("s"))
+        if (!admitted(c[0], "s") || !admitted(c[1], "m") || !admitted(c[2], "m") ||
+            !admitted(c[3], "m"))
           fault(fmt::format("\"{}\" is beyond all that a mill has", row.substr(0, 60)),
                 fmt::format("give times in seconds and positions in metres, {} at most",
                             show(largest_admitted("m"), "m")));

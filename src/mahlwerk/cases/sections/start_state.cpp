@@ -88,16 +88,11 @@ class StateFile {
     for (std::size_t i = 0; i < v.size(); ++i) {
       const std::string_view cell = cells[column_[i]];
       const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), v[i]);
-      if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(v[i]))
+      const std::string_view unit = i == 0 ? "" : i < 5 ? "m" : i < 8 ? "m/s" : "rad/s";
+      if (error != std::errc{} || end != cell.data() + cell.size() || !admitted(v[i], unit))
         return std::nullopt;
     }
     if (!(v[0] >= 1 && v[0] < 1e6 && v[1] > 0)) return std::nullopt;
-    const auto beyond = [&](std::size_t from, std::size_t to, std::string_view unit) {
-      return std::ranges::any_of(v.begin() + static_cast<std::ptrdiff_t>(from),
-                                 v.begin() + static_cast<std::ptrdiff_t>(to),
-                                 [&](double x) { return std::abs(x) > largest_admitted(unit); });
-    };
-    if (beyond(1, 5, "m") || beyond(5, 8, "m/s") || beyond(8, 11, "rad/s")) return std::nullopt;
     return BallState{v[1],
                      static_cast<std::int32_t>(v[0]) - 1,
                      {v[2], v[3], v[4]},

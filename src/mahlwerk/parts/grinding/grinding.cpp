@@ -30,26 +30,16 @@ using cases::Case;
 using report::figure;
 using report::Multiple;
 using report::multiple;
-using report::readable;
+using report::text_of;
 using results::Outcome;
 using results::Quantity;
 using Quantities = std::vector<Quantity>;
 
-std::string shown_text(const Quantities& list, std::string_view name) {
-  const auto found = std::ranges::find(list, name, &Quantity::name);
-  return found == list.end() ? "-" : readable(*found).text();
-}
-
-double value(const Quantities& list, std::string_view name) {
-  const auto found = std::ranges::find(list, name, &Quantity::name);
-  return found == list.end() ? std::nan("") : found->value;
-}
-
 /// Compares the powder's power with the dissipated power. Powder does not act on the balls, so it
 /// can receive more energy than the balls lose.
 std::string beside_the_losses(const cases::Case& mill_case, const Quantities& list) {
-  const double gets = 1000 * mill_case.powder->mass * value(list, "captured_dose_rate"),
-               lost = value(list, "dissipated_power");
+  const double gets = 1000 * mill_case.powder->mass * named(list, "captured_dose_rate").value,
+               lost = named(list, "dissipated_power").value;
   if (!(gets > 0) || !(lost > 0)) return "";
   return fmt::format(" That is {} the dissipated power{}", report::share_of(gets / lost),
                      gets > lost ? ": more than the mill dissipates. Balls with powder between "
@@ -79,8 +69,8 @@ std::string capture_section(const Outcome& outcome, const Quantities& list) {
   return fmt::format(
              "<h2>Powder captured by collisions</h2>\n<p>Collisions capture {} of powder: a grain "
              "is captured {:.3g} times per second and receives {} each time, {} in total.{}</p>\n",
-             shown_text(list, "captured_mass_rate"), value(list, "captured_share_rate"),
-             shown_text(list, "captured_energy_mean"), shown_text(list, "captured_dose_rate"),
+             text_of(list, "captured_mass_rate"), named(list, "captured_share_rate").value,
+             text_of(list, "captured_energy_mean"), text_of(list, "captured_dose_rate"),
              beside_the_losses(mill_case, list)) +
          figure(
              capture_plot(outcome),
@@ -110,8 +100,8 @@ std::string fineness_section(const Outcome& outcome, const Quantities& list) {
              "<h2>Fineness</h2>\n<p>After {} of milling D10, D50 and D90 are {}, {} and "
              "{}; "
              "the specific surface is {}.</p>\n",
-             show_rounded(g.time, "s"), shown_text(list, "d10"), shown_text(list, "d50"),
-             shown_text(list, "d90"), shown_text(list, "specific_surface")) +
+             show_rounded(g.time, "s"), text_of(list, "d10"), text_of(list, "d50"),
+             text_of(list, "d90"), text_of(list, "specific_surface")) +
          figure(
              sizes_plot(outcome),
              fmt::format(

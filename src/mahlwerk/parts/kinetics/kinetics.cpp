@@ -25,15 +25,10 @@ namespace {
 using cases::Case;
 using cases::Kinetics;
 using report::figure;
-using report::readable;
+using report::text_of;
 using results::Outcome;
 using results::Quantity;
 using Quantities = std::vector<Quantity>;
-
-std::string shown_text(const Quantities& list, std::string_view name) {
-  const auto found = std::ranges::find(list, name, &Quantity::name);
-  return found == list.end() ? "-" : readable(*found).text();
-}
 
 /// What the conversion follows, as a sentence.
 std::string kinetics_basis(const Outcome& outcome, const Quantities& list) {
@@ -44,7 +39,7 @@ std::string kinetics_basis(const Outcome& outcome, const Quantities& list) {
   return fmt::format(
       "By the energy {} per mass of powder, {} after {}; the constants are those of the case.",
       k.dose == cases::Kinetics::Dose::captured ? "that captured grains receive" : "dissipated",
-      shown_text(list, "milling_dose"), show_rounded(k.time, "s"));
+      text_of(list, "milling_dose"), show_rounded(k.time, "s"));
 }
 
 /// What the hits do, for kinetics by impact; the time of ignition.
@@ -54,11 +49,11 @@ std::string kinetics_numbers(const Outcome& outcome, const Quantities& list) {
     return fmt::format(
         "<p>{} hits per second process powder, with {} each; a hit processes {} on the mean. Each "
         "part of the reactant is processed {} times per second.</p>\n",
-        shown_text(list, "processing_hit_rate"), shown_text(list, "processing_hit_energy"),
-        shown_text(list, "processed_mass_per_hit"), shown_text(list, "processing_rate"));
+        text_of(list, "processing_hit_rate"), text_of(list, "processing_hit_energy"),
+        text_of(list, "processed_mass_per_hit"), text_of(list, "processing_rate"));
   if (powder::name_of(model) == "ignition")
     return fmt::format("<p>Time of milling until the powder ignites: {}.</p>\n",
-                       shown_text(list, "ignition_time"));
+                       text_of(list, "ignition_time"));
   return "";
 }
 
@@ -67,7 +62,7 @@ std::string kinetics_section(const Outcome& outcome, const Quantities& list) {
   const bool by_dose = powder::name_of(*k.model) == "dose";
   return fmt::format("<h2>{}</h2>\n<p>After {} of milling the conversion is {}.</p>\n",
                      by_dose ? "Dose" : "Kinetics", show_rounded(k.time, "s"),
-                     shown_text(list, "conversion")) +
+                     text_of(list, "conversion")) +
          kinetics_numbers(outcome, list) +
          figure(conversion_plot(outcome),
                 kinetics_basis(outcome, list) + " conversion.csv has the numbers.") +

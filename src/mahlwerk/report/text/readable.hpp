@@ -27,6 +27,10 @@ Readable readable_within(double value, double ci95, std::string_view unit, resul
 inline Readable readable(const results::Quantity& q) {
   return readable_within(q.value, q.half_width(), q.unit, results::range_of(q.name));
 }
+/// The text of the quantity of that name; "-" if the list lacks it.
+inline std::string text_of(const std::vector<results::Quantity>& list, std::string_view name) {
+  return readable(results::named(list, name)).text();
+}
 
 /// "52 % of", or "9519 times" above 2.
 std::string share_of(double share);
