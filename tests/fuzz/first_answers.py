@@ -20,6 +20,7 @@ import math
 import os
 import pathlib
 import random
+import resource
 import subprocess
 import tempfile
 
@@ -83,15 +84,17 @@ def case(seed, index):
 
 
 def run(program, text, folder, limit):
-    """The quantities and the codes of the warnings of a run; None if it does not end in time."""
+    """The quantities and the codes of the warnings of a run; None if it takes more than `limit` CPU
+    seconds, or writes no result."""
     path = pathlib.Path(folder) / "case.toml"
     path.write_text(text)
+    subprocess.run([program, "run", path, "--out", f"{folder}/out", "--force", "--quiet",
+                    "--threads", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit)),
+                   check=False)
     try:
-        subprocess.run([program, "run", path, "--out", f"{folder}/out", "--force", "--quiet",
-                        "--threads", "1"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                       timeout=limit, check=False)
         result = json.loads((pathlib.Path(folder) / "out/summary.json").read_text())
-    except (subprocess.TimeoutExpired, OSError, ValueError):
+    except (OSError, ValueError):
         return None
     found = {name: result[name] for name in QUANTITIES}
     values = {name: (q["value"], q.get("ci95") or 0) for name, q in found.items()}
@@ -130,7 +133,7 @@ def examine(options, known, index):
     if right is None:
         return index, "no-reference", "", right
     if plain is None:
-        return index, "bad", f"does not end in {options.limit} s", right
+        return index, "bad", f"does not end in {options.limit} CPU s", right
     values, codes = plain
     errors = {name: off(values[name], right[0][name]) for name in QUANTITIES}
     wrong = {n: e for n, (e, sure) in errors.items() if abs(e) > NEAR and sure}
@@ -151,7 +154,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--reference", type=pathlib.Path)
-    parser.add_argument("--limit", type=float, default=300, help="seconds that a run may take")
+    parser.add_argument("--limit", type=int, default=300, help="CPU seconds that a run may take")
     parser.add_argument("--warned", action="store_true", help="print the cases with warnings too")
     parser.add_argument("--careful", help="the program of the careful runs, if another")
     options = parser.parse_args()
