@@ -63,7 +63,7 @@ TEST_F(Edges, absurd_values_are_refused) {
 }
 
 TEST_F(Edges, unusual_values_get_a_word) {
-  tells("balls.density=7.85 kg/m3", "unusual-density");
+  tells("balls.density=7.85 kg/m3", "unusual-value");
   std::string planetary = vial;
   const auto mill = planetary.find("[mill]"), jar = planetary.find("[jar]");
   planetary.replace(mill, jar - mill,

@@ -34,6 +34,12 @@ struct UsualRange {
   bool log = false;  ///< whether equal ratios, not equal steps, are equally far apart
 };
 
+/// Magnitudes, 0 apart, beyond which a value is probably a mistake, for instance of its unit: it
+/// gets a warning. As written in a case; an empty end: that of the unit (plausible_magnitude()).
+struct PlausibleMagnitude {
+  std::string_view least = "", most = "";
+};
+
 /// How pages, plots and new cases present a value.
 struct Presentation {
   std::string_view label = "";   ///< name on an axis and in a form; empty: the key in words
@@ -54,10 +60,16 @@ struct Field {
   std::optional<double> standard = std::nullopt;  ///< the default; none: the parameter is required
   std::string_view source = "";                   ///< where the default comes from
   Presentation presentation = {};
+  PlausibleMagnitude plausible = {};
 
   constexpr Field with(const Presentation& p) const {
     Field made = *this;
     made.presentation = p;
+    return made;
+  }
+  constexpr Field plausible_within(std::string_view low, std::string_view high) const {
+    Field made = *this;
+    made.plausible = {low, high};
     return made;
   }
 };

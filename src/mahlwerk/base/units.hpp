@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "mahlwerk/base/field.hpp"
 
 namespace mahlwerk {
 
@@ -53,6 +56,10 @@ std::string two_digits(double value);
 double largest_admitted(std::string_view unit);
 /// Whether a number is finite and within that magnitude.
 bool admitted(double value, std::string_view unit);
+/// The least and largest plausible magnitude of a value of a case in `unit`: as written, or that of
+/// the unit whatever the key; 0 and infinity if there is neither. Beyond them a unit or a digit is
+/// probably wrong.
+std::array<double, 2> plausible_magnitude(std::string_view unit, const PlausibleMagnitude& written);
 
 /// An example of a quantity in input that expects `unit`: "12 mm" for "m", "400 rpm" for "rad/s".
 std::string example_of(std::string_view unit);

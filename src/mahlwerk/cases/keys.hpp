@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -39,6 +41,9 @@ struct KeyInfo {
   std::string symbol;      ///< in the texts of plots: "$f$"; may be empty
   std::string start;       ///< value of a new case if neither user nor catalogue gives one
   UsualRange usual;        ///< usual values; empty: not known
+  /// Plausible magnitudes of a number, in `unit`; 0 and infinity if there is no end. A value beyond
+  /// them gets a warning.
+  std::array<double, 2> plausible{0, std::numeric_limits<double>::infinity()};
   std::vector<std::string> engines;  ///< those that read the value, by name; "auto" is not named
   /// Choices of the section under which the key has a meaning: key -> words. Empty: always.
   std::map<std::string, std::vector<std::string>> under;

@@ -23,10 +23,12 @@ struct ArcShaker {
   static constexpr auto fields() {
     using A = ArcShaker;
     return std::array{
-        Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"}.with(
-            {.symbol = "$f$", .start = "25 Hz", .usual = frequencies}),
-        Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"}.with(
-            {.label = "length of the arm", .start = "136 mm", .usual = {"50 mm", "400 mm"}}),
+        Field<A>{"frequency", "Hz", &A::frequency, positive, "swings to and fro per second"}
+            .plausible_within("", "200 Hz")
+            .with({.symbol = "$f$", .start = "25 Hz", .usual = frequencies}),
+        Field<A>{"arm", "m", &A::arm, positive, "length of the arm, pivot to jar centre"}
+            .plausible_within("", "2 m")
+            .with({.label = "length of the arm", .start = "136 mm", .usual = {"50 mm", "400 mm"}}),
         Field<A>{"swing",
                  "rad",
                  &A::swing,

@@ -19,10 +19,12 @@ struct Circular : NonRotating {
   static constexpr auto fields() {
     using C = Circular;
     return std::array{
-        Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"}.with(
-            {.start = "15 mm"}),
+        Field<C>{"radius", "m", &C::radius, positive, "radius of the circle"}
+            .plausible_within("", "0.5 m")
+            .with({.start = "15 mm"}),
         Field<C>{"speed", "rad/s", &C::speed, not_zero,
                  "turns of the circle per unit of time; a negative one goes the other way round"}
+            .plausible_within("", "5000 rpm")
             .with(speed_of_mill("1000 rpm"))};
   }
 

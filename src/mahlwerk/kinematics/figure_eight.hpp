@@ -30,16 +30,20 @@ struct FigureEight {
     using F = FigureEight;
     constexpr std::string_view none = "no such motion unless said";
     return std::array{
-        Field<F>{"frequency", "Hz", &F::frequency, positive, "cycles per second"}.with(
-            {.symbol = "$f$", .start = "17.5 Hz", .usual = frequencies}),
+        Field<F>{"frequency", "Hz", &F::frequency, positive, "cycles per second"}
+            .plausible_within("", "200 Hz")
+            .with({.symbol = "$f$", .start = "17.5 Hz", .usual = frequencies}),
         Field<F>{"stroke_along", "m", &F::stroke_along, not_negative,
                  "semi-amplitude along x, the jar's axis, at the frequency"}
+            .plausible_within("", "0.5 m")
             .with({.start = "30 mm"}),
         Field<F>{"stroke_across", "m", &F::stroke_across, not_negative,
                  "semi-amplitude along y, across, at twice the frequency"}
+            .plausible_within("", "0.5 m")
             .with({.start = "12.5 mm"}),
         Field<F>{"stroke_up", "m", &F::stroke_up, not_negative,
-                 "semi-amplitude along z, upwards, at the frequency", 0.0, none},
+                 "semi-amplitude along z, upwards, at the frequency", 0.0, none}
+            .plausible_within("", "0.5 m"),
         Field<F>{"phase_across", "rad", &F::phase_across, any_number, "phase of the motion across",
                  0.0, none},
         Field<F>{"phase_up", "rad", &F::phase_up, any_number, "phase of the motion upwards", 0.0,

@@ -23,13 +23,16 @@ struct Planetary {
     return std::array{
         Field<P>{"orbit_radius", "m", &P::orbit_radius, positive,
                  "distance between the axes of disc and jar"}
+            .plausible_within("", "2 m")
             .with({.start = "100 mm", .usual = {"20 mm", "300 mm"}}),
         Field<P>{"speed", "rad/s", &P::speed, not_zero,
                  "speed of the disc; a negative one turns the mill the other way"}
+            .plausible_within("", "5000 rpm")
             .with(speed_of_mill("300 rpm")),
         Field<P>{"ratio", "", &P::ratio, any_number,
                  "jar speed over disc speed, relative to the disc unless "
                  "ratio_convention says otherwise; \"1:-2\" is -2"}
+            .plausible_within("", "20")
             .with(
                 {.label = "speed ratio", .symbol = "$k$", .start = "1:-2", .usual = {"-4", "2"}})};
   }

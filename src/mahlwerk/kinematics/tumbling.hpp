@@ -18,6 +18,7 @@ struct Tumbling {
   static constexpr auto fields() {
     return std::array{Field<Tumbling>{"speed", "rad/s", &Tumbling::speed, any_number,
                                       "speed of the drum, or % of its critical speed"}
+                          .plausible_within("", "1000 rpm")
                           .with(speed_of_mill("70 %", {"5 %", "130 %"}))};
   }
 

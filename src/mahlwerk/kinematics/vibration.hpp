@@ -22,13 +22,15 @@ struct Vibration : NonRotating {
   static constexpr auto fields() {
     using V = Vibration;
     return std::array{
-        Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"}.with(
-            {.label = "vibration frequency",
-             .symbol = "$f$",
-             .start = "25 Hz",
-             .usual = frequencies}),
+        Field<V>{"frequency", "Hz", &V::frequency, positive, "oscillations per second"}
+            .plausible_within("", "200 Hz")
+            .with({.label = "vibration frequency",
+                   .symbol = "$f$",
+                   .start = "25 Hz",
+                   .usual = frequencies}),
         Field<V>{"amplitude", "m", &V::amplitude, not_negative,
                  "half the stroke: the jar moves this far to either side"}
+            .plausible_within("", "0.5 m")
             .with({.label = "vibration amplitude",
                    .symbol = "$A$",
                    .start = "5 mm",

@@ -39,7 +39,8 @@ struct NumberSpec {
   std::string_view default_text = "";  ///< default in words, where it follows from other values
   /// Range in which the true value may lie if the default is assumed; its source is that of the
   /// default.
-  std::optional<Range> plausible = std::nullopt;
+  std::optional<Range> assumed_range = std::nullopt;
+  PlausibleMagnitude plausible = {};
   Presentation presentation = {};
   Engines engines = {};
 
@@ -54,11 +55,17 @@ struct NumberSpec {
         about(f.about),
         standard(f.standard),
         source(f.source),
+        plausible(f.plausible),
         presentation(f.presentation) {}
 
   constexpr NumberSpec with(const Presentation& p) const {
     NumberSpec made = *this;
     made.presentation = p;
+    return made;
+  }
+  constexpr NumberSpec plausible_within(std::string_view least, std::string_view most) const {
+    NumberSpec made = *this;
+    made.plausible = {least, most};
     return made;
   }
   constexpr NumberSpec read_by(Engines those) const {
@@ -71,12 +78,12 @@ struct NumberSpec {
     NumberSpec made = *this;
     made.standard = value;
     made.source = from;
-    made.plausible.reset();
+    made.assumed_range.reset();
     return made;
   }
-  constexpr NumberSpec with_plausible(Range ends) const {
+  constexpr NumberSpec with_assumed_range(Range ends) const {
     NumberSpec made = *this;
-    made.plausible = ends;
+    made.assumed_range = ends;
     return made;
   }
   constexpr NumberSpec with_default_text(std::string_view words) const {

@@ -189,9 +189,9 @@ double SectionReader::value(const NumberSpec& spec) {
   if (const auto given = optional_number(spec)) return *given;
   if (spec.standard) {
     record_default(spec.key, show(*spec.standard, spec.unit), spec.source);
-    if (spec.plausible)
-      findings_.origins.back().range = {show(spec.plausible->least, spec.unit),
-                                        show(spec.plausible->most, spec.unit)};
+    if (spec.assumed_range)
+      findings_.origins.back().range = {show(spec.assumed_range->least, spec.unit),
+                                        show(spec.assumed_range->most, spec.unit)};
     return *spec.standard;
   }
   std::string remedy = remedy_for(spec);

@@ -143,7 +143,7 @@ Restitution read_restitution(SectionReader& in, const Restitution* all) {
   }
   NumberSpec spec = restitution_value()
                         .with_default(usual_restitution, clean_metal)
-                        .with_plausible(plausible_restitution);
+                        .with_assumed_range(plausible_restitution);
   if (all != nullptr && all->law() != RestitutionLaw::tabulated)
     spec = spec.with_default(all->value(), of_contact);
   const double value = in.value(spec);
@@ -224,7 +224,8 @@ void describe(KeyVisitor& v, BounceRule& rule, const BounceRule* all) {
   NumberSpec friction =
       NumberSpec("friction", "", not_negative, "Coulomb's friction coefficient mu")
           .with_default(0.3, "uncalibrated, 0.1-0.6")
-          .with_plausible(plausible_friction)
+          .with_assumed_range(plausible_friction)
+          .plausible_within("", "3")
           .with({.label = "friction coefficient", .symbol = "$µ$", .usual = {"0", "1"}});
   if (all != nullptr && std::isfinite(all->friction))
     friction = friction.with_default(all->friction, of_contact);

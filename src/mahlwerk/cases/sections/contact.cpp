@@ -84,7 +84,8 @@ void describe_touch(KeyVisitor& v, Owner& owner, const ContactModel* model, cons
     }
     NumberSpec spec(field);
     spec.unit = unit_of(field.key, field.unit, *model);
-    if (field.key == "rolling_friction") spec = spec.with_plausible(plausible_rolling_friction);
+    if (field.key == "rolling_friction") spec = spec.with_assumed_range(plausible_rolling_friction);
+    if (field.key == "rolling_friction" && spec.unit.empty()) spec = spec.plausible_within("", "1");
     if (spec.unit != field.unit) spec.standard.reset();  // no default in that unit
     if (all != nullptr) spec = spec.with_default(all->*of_all, of_contact);
     v.number(spec, owner.*field.value);

@@ -43,7 +43,8 @@ constexpr auto touch_fields() {
       Field<Owner>{"cohesion", "J/m3", &Owner::cohesion, not_negative,
                    "cohesion energy density, adhesive force over contact area"},
       Field<Owner>{"surface_tension", "N/m", &Owner::surface_tension, not_negative,
-                   "surface tension of the liquid of capillary bridges; 0: the pair is dry"}};
+                   "surface tension of the liquid of capillary bridges; 0: the pair is dry"}
+          .plausible_within("0.1 mN/m", "5 N/m")};
 }
 
 /// Range of an assumed rolling_friction, with the source of its default.

@@ -112,6 +112,7 @@ class KeyList : public CaseVisitor {
     KeyInfo info = of_type("number", spec.key, spec.about, spec.presentation, spec.engines);
     info.unit = spec.unit;
     info.range = spec.range;
+    info.plausible = plausible_magnitude(spec.unit, spec.plausible);
     info.required = required;
     if (!required)
       info.default_source = spec.default_text.empty() ? spec.source : spec.default_text;

@@ -56,15 +56,17 @@ void describe(KeyVisitor& v, Liquid& liquid) {
            model.drag);
     v.refuse({"film"}, "with kind = \"flooded\"", "remove it, or write kind = \"film\"");
   } else {
-    v.number({"film", "m", positive, "thickness of the film on each ball and on the wall"},
+    v.number(NumberSpec("film", "m", positive, "thickness of the film on each ball and on the wall")
+                 .plausible_within("", "1 mm"),
              model.film);
     v.refuse({"density", "reach", "drag"}, "with kind = \"film\"",
              "remove it, or write kind = \"flooded\"");
   }
   v.text({"material", "the liquid, by its name in the catalogue"}, liquid.material);
-  v.number({"roughness", "m", positive,
-            "separation of the mean surfaces of bodies whose asperities touch",
-            contact::Liquid().roughness, "a worn ball; uncalibrated, 0.1-10 um"},
+  v.number(NumberSpec("roughness", "m", positive,
+                      "separation of the mean surfaces of bodies whose asperities touch",
+                      contact::Liquid().roughness, "a worn ball; uncalibrated, 0.1-10 um")
+               .plausible_within("", "1 mm"),
            model.roughness);
   std::size_t rebound = model.resists_rebound ? 1 : 0;
   v.choose({"rebound",

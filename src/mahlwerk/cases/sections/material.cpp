@@ -18,7 +18,8 @@ constexpr auto elastic_fields() {
   using E = contact::ElasticConstants;
   return std::array{Field<E>{"youngs_modulus", "Pa", &E::youngs_modulus, positive,
                              "Young's modulus of the material", steel.youngs_modulus,
-                             "steel, handbook; uncalibrated"},
+                             "steel, handbook; uncalibrated"}
+                        .plausible_within("0.1 MPa", "2000 GPa"),
                     Field<E>{"poisson_ratio", "", &E::poisson_ratio, poisson_ratios,
                              "Poisson's ratio of the material", steel.poisson_ratio,
                              "steel, handbook; uncalibrated"}};
@@ -29,7 +30,8 @@ constexpr auto substance_fields() {
   using S = Substance;
   constexpr std::string_view source = "hardened steel (1.4034), handbook; uncalibrated";
   return std::array{Field<S>{"hardness", "", &S::hardness, positive, "Vickers hardness number",
-                             hardened_steel.hardness, source},
+                             hardened_steel.hardness, source}
+                        .plausible_within("0.5", "10000"),
                     Field<S>{"conductivity", "W/m/K", &S::conductivity, positive,
                              "thermal conductivity", hardened_steel.conductivity, source},
                     Field<S>{"heat_capacity", "J/kg/K", &S::heat_capacity, positive,

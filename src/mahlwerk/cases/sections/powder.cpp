@@ -131,7 +131,8 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
     refuse({"spread"});
     v.optional_number(NumberSpec("size", "m", positive, "grain size of the powder as fed")
                           .with_default_text("none; [capture] and [grinding] need it")
-                          .with(grain_size),
+                          .with(grain_size)
+                          .plausible_within("", "0.5 m"),
                       powder.size);
     if (in != nullptr) feed.size = powder.size.value_or(0);
   }
@@ -140,7 +141,8 @@ void describe_feed(KeyVisitor& v, Powder& powder) {
     v.number(NumberSpec(
                  "size", "m", positive,
                  normal ? "median grain size, by mass" : "grain size that 63.2 % of the mass pass")
-                 .with(grain_size),
+                 .with(grain_size)
+                 .plausible_within("", "0.5 m"),
              feed.size);
     v.number({"spread", "", feed_spreads(feed.law),
               normal ? "geometric standard deviation" : "exponent of Rosin-Rammler"},

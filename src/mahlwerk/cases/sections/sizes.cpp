@@ -34,7 +34,8 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
   const bool normal = d.law == SizeLaw::normal;
   v.number(NumberSpec("diameter", "m", positive,
                       normal ? "mean diameter, by number" : "median diameter, by number")
-               .with(ball_diameter),
+               .with(ball_diameter)
+               .plausible_within("", "0.5 m"),
            d.diameter);
   constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
   constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
@@ -90,7 +91,9 @@ bool describe(KeyVisitor& v, Distribution& d, double& diameter) {
            d.law);
   refuse_others(v, d.law);
   if (d.law == SizeLaw::equal) {
-    v.number(NumberSpec("diameter", "m", positive, "diameter of a ball").with(ball_diameter),
+    v.number(NumberSpec("diameter", "m", positive, "diameter of a ball")
+                 .with(ball_diameter)
+                 .plausible_within("", "0.5 m"),
              diameter);
     return true;
   }

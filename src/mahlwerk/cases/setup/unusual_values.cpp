@@ -4,28 +4,86 @@
 // Warnings about valid values that are probably a mistake.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
-#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-/// The densities of grinding media lie between light plastics and tungsten.
-Notices densities(const Case& c) {
-  constexpr double least = 500, most = 20000;  // [kg/m3]
-  Notices found;
-  for (std::size_t i = 0; i < c.balls.size(); ++i) {
-    const double density = c.balls[i].density;
-    if (density >= least && density <= most) continue;
-    found.push_back(warning("unusual-density",
-                            fmt::format("Balls of {} ({}) are {} than any solid medium: {}.",
-                                        show_rounded(density, "kg/m3"), set_name(c, i),
-                                        density < least ? "lighter" : "heavier",
-                                        density < 50 ? "was g/cm3 meant? density = \"7.85 g/cm3\""
-                                                     : "check the unit and the number")));
+/// Warns of values beyond the plausible magnitudes that their keys declare.
+class MagnitudeCheck : public CaseVisitor {
+ public:
+  void section(std::string_view name, std::size_t number = 0) override {
+    prefix_ = name.empty() ? ""
+              : number > 0 ? fmt::format("{}.{}.", name, number)
+                           : fmt::format("{}.", name);
   }
+  void number(const NumberSpec& spec, double& value) override {
+    const std::array<double, 2> ends = plausible_magnitude(spec.unit, spec.plausible);
+    const double size = std::abs(value);
+    const bool small = size < ends[0];
+    if (size == 0 || !std::isfinite(size) || !(small || size > ends[1])) return;
+    found.push_back(warning(
+        "unusual-value",
+        fmt::format(
+            "{}{} = {} is {} than {}, which is beyond the mills and materials that we know: "
+            "check the unit and the number. It is: {}.",
+            prefix_, spec.key, show_rounded(value, spec.unit), small ? "smaller" : "larger",
+            show_rounded(ends[small ? 0 : 1], spec.unit), spec.about)));
+  }
+  void optional_number(const NumberSpec& spec, std::optional<double>& value) override {
+    if (value) number(spec, *value);
+  }
+  void integer(const IntegerSpec&, std::int64_t&) override {}
+  void flag(const Flag&, bool&) override {}
+  void text(const TextSpec&, std::string&) override {}
+  bool choose(const Choice& choice, std::size_t& word_index) override {
+    return word_index < choice.words.size();
+  }
+  void custom(const CustomKey&, const std::function<std::string()>&) override {}
+
+  Notices found;
+
+ private:
+  std::string prefix_;
+};
+
+Notices magnitudes(const Case& c) {
+  MagnitudeCheck check;
+  Case copy = c;  // describe() needs a mutable case; the check does not change it
+  describe(check, copy);
+  return std::move(check.found);
+}
+
+/// Powder, grains and films that have no room among the balls.
+Notices sizes_among_balls(const Case& c) {
+  double largest = 0, smallest = std::numeric_limits<double>::infinity();
+  for (const BallSet& set : c.balls) {
+    if (set.grains) continue;
+    for (const SizeClass& size : set.sizes()) {
+      largest = std::max(largest, size.diameter);
+      smallest = std::min(smallest, size.diameter);
+    }
+  }
+  Notices found;
+  const auto add = [&](const char* key, double size, const char* than, double limit) {
+    found.push_back(
+        warning("unusual-value",
+                fmt::format("{} = {} is larger than {} ({}): check the unit and the "
+                            "number.",
+                            key, show_rounded(size, "m"), than, show_rounded(limit, "m"))));
+  };
+  const double grain = c.powder ? c.powder->size.value_or(0) : 0;
+  if (largest > 0 && grain > largest) add("powder.size", grain, "the largest ball", largest);
+  if (c.liquid && !c.liquid->model.flooded && c.liquid->model.film > 0.05 * smallest)
+    add("liquid.film", c.liquid->model.film, "a twentieth of the smallest ball", 0.05 * smallest);
   return found;
 }
 
@@ -77,7 +135,8 @@ Notices assumed_numbers(const Case& c) {
 }  // namespace
 
 Notices unusual_values(const Case& c) {
-  Notices found = densities(c);
+  Notices found = magnitudes(c);
+  append(found, sizes_among_balls(c));
   append(found, ratios(c));
   append(found, assumed_numbers(c));
   append(found, c.remarks);

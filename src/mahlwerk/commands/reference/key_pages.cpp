@@ -83,6 +83,22 @@ Json usual_json(const UsualRange& usual) {
       {{"least", std::string(usual.least)}, {"most", std::string(usual.most)}, {"log", usual.log}});
 }
 
+Json plausible_json(const KeyInfo& key) {
+  const auto& [least, most] = key.plausible;
+  if (least == 0 && !std::isfinite(most)) return {};
+  return Json::object({{"least", least}, {"most", end_of(most)}});
+}
+
+/// "plausible from 0.1 MPa to 2 TPa"; an end beyond the range is left out.
+std::string plausible_text(const KeyInfo& key) {
+  const auto& [least, most] = key.plausible;
+  const bool low = least > 0 && key.range.least < least, high = most < key.range.most;
+  std::string text;
+  if (low) text += " from " + show_rounded(least, key.unit);
+  if (high) text += " to " + show_rounded(most, key.unit);
+  return text.empty() ? text : "plausible" + text;
+}
+
 Json as_json(const KeyInfo& key, const KeySection& section) {
   const bool number = key.type == "number" || key.type == "integer";
   Json made = Json::object({{"key", std::string(key.name())},
@@ -103,6 +119,7 @@ Json as_json(const KeyInfo& key, const KeySection& section) {
                             {"symbol", text_or_null(key.symbol)},
                             {"start", text_or_null(key.start)},
                             {"usual", usual_json(key.usual)},
+                            {"plausible", plausible_json(key)},
                             {"engines", key.engines}});
   Json others = Json::array(), under = Json::object();
   for (const KeyInfo& other : section.keys)
@@ -166,6 +183,7 @@ std::string key_meaning(const KeyInfo& key, bool brief) {
   if (!key.instead_of.empty())
     add("in place of " + key.instead_of.substr(key.instead_of.rfind('.') + 1));
   if (brief) return text;
+  add(plausible_text(key));
   add(condition(key));
   if (!key.default_source.empty()) add("default: " + key.default_source);
   if (key.engines.size() < engine_count)
