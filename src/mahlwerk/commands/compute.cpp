@@ -48,7 +48,7 @@ std::vector<results::Outcome> compute(const Running& running,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
                                       campaign::ResumableRuns& kept, std::optional<double> interval,
-                                      bool replays_of_all) {
+                                      bool replays_of_all, const OnEnd& on_end) {
   ProgressLine line(running.quiet);
   campaign::RunOptions options = run_options(running.threads);
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
@@ -66,7 +66,8 @@ std::vector<results::Outcome> compute(const Running& running,
                                                         {.version = version(),
                                                          .interval = interval.value_or(1),
                                                          .on_resume = on_resume,
-                                                         .on_write_error = std::ref(not_kept)});
+                                                         .on_write_error = std::ref(not_kept),
+                                                         .on_end = on_end});
   not_kept.repeat();
   return outcomes;
 }

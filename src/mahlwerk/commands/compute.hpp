@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "mahlwerk/commands/arguments.hpp"
 
 namespace mahlwerk::commands {
+
+using OnEnd = std::function<void(std::size_t point, results::Outcome& ended)>;
 
 /// Options of runs: the number of threads (0: all cores), and stop on Ctrl-C.
 campaign::RunOptions run_options(int threads);
@@ -22,12 +25,13 @@ std::vector<results::Outcome> compute(const Running& running,
                                       campaign::Checkpoint* checkpoint = nullptr,
                                       const lammps::Launch& lammps = {});
 /// The same, resuming from the checkpoints in `kept`, of which one is written every `interval` [s]
-/// (empty: 1 s). `replays_of_all`: every replicate keeps frames (campaign::RunOptions).
+/// (empty: 1 s). `replays_of_all`: every replicate keeps frames (campaign::RunOptions). `on_end` as
+/// in ResumableRuns.
 std::vector<results::Outcome> compute(const Running& running,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
                                       campaign::ResumableRuns& kept, std::optional<double> interval,
-                                      bool replays_of_all = false);
+                                      bool replays_of_all = false, const OnEnd& on_end = {});
 
 /// Reports on stderr if a run did not complete. Returns the exit code.
 int report_exit_status(const std::vector<results::Outcome>& outcomes);

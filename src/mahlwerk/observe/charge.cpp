@@ -122,6 +122,11 @@ void Charge::merge(const Charge& other) {
   mass_sought += other.mass_sought;
 }
 
+void Charge::pack() {
+  in_jar.pack();
+  in_carrier.pack();
+}
+
 void Charge::serialize(Archive& archive) {
   in_jar.serialize(archive);
   in_carrier.serialize(archive);

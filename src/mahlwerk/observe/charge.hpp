@@ -45,6 +45,7 @@ class Charge {
   double mass_outside = 0, mass_sought = 0;
 
   void merge(const Charge& other);
+  void pack();  ///< nothing is added from then on
   void serialize(Archive& archive);
 
  private:

@@ -30,6 +30,11 @@ class CollisionStatistics : public scene::Observer {
   void collisions(std::span<const scene::Collision> finished) override;
 
   void merge(const CollisionStatistics& other);  ///< of the same kinds, grid and threshold
+  /// Gives back the memory of what is zero; nothing is added from then on.
+  void pack() {
+    by_pair.pack();
+    wall_map.pack();
+  }
   void serialize(Archive& archive);
 
   double threshold() const { return threshold_; }  // [m/s] on u_n

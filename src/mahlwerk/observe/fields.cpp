@@ -48,12 +48,12 @@ double PlaneField::kinetic_energy(int i, int j) const {
 
 void PlaneField::merge(const PlaneField& other) {
   time_ += other.time_;
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    sums_[i].mass += other.sums_[i].mass;
-    sums_[i].x += other.sums_[i].x;
-    sums_[i].y += other.sums_[i].y;
-    sums_[i].kinetic += other.sums_[i].kinetic;
-  }
+  sums_.merge(other.sums_, [](Sum& mine, const Sum& more) {
+    mine.mass += more.mass;
+    mine.x += more.x;
+    mine.y += more.y;
+    mine.kinetic += more.kinetic;
+  });
 }
 
 }  // namespace mahlwerk::observe

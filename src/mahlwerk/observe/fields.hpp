@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/observe/packed_array.hpp"
 
 namespace mahlwerk::observe {
 
@@ -17,8 +17,9 @@ class PlaneField {
  public:
   static constexpr int cells = 48;  ///< along each side
 
+  PlaneField() = default;  ///< without mass and without memory; nothing may be added
   /// A grid from -`half` to `half` [m] in both directions.
-  explicit PlaneField(double half = 1) : half_size_(half), sums_(std::size_t{cells} * cells) {}
+  explicit PlaneField(double half) : half_size_(half), sums_(std::size_t{cells} * cells) {}
 
   /// Adds a ball of `mass` [kg] at (x, y) [m] with velocity (u, v) [m/s] in the plane and squared
   /// speed `speed2` [m2/s2], for a duration of `weight` [s].
@@ -37,17 +38,22 @@ class PlaneField {
   double kinetic_energy(int i, int j) const;  ///< [J/m2], translational
 
   void merge(const PlaneField& other);  ///< of the same size
-  void serialize(Archive& archive) { archive(sums_)(time_); }
+  void pack() { sums_.pack(); }         ///< nothing is added from then on
+  void serialize(Archive& archive) {
+    sums_.serialize(archive);
+    archive(time_);
+  }
 
  private:
   struct Sum {
     double mass = 0, x = 0, y = 0, kinetic = 0;  // integrals over time
   };
-  const Sum& at(int i, int j) const {
+  Sum at(int i, int j) const {
+    if (sums_.size() == 0) return {};
     return sums_[static_cast<std::size_t>(j) * cells + static_cast<std::size_t>(i)];
   }
-  double half_size_, time_ = 0;
-  std::vector<Sum> sums_;
+  double half_size_ = 1, time_ = 0;
+  PackedArray<Sum> sums_;
 };
 
 }  // namespace mahlwerk::observe

@@ -7,7 +7,7 @@
 namespace mahlwerk::observe {
 
 void LogHistogram::merge(const LogHistogram& other) {
-  for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] += other.inner_[i];
+  inner_.merge(other.inner_, [](Whole& mine, Whole more) { mine += more; });
   for (std::size_t i = 0; i < ends_.size(); ++i) {
     ends_[i].count += other.ends_[i].count;
     ends_[i].sum += other.ends_[i].sum;

@@ -7,9 +7,9 @@
 #include <bit>
 #include <cstdint>
 #include <numbers>
-#include <vector>
 
 #include "mahlwerk/base/archive.hpp"
+#include "mahlwerk/observe/packed_array.hpp"
 
 namespace mahlwerk::observe {
 
@@ -28,7 +28,7 @@ class LogHistogram {
   /// Values beyond these go into the first or last bin.
   static constexpr double least = 0x1p-80, most = 0x1.fffffffffffffp39;
 
-  LogHistogram() : inner_(bins) {}
+  LogHistogram() : inner_(std::size_t{bins}) {}
 
   /// Adds a value. Values beyond the ends go into the first or last bin. Values <= 0 (losses made
   /// negative by rounding or by a contact law that gains energy) go into the first bin.
@@ -41,7 +41,11 @@ class LogHistogram {
       add_to_end(value, at);
   }
   void merge(const LogHistogram& other);
-  void serialize(Archive& archive) { archive(inner_)(ends_); }
+  void pack() { inner_.pack(); }  ///< nothing is added from then on (PackedArray)
+  void serialize(Archive& archive) {
+    inner_.serialize(archive);
+    archive(ends_);
+  }
 
   /// The bin of `value`. Without a logarithm: the octave is the exponent of the double, the quarter
   /// follows from comparing its mantissa with the three edges inside an octave.
@@ -87,7 +91,7 @@ class LogHistogram {
     return std::bit_cast<std::int64_t>(value) & mantissa_mask;
   }
 
-  std::vector<Whole> inner_;
+  PackedArray<Whole> inner_;
   std::array<End, 2> ends_{};
 };
 

@@ -94,6 +94,12 @@ void StatisticsByPair::merge(const StatisticsByPair& other) {
     if (!other.statistics_[static_cast<std::size_t>(pair)].empty()) at(pair).merge(other[pair]);
 }
 
+void StatisticsByPair::pack() {
+  for (std::vector<PairStatistics>& one : statistics_)
+    for (PairStatistics& statistics : one) statistics.spectra.pack();
+  factors_ = std::vector<PairFactors>();
+}
+
 void StatisticsByPair::serialize(Archive& archive) {
   for (int pair = 0; pair < pairs(); ++pair) {
     bool there = !statistics_[static_cast<std::size_t>(pair)].empty();

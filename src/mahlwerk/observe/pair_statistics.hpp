@@ -92,6 +92,7 @@ class StatisticsByPair {
     factors_[static_cast<std::size_t>(pair)] = std::move(factors);
   }
   void merge(const StatisticsByPair& other);  ///< of the same kinds
+  void pack();                                ///< nothing is added from then on
   void serialize(Archive& archive);
 
   int kinds() const { return kinds_.kinds(); }

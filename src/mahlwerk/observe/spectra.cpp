@@ -16,7 +16,7 @@ constexpr std::array histograms{&Spectra::energy_normal, &Spectra::energy_contac
 }  // namespace
 
 void JointHistogram::merge(const JointHistogram& other) {
-  for (std::size_t i = 0; i < counts_.size(); ++i) counts_[i] += other.counts_[i];
+  counts_.merge(other.counts_, [](std::int64_t& mine, std::int64_t more) { mine += more; });
 }
 
 double JointHistogram::lower(int bin) {
@@ -30,6 +30,11 @@ void Spectra::merge(const Spectra& other) {
     angle_all[i] += other.angle_all[i];
     angle_above[i] += other.angle_above[i];
   }
+}
+
+void Spectra::pack() {
+  for (const auto one : histograms) (this->*one).pack();
+  normal_tangential.pack();
 }
 
 void Spectra::serialize(Archive& archive) {

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/observe/histogram.hpp"
+#include "mahlwerk/observe/packed_array.hpp"
 
 namespace mahlwerk::observe {
 
@@ -17,14 +18,15 @@ class JointHistogram {
   static constexpr int lowest_octave = -56, octaves = 64;  ///< 1.4e-17 J to 256 J
   static constexpr int bins = octaves;
 
-  JointHistogram() : counts_(static_cast<std::size_t>(bins) * bins) {}
+  JointHistogram() : counts_(std::size_t{bins} * bins) {}
   /// Adds a collision, by its bins of LogHistogram::bin_of(). Values beyond the ends go into the
   /// outermost bins.
   void add(std::int64_t normal, std::int64_t tangential) {
     ++counts_[index(octave(normal), octave(tangential))];
   }
   void merge(const JointHistogram& other);
-  void serialize(Archive& archive) { archive(counts_); }
+  void pack() { counts_.pack(); }  ///< as of LogHistogram
+  void serialize(Archive& archive) { counts_.serialize(archive); }
   std::int64_t count(int normal, int tangential) const {
     return counts_[index(normal, tangential)];
   }
@@ -38,7 +40,7 @@ class JointHistogram {
   static std::size_t index(std::int64_t normal, std::int64_t tangential) {
     return static_cast<std::size_t>(normal) * bins + static_cast<std::size_t>(tangential);
   }
-  std::vector<std::int64_t> counts_;
+  PackedArray<std::int64_t> counts_;
 };
 
 constexpr int angle_bins = 90;  ///< of one degree, 0 head-on, 90 grazing
@@ -55,6 +57,7 @@ struct Spectra {
   Angles angle_all{}, angle_above{};
 
   void merge(const Spectra& other);
+  void pack();  ///< nothing is added from then on
   void serialize(Archive& archive);
 };
 

@@ -27,13 +27,13 @@ WallGrid::Bounds WallGrid::bounds(int cell) const {
 }
 
 void WallMap::merge(const WallMap& other) {
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    cells_[i].count += other.cells_[i].count;
-    cells_[i].energy_normal += other.cells_[i].energy_normal;
-    cells_[i].lost += other.cells_[i].lost;
-    cells_[i].load_distance += other.cells_[i].load_distance;
-    cells_[i].erosion += other.cells_[i].erosion;
-  }
+  cells_.merge(other.cells_, [](WallSums& mine, const WallSums& more) {
+    mine.count += more.count;
+    mine.energy_normal += more.energy_normal;
+    mine.lost += more.lost;
+    mine.load_distance += more.load_distance;
+    mine.erosion += more.erosion;
+  });
 }
 
 }  // namespace mahlwerk::observe

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/observe/packed_array.hpp"
 
 namespace mahlwerk::observe {
 
@@ -42,16 +43,17 @@ struct WallSums {
 /// Map of hits on the jar's wall and their effects, in fixed memory of 0.1 MB.
 class WallMap {
  public:
-  explicit WallMap(const WallGrid& grid = {}) : grid_(grid), cells_(WallGrid::cells) {}
+  explicit WallMap(const WallGrid& grid = {}) : grid_(grid), cells_(std::size_t{WallGrid::cells}) {}
   const WallGrid& grid() const { return grid_; }
   WallSums& at(std::int64_t cell) { return cells_[static_cast<std::size_t>(cell)]; }
-  const WallSums& operator[](int cell) const { return cells_[static_cast<std::size_t>(cell)]; }
+  WallSums operator[](int cell) const { return cells_[static_cast<std::size_t>(cell)]; }
   void merge(const WallMap& other);  ///< of the same grid
-  void serialize(Archive& archive) { archive(cells_); }
+  void pack() { cells_.pack(); }     ///< nothing is added from then on
+  void serialize(Archive& archive) { cells_.serialize(archive); }
 
  private:
   WallGrid grid_;
-  std::vector<WallSums> cells_;
+  PackedArray<WallSums> cells_;
 };
 
 }  // namespace mahlwerk::observe

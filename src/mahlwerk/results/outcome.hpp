@@ -80,6 +80,13 @@ struct Replicate {
   std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
   std::vector<scene::Ball> balls_at_end;   ///< with observe.final_state: in the carrier's axes
   double cpu_seconds = 0;
+  /// Gives back memory that a result does not need; nothing is added from then on.
+  void pack() {
+    tally.pack();
+    charge.pack();
+    stream = {};  // `grinding` has what comes from it
+    windows.shrink_to_fit();
+  }
   double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted time
 };
 
@@ -116,6 +123,10 @@ double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) 
   for (const Replicate* r : replicates) sum += of(*r);
   return sum / static_cast<double>(replicates.size());
 }
+
+/// Frees the statistics of all replicates, which only tables and pages of this result need. The
+/// summary, the notices, the times and the frames for pictures stay.
+void release_statistics(Outcome& outcome);
 
 /// True if there are replicates, and all of them ran to their end.
 bool complete(const Outcome& outcome);

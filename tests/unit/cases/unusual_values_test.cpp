@@ -49,11 +49,11 @@ TEST(UnusualValues, are_told_beyond_the_plausible_magnitude_of_their_key_and_not
 }
 
 TEST(UnusualValues, powder_larger_than_the_balls_and_thick_films_are_told) {
-  const std::string film =
-      "[liquid]\nkind = \"film\"\nfilm = \"10 um\"\nviscosity = \"2 mPa s\"\n";
+  const std::string film = "[liquid]\nkind = \"film\"\nfilm = \"10 um\"\nviscosity = \"2 mPa s\"\n";
   tells(vial + powder, "powder.size", "1 mm", "40 mm");
   tells(vial + film, "liquid.film", "0.3 mm", "0.9 mm");
-  EXPECT_EQ(remarks(vial + film, "liquid.film", "50 mm").size(), 2U) << "implausible, and too thick";
+  EXPECT_EQ(remarks(vial + film, "liquid.film", "50 mm").size(), 2U)
+      << "implausible, and too thick";
 }
 
 TEST(UnusualValues, plausible_magnitudes_hold_defaults_and_usual_values) {

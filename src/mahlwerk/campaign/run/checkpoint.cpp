@@ -16,7 +16,7 @@ namespace mahlwerk::campaign {
 namespace {
 
 constexpr std::string_view any_magic = "mahlwerk checkpoint ";
-constexpr std::string_view magic = "mahlwerk checkpoint 11\n";
+constexpr std::string_view magic = "mahlwerk checkpoint 12\n";
 
 InputError refusal(const std::filesystem::path& file, std::string what, std::string remedy) {
   return InputError(

@@ -16,7 +16,7 @@ results::Outcome begun_outcome(const cases::Case& mill_case, const EngineChoice&
   const cases::Case decided = decided_case(mill_case, choice);
   results::Outcome outcome{.mill_case = decided,
                            .replicates = {static_cast<std::size_t>(mill_case.run.replicates),
-                                          results::empty_replicate(decided)}};
+                                          results::unrun_replicate(decided)}};
   outcome.mill_case.run.engine = mill_case.run.engine;
   outcome.mill_case.run.settle = mill_case.run.settle;
   outcome.engine = choice.engine;

@@ -302,7 +302,9 @@ class CampaignRunner {
       if (stopped() || one.slot.on_end == OnEnd::write || worth_it)
         one.slot.checkpoint->save(one.job, *one.run);
     }
-    point.outcome.replicates[one.index] = one.run->result();
+    results::Replicate ended = one.run->result();
+    ended.pack();
+    point.outcome.replicates[one.index] = std::move(ended);
   }
 
   const RunQueue& queue_;

@@ -49,7 +49,7 @@ void conclude_single(results::Outcome& outcome, const std::atomic<bool>* stop) {
 results::Outcome unstarted_outcome(const cases::Case& mill_case) {
   const auto count = static_cast<std::size_t>(mill_case.run.replicates);
   results::Outcome outcome{.mill_case = mill_case,
-                           .replicates = {count, results::empty_replicate(mill_case)}};
+                           .replicates = {count, results::unrun_replicate(mill_case)}};
   outcome.interrupted = true;
   outcome.summary = results::summarise(outcome);
   outcome.notices = results::warnings(outcome);

@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <map>
+#include <mutex>
 #include <optional>
+#include <set>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -134,6 +136,40 @@ class UniquePoints {
   std::map<std::string, std::size_t> places_;
 };
 
+/// Where a point stands in the paper.
+struct PointPlace {
+  std::string campaign;
+  std::size_t point = 0;
+};
+
+/// Writes the results of points as they end and frees their statistics, unless a table of the paper
+/// needs them.
+class PointWriter {
+ public:
+  PointWriter(const PaperJob& job, std::vector<std::vector<PointPlace>> places)
+      : job_(job), places_(std::move(places)) {
+    for (const report::PaperTable& table : job.paper.tables)
+      if (table.kind == report::PaperTable::Kind::captured) in_tables_.insert(table.campaign);
+  }
+  void operator()(std::size_t k, results::Outcome& ended) {
+    if (ended.interrupted) return;  // nothing of the paper will be written
+    const std::lock_guard<std::mutex> one_at_a_time(mutex_);
+    bool needed = false;
+    for (const auto& [campaign, i] : places_[k]) {
+      ended.mill_case = job_.points.at(campaign)[i];
+      report::write(*job_.folder, ended, version(), below(campaign, i), false);
+      needed = needed || in_tables_.contains(campaign);
+    }
+    if (!needed) results::release_statistics(ended);
+  }
+
+ private:
+  const PaperJob& job_;
+  std::vector<std::vector<PointPlace>> places_;
+  std::set<std::string> in_tables_;
+  std::mutex mutex_;
+};
+
 /// Runs all points of all campaigns of the paper together, so that no core idles between campaigns.
 std::map<std::string, report::RunCampaign> run_all(const PapersArguments& given,
                                                    const PaperJob& job,
@@ -141,14 +177,22 @@ std::map<std::string, report::RunCampaign> run_all(const PapersArguments& given,
   UniquePoints unique;
   campaign::Streams streams(version());
   std::map<std::string, std::vector<std::size_t>> at;
+  std::vector<std::vector<PointPlace>> places;
   for (const auto& [name, points] : job.points)
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t before = unique.points.size();
-      at[name].push_back(unique.add(points[i]));
-      if (unique.points.size() > before) streams.add(points[i], *job.folder, below(name, i));
+      const std::size_t k = unique.add(points[i]);
+      at[name].push_back(k);
+      if (k == places.size()) {
+        places.emplace_back();
+        streams.add(points[i], *job.folder, below(name, i));
+      }
+      places[k].push_back({name, i});
     }
-  const std::vector<results::Outcome> outcomes =
-      compute(given.running, unique.points, streams, kept, given.checkpoint, true);
+  std::vector<std::size_t> uses;  // of each outcome, by campaigns
+  for (const auto& one : places) uses.push_back(one.size());
+  PointWriter write(job, std::move(places));
+  std::vector<results::Outcome> outcomes =
+      compute(given.running, unique.points, streams, kept, given.checkpoint, true, std::ref(write));
   streams.close();
   std::map<std::string, report::RunCampaign> run;
   std::vector<bool> counted(outcomes.size(), false);
@@ -156,10 +200,11 @@ std::map<std::string, report::RunCampaign> run_all(const PapersArguments& given,
     report::RunCampaign& one = run[name];
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::size_t k = at[name][i];
-      one.outcomes.push_back(outcomes[k]);
-      one.outcomes.back().mill_case = points[i];
       if (!counted[k]) one.seconds += outcomes[k].cpu_seconds;
       counted[k] = true;
+      const bool last = --uses[k] == 0;
+      one.outcomes.push_back(last ? std::move(outcomes[k]) : outcomes[k]);
+      one.outcomes.back().mill_case = points[i];
     }
     one.numbers = numbers_of(job.whole.at(name), one.outcomes);
   }
@@ -185,8 +230,6 @@ std::optional<Fault> write(const PaperJob& job,
                            const std::map<std::string, report::RunCampaign>& run,
                            const report::PaperResult& result) {
   for (const auto& [name, one] : run) {
-    for (std::size_t i = 0; i < one.outcomes.size(); ++i)
-      report::write(*job.folder, one.outcomes[i], version(), below(name, i), false);
     job.folder->write(name + "/campaign.csv", report::campaign_csv(one.numbers));
     job.folder->write(name + "/campaign.html", report::campaign_page(one.numbers, version()));
   }

@@ -97,4 +97,10 @@ std::vector<Window> merge_window_pairs(const std::vector<Window>& windows) {
   return joined;
 }
 
+Replicate unrun_replicate(const cases::Case& mill_case) {
+  Replicate made = empty_replicate(mill_case);
+  made.pack();
+  return made;
+}
+
 }  // namespace mahlwerk::results

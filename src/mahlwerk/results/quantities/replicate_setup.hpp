@@ -12,6 +12,8 @@ namespace mahlwerk::results {
 /// An empty replicate of the case: its kinds of pairs, its wall grid and its factors from losses to
 /// wear and flash temperatures.
 Replicate empty_replicate(const cases::Case& mill_case);
+/// The result of a replicate that did not run, packed.
+Replicate unrun_replicate(const cases::Case& mill_case);
 
 /// Merges each two neighbouring windows into one; an odd last window is left out.
 std::vector<Window> merge_window_pairs(const std::vector<Window>& windows);
