@@ -10,6 +10,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/results/quantities/replicate_setup.hpp"
 
 namespace mahlwerk::campaign::memory_test {
 namespace {
@@ -81,6 +82,31 @@ TEST(Memory, that_does_not_suffice_is_told_with_its_remedy) {
   EXPECT_NE(size.remedy.find("fewer or larger balls: one replicate of about 4.9e+04 balls fits"),
             std::string::npos)
       << size.remedy;
+}
+
+TEST(Memory, of_ended_replicates_grows_with_their_number_and_is_refused_before_they_run) {
+  const double each = memory_kept(drum(5, 1));
+  EXPECT_GT(each, 1e5);
+  EXPECT_LT(each, 1e6);
+  const double some = memory_of_run({drum(5, 1000)}, 2), more = memory_of_run({drum(5, 2000)}, 2);
+  EXPECT_NEAR(more - some, 1000 * each, 1);
+  EXPECT_TRUE(memory_faults({drum(5, 10000)}, 2, 10100 * each).empty());
+  const Fault fault = memory_faults({drum(5, 10000)}, 2, 9000 * each).at(0);
+  EXPECT_EQ(fault.code, "not-enough-memory");
+  EXPECT_NE(fault.remedy.find("fewer run.replicates"), std::string::npos) << fault.remedy;
+}
+
+/// A result keeps less than is stated, also where every cell of its maps is counted into.
+TEST(Memory, stated_for_an_ended_replicate_holds_its_statistics) {
+  const cases::Case full = drum(5, 1);
+  results::Replicate ended = results::empty_replicate(full);
+  for (int cell = 0; cell < observe::WallGrid::cells; ++cell)
+    ended.tally.wall_map.at(cell).count = 1;
+  Archive archive;
+  ended.charge.serialize(archive);
+  ended.tally.serialize(archive);
+  EXPECT_GT(archive.bytes().size(), observe::WallGrid::cells * sizeof(observe::WallSums));
+  EXPECT_LT(static_cast<double>(archive.bytes().size()), memory_kept(full));
 }
 
 TEST(Memory, is_looked_at_before_a_run_starts) {

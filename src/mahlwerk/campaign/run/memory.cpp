@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -21,6 +22,9 @@ namespace {
 constexpr double soft_ball = 1600, event_ball = 1200;
 constexpr double any_replicate = 2e6;  // histograms, time series
 constexpr double pair_of_kinds = 8e3;  // a histogram and sums
+constexpr double program_itself = 4e7;
+/// [bytes] of an ended replicate: windows and values; maps of wall and plane; spectra of a pair.
+constexpr double any_result = 4e4, maps = 2.6e5, spectra_of_pair = 2.5e4;
 
 /// The number in a file; empty if the file holds the word "max".
 std::optional<double> number_in(const std::string& file) {
@@ -76,22 +80,61 @@ std::optional<double> memory_available(const std::string& root) {
   return least;
 }
 
+double memory_kept(const cases::Case& mill_case) {
+  const auto sets = static_cast<double>(mill_case.balls.size());
+  const auto faces = static_cast<double>(geometry::face_names(*mill_case.jar.shape).size());
+  return any_result + maps + spectra_of_pair * sets * (0.5 * (sets + 1) + faces);
+}
+
+namespace {
+
+/// Replicates that are computed at the same time, and [bytes] what those that have ended keep.
+struct Load {
+  double running = 0, kept = 0;
+};
+
+Load load_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
+  Load load;
+  double replicates = 0;
+  for (const cases::Case& mill_case : points) {
+    const auto own = static_cast<double>(mill_case.run.replicates);
+    replicates += own;
+    load.kept += own * memory_kept(mill_case);
+  }
+  const auto together = static_cast<double>(replicates_together(largest));  // in each thread
+  load.running = std::min(replicates, at_once * together);
+  return load;
+}
+
+}  // namespace
+
+double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
+  const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
+  const Load load = load_of(points, largest, at_once);
+  return program_itself + load.running * memory_needed(largest) + load.kept;
+}
+
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
                                  std::optional<double> available) {
   if (points.empty() || !available) return {};
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
-  double replicates = 0;
-  for (const cases::Case& mill_case : points)
-    replicates += static_cast<double>(mill_case.run.replicates);
-  const auto together = static_cast<double>(replicates_together(largest));  // in each thread
-  const double running = std::min(replicates, at_once * together);
-  const double each = memory_needed(largest), needed = each * running;
+  const auto [running, kept] = load_of(points, largest, at_once);
+  const double each = memory_needed(largest), needed = each * running + kept;
   if (needed <= *available) return {};
+  if (kept > 0.5 * *available)
+    return {{cases::location_of(largest, "run.replicates"),
+             fmt::format("the results of all replicates need up to {} of memory, but {} are "
+                         "available",
+                         in_megabytes(kept), in_megabytes(*available)),
+             "take fewer run.replicates; the same time in fewer, longer replicates costs no memory",
+             "not-enough-memory"}};
+  const double left = *available - kept;
   const auto balls = static_cast<double>(cases::balls_count(largest.balls));
-  const double fits = balls * std::max(0.0, *available / each - 0.01);
-  std::string remedy = running > 1 && each <= *available
+  const double fits = balls * std::max(0.0, left / each - 0.01);
+  const auto together = static_cast<double>(replicates_together(largest));
+  std::string remedy = running > 1 && each <= left
                            ? fmt::format("run fewer replicates at once, --threads {:.0f}, or take ",
-                                         std::max(1.0, std::floor(*available / (each * together))))
+                                         std::max(1.0, std::floor(left / (each * together))))
                            : std::string("take ");
   remedy += fmt::format("fewer or larger balls: one replicate of about {:.2g} balls fits", fits);
   return {{largest.powder && largest.powder->grain_size

@@ -14,14 +14,17 @@ namespace mahlwerk::campaign {
 
 /// [bytes] Estimated peak memory of one replicate: the engine's data for each ball, and statistics.
 double memory_needed(const cases::Case& mill_case);
+/// [bytes] Most memory of the result of a replicate that has ended: its statistics, packed.
+double memory_kept(const cases::Case& mill_case);
+/// [bytes] Most memory of a program that runs all points, `at_once` replicates at a time.
+double memory_of_run(const std::vector<cases::Case>& points, int at_once);
 
 /// [bytes] Memory still available to this process: that of the machine or, if less, that of its
 /// control group. Empty if the system does not report it. `root` is a prefix of the paths that are
 /// read.
 std::optional<double> memory_available(const std::string& root = "");
 
-/// A fault if the replicates that `at_once` threads run of the largest case need more than
-/// `available` [bytes].
+/// A fault if a run of all points in `at_once` threads needs more than `available` [bytes].
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
                                  std::optional<double> available);
 

@@ -10,6 +10,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/points/plan.hpp"
+#include "mahlwerk/campaign/run/forecast.hpp"
+#include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
@@ -155,6 +157,8 @@ int sweep_case(const Running& running, const CampaignPart& part, const fs::path&
                            "a shard cannot replace a folder that other shards may be using",
                            "remove the folder before the first shard starts", "bad-shard"});
   const cases::Case mill_case = swept_case(file, set);
+  if (mill_case.observe.collisions || mill_case.observe.frames)
+    campaign::check_disk(campaign::CheckedPoints(mill_case, file, catalogue(), set).good(), place);
   catch_ctrl_c();
   std::optional<ProgressLine> line;
   WriteErrorReporter not_kept;

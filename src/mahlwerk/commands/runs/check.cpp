@@ -5,11 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,10 +14,9 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/forecast.hpp"
 #include "mahlwerk/campaign/run/memory.hpp"
-#include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
-#include "mahlwerk/campaign/run/settled_state.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
@@ -35,61 +30,8 @@
 namespace mahlwerk::commands {
 namespace {
 
-/// [s] Time of computing one replicate of a run.
-struct RunTime {
-  double each = 0;         ///< [s] of a thread, where replicates run beside each other
-  std::int64_t share = 1;  ///< replicates of the thread that has most
-  double assumed = 0;      ///< time of the runs with other assumed values, over that of the run
-};
-
 /// [s] Reading a case and writing results and report.
 constexpr double around_a_run = 0.1;
-
-/// Computing over simulated time of a replicate of the soft engine with a bed.
-double usual_cost(const cases::Case& decided) {
-  return campaign::soft_work(decided) * campaign::ball_step_cost /
-         (decided.run.settle_at_rest + cases::simulated_time(decided));
-}
-
-/// Estimates the time from a short pilot run, of a settled mill where the soft engine settles it
-/// quickly: a bed takes more time than balls that fall.
-RunTime run_time(const cases::Case& decided) {
-  using Clock = std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds patience{700};
-  constexpr double most_work = 3e7;  // about a second
-  const std::int64_t cores = std::max(1U, std::thread::hardware_concurrency()),
-                     replicates = decided.run.replicates, share = (replicates + cores - 1) / cores;
-  const auto settled = campaign::settled_state(decided, most_work);
-  cases::Case pilot = settled ? settled->mill_case : decided;
-  pilot.run.settle = 0;
-  pilot.run.time = 1e3;  // never reached
-  pilot.run.until.reset();
-  const auto most = static_cast<std::int64_t>(campaign::replicates_together(decided));
-  const std::int64_t batches = (share + most - 1) / most,
-                     together = (share + batches - 1) / batches;
-  const int threads = static_cast<int>(std::max<std::int64_t>(1, cores / replicates));
-  std::vector<std::unique_ptr<campaign::ReplicateRun>> runs;
-  std::vector<campaign::ReplicateRun*> all;
-  for (int r = 0; r < together; ++r) {
-    runs.push_back(std::make_unique<campaign::ReplicateRun>(pilot, r, nullptr, nullptr, threads));
-    all.push_back(runs.back().get());
-  }
-  const Clock::time_point began = Clock::now();
-  while (std::ranges::none_of(all, &campaign::ReplicateRun::done) &&
-         Clock::now() - began < patience)
-    campaign::ReplicateRun::run_slice_together(all);
-  const double spent = std::chrono::duration<double>(Clock::now() - began).count();
-  double simulated = 0;
-  for (const auto* run : all) simulated += run->energy_balance().time;
-  if (!(simulated > 0)) return {};
-  double of_second = spent / simulated;  // [1] computing over simulated time
-  if (!settled && cases::in_time_steps(decided.run.engine))
-    of_second = std::max(of_second, usual_cost(decided) / threads);
-  const double settling =
-      settled && cases::settles(decided) ? settled->settling : cases::least_settling(decided);
-  return {of_second * (settling + cases::expected_time(decided)), share,
-          campaign::assumed_values_cost(decided, settling)};
-}
 
 struct CheckResult {
   cases::Case mill_case;
@@ -118,6 +60,21 @@ void add_time_steps(const cases::Case& decided, CheckResult& c) {
   add(campaign::overlap_warnings(decided), c.notes);
 }
 
+constexpr const char* megabytes = "MB";  // no unit of a case
+
+/// Memory and disk that a run needs.
+void add_costs(const std::vector<cases::Case>& points, int cores, double collisions,
+               CheckResult& c) {
+  constexpr double mega = 1e6;
+  double files = 0;
+  for (const cases::Case& point : points) files += campaign::disk_needed(point, collisions);
+  c.follows.insert(c.follows.end(),
+                   {{"memory", campaign::memory_of_run({points.front()}, cores) / mega, megabytes,
+                     "at most, of all replicates that run together and the results of those that "
+                     "have ended"},
+                    {"files", files / mega, megabytes, "about, of all results on the disk"}});
+}
+
 CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue& known,
                        const std::vector<cases::Override>& set) {
   CheckResult c;
@@ -133,10 +90,11 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   if (points.good().empty()) return c;
   // Before the pilot run, which needs the memory.
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const std::vector<Fault> memory =
-      campaign::memory_faults(points.good(), cores, campaign::memory_available());
-  c.engine.insert(c.engine.end(), memory.begin(), memory.end());
-  if (!memory.empty()) return c;
+  for (const cases::Case& point : points.good()) {  // one after the other is in memory
+    const auto memory = campaign::memory_faults({point}, cores, campaign::memory_available());
+    c.engine.insert(c.engine.end(), memory.begin(), memory.end());
+    if (!memory.empty()) return c;
+  }
   const campaign::EngineChoice choice = campaign::choose_engine(first);
   const cases::Case decided = campaign::decided_case(first, choice);
   c.notes = cases::size_notes(first);
@@ -147,11 +105,15 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   add(cases::unusual_values(first), c.notes);
   add(cases::ignored_keys(first, choice.engine), c.notes);
   if (cases::in_time_steps(choice.engine)) add_time_steps(decided, c);
-  const RunTime time = run_time(decided);
+  const campaign::Forecast ahead = campaign::forecast(decided);
+  const double assumed = campaign::assumed_values_cost(decided, ahead.settling);
   const double seconds =
-      sweeps ? time.each * static_cast<double>(first.run.replicates) *
+      sweeps ? ahead.each * static_cast<double>(first.run.replicates) *
                    static_cast<double>(points.size()) / cores
-             : time.each * static_cast<double>(time.share) * (1 + time.assumed) + around_a_run;
+             : ahead.each * static_cast<double>(ahead.share) * (1 + assumed) + around_a_run;
+  const std::vector<Fault> disk = campaign::disk_faults(
+      points.good(), ahead.collisions, campaign::disk_available(std::filesystem::current_path()));
+  c.engine.insert(c.engine.end(), disk.begin(), disk.end());
   if (std::string lines = sweeps ? "" : cheaper(decided, seconds); !lines.empty())
     c.notes.push_back(std::move(lines));
   if (cases::settles(decided))
@@ -167,6 +129,7 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
        : first.run.until
            ? "estimate on this machine, all cores, if the precision is reached as soon as usual"
            : "estimate on this machine, all cores, from a pilot run"});
+  add_costs(points.good(), cores, ahead.collisions, c);
   return c;
 }
 
@@ -218,6 +181,11 @@ std::string range_of(const cases::Origin& origin) {
   return origin.range[0].empty() ? "" : fmt::format("{} to {}; ", origin.range[0], origin.range[1]);
 }
 
+std::string shown(const cases::DerivedQuantity& one) {
+  return one.unit == megabytes ? fmt::format("{} {}", show_rounded(one.value, "", 2), megabytes)
+                               : show_rounded(one.value, one.unit);
+}
+
 void print(const CheckResult& c, const std::filesystem::path& file) {
   to_stdout(fmt::format("{}: {}\n\n", file.string(), verdict(c)));
   if (!c.mill_case.sweep.empty())
@@ -225,7 +193,7 @@ void print(const CheckResult& c, const std::filesystem::path& file) {
         "a campaign of {} points, {} replicates each; quantities of the first point:\n\n", c.points,
         c.mill_case.run.replicates));
   for (const cases::DerivedQuantity& one : c.follows)
-    fmt::print("  {:<38} {:<14} {}\n", one.name, show_rounded(one.value, one.unit), one.about);
+    fmt::print("  {:<38} {:<14} {}\n", one.name, shown(one), one.about);
   print_pairs(c.mill_case);
   std::string assumed;
   for (const cases::Origin& origin : c.mill_case.origins)

@@ -15,6 +15,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
+#include "mahlwerk/campaign/run/forecast.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/campaigns/sweep_case.hpp"
@@ -121,6 +122,14 @@ std::vector<cases::Case> cases_of(const std::vector<RunJob>& jobs) {
   return found;
 }
 
+/// The cases without [sweep].
+std::vector<cases::Case> plain_cases(const std::vector<RunJob>& jobs) {
+  std::vector<cases::Case> found;
+  for (const RunJob& job : jobs)
+    if (!job.sweeps()) found.push_back(job.mill_case);
+  return found;
+}
+
 /// Reads all cases and checks all result folders before anything is computed. Throws InputError.
 std::vector<RunJob> prepare_all(const RunArguments& given) {
   const cases::Catalogue known = catalogue();
@@ -133,6 +142,7 @@ std::vector<RunJob> prepare_all(const RunArguments& given) {
       wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
     }
   if (!wrong.empty()) throw InputError(std::move(wrong));
+  if (!given.lammps.writes_only()) campaign::check_disk(plain_cases(jobs), jobs.front().place);
   check_lammps(given.lammps, given.running.force, cases_of(jobs), lammps_root(jobs));
   return jobs;
 }
