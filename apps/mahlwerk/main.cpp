@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -88,6 +90,15 @@ std::string no_seconds(const std::string& text) {
   return "'" + text + "' is not a number of seconds above 0; write, for instance, --checkpoint 60";
 }
 
+/// CLI11 validator: an error message if `text` is no whole number from 0 on that 64 bits hold.
+std::string no_whole_number(const std::string& text) {
+  std::uint64_t n = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, n);
+  if (error == std::errc() && stop == end) return {};
+  return "'" + text + "' is not a whole number from 0 on; write, for instance, --seed 7";
+}
+
 std::string exit_code_line() {
   std::string line;
   for (const Explained& code : exit_codes())
@@ -160,6 +171,9 @@ class CommandLine {
   }
   CLI::Option* add(CLI::App& sub, const Option& option, std::optional<double>* seconds) {
     return sub.add_option(option.name, *seconds, option.about)->check(no_seconds);
+  }
+  CLI::Option* add(CLI::App& sub, const Option& option, std::optional<std::uint64_t>* whole) {
+    return sub.add_option(option.name, *whole, option.about)->check(no_whole_number);
   }
   template <class Value>
   CLI::Option* add(CLI::App& sub, const Option& option, Value* value) {

@@ -137,7 +137,12 @@ class Reader {
     std::string text = cell;
     if (separator_ == ';') std::ranges::replace(text, ',', '.');  // decimal comma
     try {
-      return parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit());
+      const double value =
+          parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit());
+      if (admitted(value, column.stored_unit())) return value;
+      out_of_range(column.name, cell,
+                   show(largest_admitted(column.stored_unit()), column.stored_unit()) + " at most");
+      return no_value;
     } catch (const UnitError&) {
       fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
             "write a number without its unit, or leave the cell empty", "bad-quantity");

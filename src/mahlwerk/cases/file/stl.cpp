@@ -12,6 +12,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "mahlwerk/base/units.hpp"
+
 namespace mahlwerk::cases {
 namespace {
 
@@ -130,6 +132,19 @@ bool looks_like_text(std::string_view bytes) {
 
 }  // namespace
 
+namespace {
+
+void refuse_far_corners(const std::vector<geometry::Corners>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Vec3& corner : all[i])
+      if (!admitted(corner.x, "m") || !admitted(corner.y, "m") || !admitted(corner.z, "m"))
+        throw StlError(
+            fmt::format("triangle {} has a corner farther than {}: is it in the stated unit?",
+                        i + 1, show(largest_admitted("m"), "m")));
+}
+
+}  // namespace
+
 std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
   if (bytes.empty()) throw StlError("it is empty");
   const std::size_t whole = bytes.size() < head ? 0 : head + record * number_at(bytes, 80);
@@ -145,6 +160,7 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
     throw StlError(
         "it is not an STL file: neither the length of a binary one nor the words of an ASCII one");
   if (all.empty()) throw StlError("it has no triangles");
+  refuse_far_corners(all);
   return all;
 }
 
