@@ -170,7 +170,7 @@ def inline_code_of_the_headers_rounds_alike_for_any_march(build):
         (place / "CMakeLists.txt").write_text(PROJECT)
         said = set()
         for flags in ("-O0", "-O3 -march=native"):
-            run("cmake", "-S", place, "-B", place / "own", f"-DCMAKE_PREFIX_PATH={moved}",
+            run("cmake", "-G", "Ninja", "-S", place, "-B", place / "own", f"-DCMAKE_PREFIX_PATH={moved}",
                 f"-DCMAKE_CXX_FLAGS={flags}")
             run("cmake", "--build", place / "own")
             said.add(run(place / "own/rounding"))
