@@ -10,11 +10,13 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/start_threads.hpp"
 #include "mahlwerk/campaign/run/active_point.hpp"
 #include "mahlwerk/campaign/run/conclude.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
@@ -39,9 +41,12 @@ double thread_cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Whether a failure concerns one point only. A file that cannot be written concerns all points.
+/// Whether a failure concerns one point only. A file that cannot be written concerns all points,
+/// and so does memory that was free before the point began.
 bool is_point_failure(const std::exception& why) {
-  if (dynamic_cast<const std::system_error*>(&why) != nullptr) return false;
+  if (dynamic_cast<const std::system_error*>(&why) != nullptr ||
+      dynamic_cast<const std::bad_alloc*>(&why) != nullptr)
+    return false;
   const auto* input = dynamic_cast<const InputError*>(&why);
   return input == nullptr || std::ranges::none_of(input->faults(), [](const Fault& fault) {
            return fault.code == "cannot-write" || fault.code == "result-exists" ||
@@ -78,7 +83,7 @@ class CampaignRunner {
     };
     {
       std::vector<std::jthread> team;
-      for (int i = 1; i < threads; ++i) team.emplace_back(worker);
+      start_threads(team, threads - 1, [&](int) { worker(); });
       worker();
     }
     if (failure_) std::rethrow_exception(failure_);

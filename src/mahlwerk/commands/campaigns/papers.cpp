@@ -260,10 +260,10 @@ class Overview {
 int papers(const PapersArguments& given) {
   const Running& running = given.running;
   const cases::Catalogue known = catalogue();
+  catch_ctrl_c();
   const std::vector<PaperJob> jobs = prepare_papers(given, known);
   std::optional<Overview> overview;
   if (is_validation(given.target)) overview.emplace(running);
-  catch_ctrl_c();
   int ended = success;
   bool warned = false;
   results::Json list = results::Json::array();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,12 +22,14 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/runs/lammps.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"
 #include "mahlwerk/report/table.hpp"
 #include "mahlwerk/results/files/folder.hpp"
+#include "mahlwerk/results/files/json.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -80,7 +83,7 @@ std::string uncalibrated(const cases::Case& mill_case) {
   return line.empty() ? "" : "assumed, not calibrated: " + line + "\n\n";
 }
 
-void print_summary(const RunJob& job, const results::Outcome& outcome) {
+void print_summary(const RunJob& job, const results::Outcome& outcome, bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", job.mill_case.title, report::key_table(outcome)));
   to_stdout(report::states_table(outcome));
   to_stdout(fmt::format(
@@ -93,16 +96,24 @@ void print_summary(const RunJob& job, const results::Outcome& outcome) {
   to_stdout(fmt::format("{}", uncalibrated(job.mill_case)));
   for (const Notice& one : outcome.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
+  if (!written) return;
   fmt::print("results:  {}\n", job.place.string());
   fmt::print("report:   {}\n", (job.place / "report.html").string());
   fmt::print("numbers:  {}\n\n", (job.place / "summary.json").string());
 }
 
-void print_json(const std::vector<RunJob>& jobs) {
+/// The places of the results; the results themselves where they could not be written.
+void print_json(const std::vector<RunJob>& jobs, const std::vector<results::Outcome>& outcomes,
+                const std::vector<bool>& written) {
   results::Json list = results::Json::array();
-  for (const RunJob& job : jobs)
-    list.push_back(
-        results::Json::object({{"title", job.mill_case.title}, {"results", job.place.string()}}));
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    results::Json one = results::Json::object({{"title", jobs[i].mill_case.title}});
+    if (written[i])
+      one["results"] = jobs[i].place.string();
+    else
+      one["summary"] = results::summary_of(outcomes[i], version());
+    list.push_back(std::move(one));
+  }
   json_to_stdout(list);
 }
 
@@ -187,26 +198,33 @@ int run_cases(const RunArguments& given, const std::vector<RunJob>& jobs) {
   const Running& running = given.running;
   const auto kept = checkpoint(given, jobs);
   std::vector<cases::Case> points;
-  campaign::Streams streams(version());
+  WriteErrorReporter not_recorded;
+  campaign::Streams streams(version(), std::ref(not_recorded));
   for (const RunJob& job : jobs) {
     points.push_back(job.mill_case);
     streams.add(job.mill_case, *job.folder, "");
   }
-  catch_ctrl_c();
   std::vector<results::Outcome> outcomes = compute(
       running, points, streams, kept.get(),
       {.folder = lammps_root(jobs), .ranks = given.lammps.ranks, .resume = given.lammps.resume});
-  streams.close();
+  std::vector<Fault> unwritten = write_result([&] { streams.close(); });
   if (jobs.size() == 1) add_sensitivity(given, jobs.front(), outcomes.front());
   const bool talks = running.prints_text();
+  std::vector<bool> written;
   for (std::size_t i = 0; i < jobs.size(); ++i) {  // all of them before any output, which may fail
-    report::write(*jobs[i].folder, outcomes[i], version());
-    jobs[i].folder->commit();
+    const std::vector<Fault> faults = write_result([&] {
+      report::write(*jobs[i].folder, outcomes[i], version());
+      jobs[i].folder->commit();
+    });
+    written.push_back(faults.empty());
+    unwritten.insert(unwritten.end(), faults.begin(), faults.end());
   }
-  if (kept && std::ranges::all_of(outcomes, results::complete)) kept->remove();
-  for (std::size_t i = 0; talks && i < jobs.size(); ++i) print_summary(jobs[i], outcomes[i]);
-  if (running.json) print_json(jobs);
+  if (kept && unwritten.empty() && std::ranges::all_of(outcomes, results::complete)) kept->remove();
+  for (std::size_t i = 0; talks && i < jobs.size(); ++i)
+    print_summary(jobs[i], outcomes[i], written[i]);
+  if (running.json) print_json(jobs, outcomes, written);
   if (talks) fmt::print("computed in {} s\n", two_digits(outcomes.front().wall_seconds));
+  if (!unwritten.empty()) return report_unwritten(unwritten, success);
   const int ended = report_exit_status(outcomes);
   if (kept && kept->write_error()) print_warning(*kept->write_error());
   const bool by_lammps = points.front().run.engine == cases::EngineName::lammps;
@@ -215,6 +233,7 @@ int run_cases(const RunArguments& given, const std::vector<RunJob>& jobs) {
 }
 
 int run(const RunArguments& given) {
+  catch_ctrl_c();
   std::vector<RunJob> plain, campaigns;
   for (RunJob& job : prepare_all(given))
     (job.sweeps() ? campaigns : plain).push_back(std::move(job));

@@ -82,9 +82,12 @@ bool is_other_process(std::string_view number) {
   return process != own_process_id() && process_exists(process);
 }
 
+enum class Leftovers { partial, all };
+
 /// Removes the hidden folders that killed runs left beside the target; this process holds the lock
-/// of the target's name. A complete result that could not be put in place stays.
-void remove_leftovers(const fs::path& target) {
+/// of the target's name. A result whose process was killed before it was put in place goes only
+/// once another one is there; one that could not be put in place (keep_complete()) stays.
+void remove_leftovers(const fs::path& target, Leftovers which) {
   if (target.parent_path().filename() == campaign_runs) return;  // the campaign removes them
   const std::string partial = hidden(target, "partial"), replaced = hidden(target, "replaced");
   std::vector<fs::path> remains;
@@ -95,7 +98,7 @@ void remove_leftovers(const fs::path& target) {
       return name.starts_with(before) &&
              !is_other_process(std::string_view(name).substr(before.size()));
     };
-    if ((remaining(partial) && !listed_files(entry.path())) ||
+    if ((remaining(partial) && (which == Leftovers::all || !listed_files(entry.path()))) ||
         (remaining(replaced) && fs::exists(target) && foreign_files(entry.path()).empty()))
       remains.push_back(entry.path());
   }
@@ -134,7 +137,7 @@ Folder::Folder(const fs::path& target, bool force) : force_(force) {
     if (lock_->state() == FileLock::State::held_elsewhere) throw in_use_error(target_);
     check_replaceable(target_,
                       force);  // again: the previous holder of the lock may have written there
-    if (lock_->state() == FileLock::State::held) remove_leftovers(target_);
+    if (lock_->state() == FileLock::State::held) remove_leftovers(target_, Leftovers::partial);
     staging_ = sibling(target_, "partial");
     while (listed_files(staging_))
       staging_ += "-";  // a complete result of a process with the same id
@@ -168,6 +171,7 @@ void Folder::commit() {
   try {
     list_all_files(staging_);
     put_in_place();
+    if (lock_->state() == FileLock::State::held) remove_leftovers(target_, Leftovers::all);
   } catch (const std::exception& e) {
     keep_complete();
     throw InputError(Fault{
@@ -202,6 +206,32 @@ void Folder::put_in_place() const {
 void write_text(const fs::path& file, std::string_view text) {
   if (const int failed = write_bytes(file, text); failed != 0)
     throw cannot_write(file, std::strerror(failed));
+}
+
+void write_whole(const fs::path& name, const std::function<void(const fs::path&)>& write) {
+  std::error_code none;
+  const fs::path file = fs::is_symlink(name, none) ? fs::weakly_canonical(name, none) : name;
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) return write(file);  // a device
+  fs::path aside = file.string() + ".part";
+  for (int i = 1; fs::exists(fs::symlink_status(aside, none)) && !fs::is_regular_file(aside, none);
+       ++i)
+    aside = fmt::format("{}.part-{}", file.string(), i);
+  try {
+    write(aside);
+    std::error_code failed;
+    fs::rename(aside, file, failed);
+    if (failed) throw cannot_write(file, failed.message());
+  } catch (...) {
+    fs::remove(aside, none);
+    throw;
+  }
+}
+
+void write_whole(const fs::path& file, std::string_view text) {
+  write_whole(file, [&](const fs::path& aside) {
+    if (const int failed = write_bytes(aside, text); failed != 0)
+      throw cannot_write(file, std::strerror(failed));
+  });
 }
 
 void append_text(const fs::path& file, std::string_view text) {

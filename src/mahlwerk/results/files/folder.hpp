@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,6 +54,13 @@ InputError cannot_write(const std::filesystem::path& place, const std::string& w
 
 /// Writes a whole file. Throws InputError with the reason on failure.
 void write_text(const std::filesystem::path& file, std::string_view text);
+
+/// Lets `write` write the file under another name, then renames it: nobody sees a part of it, and
+/// no part stays. A device is written as it is. Throws InputError with the reason on failure.
+void write_whole(const std::filesystem::path& file,
+                 const std::function<void(const std::filesystem::path& aside)>& write);
+/// The same with a text.
+void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// Appends to a file, or creates it. Lines that several processes append stay whole.
 void append_text(const std::filesystem::path& file, std::string_view text);
