@@ -324,6 +324,7 @@ def try_work(bench, given):
 def main():
     given = arguments()
     given.program, given.library = given.program.resolve(), given.library.resolve()
+    given.package = given.package and str(pathlib.Path(given.package).resolve())
     if not sys.platform.startswith("linux") or not given.library.exists():
         return SKIPPED
     tried, wrong = 0, 0

@@ -94,6 +94,7 @@ int compare(const CaseArguments& given) {
   const fs::path place = running.out.value_or(usual);
   catch_ctrl_c();
   results::Folder folder(place, running.force);
+  folder.reserve();
   campaign::Streams streams(version());
   for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
   const std::vector<results::Outcome> outcomes = compute(running, cases, streams);

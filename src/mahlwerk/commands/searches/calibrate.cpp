@@ -274,6 +274,7 @@ int calibrate(const FitArguments& given, const fs::path& file) {
   const fs::path usual = default_folder(given.target, file, false).string() + "-fit";
   catch_ctrl_c();
   results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
     const Found found = find_calibration(running, job, kept);

@@ -146,6 +146,7 @@ int fit(const FitArguments& given) {
   const fs::path usual = default_folder(given.target, file, false).string() + "-fit";
   catch_ctrl_c();
   results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target(), "evaluations", "the evaluations of the fit");
   return fit_powder(given, job, folder, kept);
 }

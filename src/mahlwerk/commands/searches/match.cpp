@@ -220,6 +220,7 @@ int match(const MatchArguments& given) {
   const fs::path usual = default_folder(given.in, file_b, false).string() + "-match";
   catch_ctrl_c();
   results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
     std::vector<Fault> unwritten;

@@ -52,6 +52,7 @@ int optimise(const CaseArguments& given) {
   const fs::path usual = default_folder(given.target, file, false).string() + "-optimise";
   catch_ctrl_c();
   results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
     const campaign::Optimum found = run_search(running, job, kept);

@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* reserved = ".reserved";  // a file that keeps space on the disk
+
 InputError in_use_error(const fs::path& target) {
   return InputError(Fault{target.string(), "another process is at work on a result for this folder",
                           "wait until it ends, or give another folder with --out",
@@ -161,13 +163,24 @@ fs::path Folder::file(std::string_view name) const {
   return path;
 }
 
+void Folder::reserve() {
+  constexpr std::size_t size = 4U << 20U;  // of a report with a replay, its tables and summary
+  if (const int failed = reserve_space(staging_ / reserved, size); failed != 0)
+    throw cannot_write(target_, fmt::format("{} ({} MB are needed for a result)",
+                                            std::strerror(failed), size >> 20U));
+}
+
 void Folder::write(std::string_view name, std::string_view text) const {
+  std::error_code none;
+  fs::remove(staging_ / reserved, none);
   if (const int failed = write_bytes(file(name), text); failed != 0)
     throw cannot_write(target_ / name, std::strerror(failed));
 }
 
 void Folder::commit() {
   done_ = true;  // from here on the result is kept even on failure: it may have taken hours
+  std::error_code none;
+  fs::remove(staging_ / reserved, none);
   try {
     list_all_files(staging_);
     put_in_place();

@@ -36,6 +36,10 @@ class Folder {
   std::filesystem::path file(std::string_view name) const;
   void write(std::string_view name, std::string_view text) const;
 
+  /// Keeps space on the disk for the files that write() writes, until the first of them. Throws
+  /// InputError if the disk is too full for a result.
+  void reserve();
+
   /// Moves the staging folder to the target. A replaced result is removed only after that. On
   /// failure the result is kept, and the InputError says where.
   void commit();
