@@ -36,7 +36,7 @@ PAPER = """title = "T"
 source = "S"
 [[claim]]
 figure = "1"
-says = "s"
+says = "increasing"
 kind = "trend"
 campaign = "c"
 quantity = "dissipated_power"
@@ -165,7 +165,7 @@ def works(home, package=""):
                            "out"],
              {"mill-fit.toml": mill_fit, "mill-fit.csv": (cases / "mill-fit.csv").read_text()},
              marks=["contact.restitution"], most=12),
-        Work("papers", ["papers", "mine", "--out", "out"], paper),
+        Work("papers", ["papers", "mine", "--out", "out"], paper, marks=["increasing"]),
         Work("check", ["check", "ball.toml"], {"ball.toml": BALL}, threads=False),
         Work("new", ["new", "--mill", "retsch-mm400", "made.toml"], {},
              threads=False),

@@ -34,8 +34,15 @@ std::vector<Fault> write_result(const std::function<void()>& write) try {
   return faults_of_system(std::current_exception());
 }
 
-int report_unwritten(const std::vector<Fault>& faults, int ended) {
-  return faults.empty() ? ended : report_end(bad_input, faults);
+int print_result(const std::function<void()>& print, const std::vector<Fault>& unwritten,
+                 int ended) {
+  try {
+    print();
+  } catch (...) {
+    if (!unwritten.empty()) report_end(bad_input, unwritten);
+    throw;
+  }
+  return unwritten.empty() ? ended : report_end(bad_input, unwritten);
 }
 
 }  // namespace mahlwerk::commands

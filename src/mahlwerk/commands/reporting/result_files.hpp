@@ -17,8 +17,9 @@ std::vector<Fault> faults_of_system(const std::exception_ptr& thrown);
 /// Writes the files of a computed result. Returns why they cannot be written; empty if they are.
 std::vector<Fault> write_result(const std::function<void()>& write);
 
-/// Reports that files of a result were not written, after the result has been printed. Returns the
-/// exit code; `ended` if there are no faults.
-int report_unwritten(const std::vector<Fault>& faults, int ended);
+/// Prints a result by `print`, then reports why its files were not written, even if printing
+/// throws. Returns the exit code; `ended` if there are no faults.
+int print_result(const std::function<void()>& print, const std::vector<Fault>& unwritten,
+                 int ended);
 
 }  // namespace mahlwerk::commands

@@ -103,11 +103,13 @@ int compare(const CaseArguments& given) {
     streams.close();
     write(folder, outcomes, comparison);
   });
-  if (running.json) print_json(comparison, folder.target());
-  if (running.prints_text())
-    print_summary(comparison, folder.target(), outcomes.front().wall_seconds, unwritten.empty());
-  if (!unwritten.empty()) return report_unwritten(unwritten, success);
-  return report_exit_status(outcomes);
+  const auto print = [&] {
+    if (running.json) print_json(comparison, folder.target());
+    if (running.prints_text())
+      print_summary(comparison, folder.target(), outcomes.front().wall_seconds, unwritten.empty());
+  };
+  const int printed = print_result(print, unwritten, success);
+  return unwritten.empty() ? report_exit_status(outcomes) : printed;
 }
 
 }  // namespace

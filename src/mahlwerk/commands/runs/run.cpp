@@ -276,12 +276,11 @@ int run_cases(const RunArguments& given, const std::vector<RunJob>& jobs) {
   const bool whole = std::ranges::all_of(outcomes, results::complete),
              asked = given.checkpoint || given.lammps.resume;
   if (kept && unwritten.empty() && (whole || !(asked || stop_wanted()))) kept->remove();
-  print_results(given.running, jobs, outcomes, written);
   const std::string how = continuation(kept.get(), by_lammps);
-  if (!unwritten.empty()) {
-    unwritten.front().remedy += how;
-    return report_unwritten(unwritten, success);
-  }
+  if (!unwritten.empty()) unwritten.front().remedy += how;
+  const int printed = print_result([&] { print_results(given.running, jobs, outcomes, written); },
+                                   unwritten, success);
+  if (!unwritten.empty()) return printed;
   const int ended =
       report_exit_status(outcomes, varying ? "; what assumed values decide was not computed"
                                    : whole ? ""

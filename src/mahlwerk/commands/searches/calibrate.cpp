@@ -288,9 +288,11 @@ int calibrate(const FitArguments& given, const fs::path& file) {
       folder.commit();
     });
     if (unwritten.empty()) kept.remove();
-    if (running.json) json_to_stdout(json_of(report));
-    if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
-    return report_unwritten(unwritten, success);
+    const auto print = [&] {
+      if (running.json) json_to_stdout(json_of(report));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, success);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }

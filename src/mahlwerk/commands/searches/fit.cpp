@@ -128,9 +128,11 @@ int fit_powder(const FitArguments& given, const campaign::FitJob& job, results::
       kept.remove();
     else
       evaluations.flush();
-    if (running.json) json_to_stdout(fit_json(report, version()));
-    if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
-    return report_unwritten(unwritten, success);
+    const auto print = [&] {
+      if (running.json) json_to_stdout(fit_json(report, version()));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, success);
   } catch (const Interrupted&) {
     evaluations.flush();
     return kept.report_interrupted(best_so_far(job, evaluations));

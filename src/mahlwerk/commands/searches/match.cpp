@@ -233,9 +233,11 @@ int match(const MatchArguments& given) {
         folder.commit();
       });
     if (unwritten.empty()) kept.remove();
-    if (running.json) json_to_stdout(match_json(found));
-    if (running.prints_text()) print_summary(found, folder.target(), unwritten.empty());
-    return report_unwritten(unwritten, found.search.best ? success : stopped_by_physics);
+    const auto print = [&] {
+      if (running.json) json_to_stdout(match_json(found));
+      if (running.prints_text()) print_summary(found, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, found.search.best ? success : stopped_by_physics);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }

@@ -68,9 +68,11 @@ int optimise(const CaseArguments& given) {
       folder.commit();
     });
     if (unwritten.empty()) kept.remove();
-    if (running.json) json_to_stdout(optimum_json(report, version()));
-    if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
-    return report_unwritten(unwritten, found.best ? success : stopped_by_physics);
+    const auto print = [&] {
+      if (running.json) json_to_stdout(optimum_json(report, version()));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, found.best ? success : stopped_by_physics);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }
