@@ -27,6 +27,7 @@
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 
 namespace mahlwerk::app {
 namespace {
@@ -45,10 +46,12 @@ void open_closed_streams() {
       static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 
-/// Call before anything is printed or opened. A closed pipe (SIGPIPE) then does not end a run, and
-/// no file gets the descriptor of a closed standard stream.
+/// Call before anything is printed or opened. A closed pipe (SIGPIPE) or a file at the limit of
+/// `ulimit -f` (SIGXFSZ) then does not end a run, and no file gets the descriptor of a closed
+/// standard stream.
 void guard_output() {
-  std::signal(SIGPIPE, ignore_signal);  // not SIG_IGN, which child processes would inherit
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    std::signal(signal, ignore_signal);  // not SIG_IGN, which child processes would inherit
   open_closed_streams();
 }
 
@@ -229,16 +232,12 @@ int perform_and_report(int argc, char** argv) try {
 } catch (const RunError& e) {
   return report_end(stopped_by_physics, e.what(), {Fault{"", e.what(), "", "stopped"}});
 } catch (const std::bad_alloc&) {
-  return report_end(
-      bad_input,
-      "there is not enough memory for this case: use fewer balls, or fewer replicates at a time "
-      "(--threads)",
-      {Fault{"", "there is not enough memory for this case",
-             "use fewer balls, or fewer replicates at a time (--threads)", "not-enough-memory"}});
+  return report_end(bad_input, faults_of_system(std::current_exception()));
+} catch (const std::system_error& e) {
+  if (output_failed(e.code().value())) return success;  // finish_output reports it
+  return report_end(bad_input, faults_of_system(std::current_exception()));
 } catch (const std::exception& e) {
-  const auto* system = dynamic_cast<const std::system_error*>(&e);
-  if (output_failed(system != nullptr ? system->code().value() : 0))
-    return success;  // finish_output reports it
+  if (output_failed(0)) return success;
   return report_end(
       internal_error,
       fmt::format("internal error: {}\nPlease report this error together with the case file.",
@@ -255,5 +254,6 @@ int main(int argc, char** argv) {
   if (std::ranges::any_of(words, [](std::string_view word) { return word == "--json"; }))
     mahlwerk::commands::set_json_messages();
   guard_output();
+  mahlwerk::commands::catch_early_signals();
   return finish_output(perform_and_report(argc, argv));
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "mahlwerk/commands/places.hpp"
@@ -72,16 +73,18 @@ std::vector<results::Outcome> compute(const Running& running,
   return outcomes;
 }
 
-int report_exit_status(const std::vector<results::Outcome>& outcomes) {
+int report_exit_status(const std::vector<results::Outcome>& outcomes,
+                       const std::string& continuation) {
   constexpr const char* kept = "results computed until then are kept, and marked incomplete";
   if (const std::string why = first_failure(outcomes); !why.empty())
     return report_end(stopped_by_physics,
                       fmt::format("stopped: {}\nResults computed until then are kept.", why),
                       {Fault{"", why, kept, "stopped"}});
-  if (stop_wanted())
-    return report_end(interrupted, fmt::format("interrupted: {}.", kept),
-                      {Fault{"", "interrupted", kept, "interrupted"}});
-  return success;
+  if (!stop_wanted()) return success;
+  const bool whole = std::ranges::all_of(outcomes, results::complete);
+  const std::string words = (whole ? "the results are complete" : kept) + continuation;
+  return report_end(interrupted, fmt::format("interrupted: {}.", words),
+                    {Fault{"", "interrupted", words, "interrupted"}});
 }
 
 int report_interrupted(const Running& running, const std::string& kept) {

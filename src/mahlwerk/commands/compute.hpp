@@ -33,8 +33,9 @@ std::vector<results::Outcome> compute(const Running& running,
                                       campaign::ResumableRuns& kept, std::optional<double> interval,
                                       bool replays_of_all = false, const OnEnd& on_end = {});
 
-/// Reports on stderr if a run did not complete. Returns the exit code.
-int report_exit_status(const std::vector<results::Outcome>& outcomes);
+/// Reports on stderr if a run did not complete, and how it can be continued. Returns the exit code.
+int report_exit_status(const std::vector<results::Outcome>& outcomes,
+                       const std::string& continuation = {});
 /// Reports an interruption and what is kept, unless `running` is quiet. Returns the exit code.
 int report_interrupted(const Running& running, const std::string& kept);
 

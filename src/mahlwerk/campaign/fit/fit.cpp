@@ -237,17 +237,55 @@ double residual(const Measurement& measured, double predicted) {
 
 namespace {
 
-/// Residuals of the prediction from the measurements; counts the evaluations.
-Residuals residuals(const Predictor& predict, const Measurements& data, const FitOptions& options,
-                    int& evaluations) {
-  return [&](const std::vector<double>& values) {
-    if (options.stop != nullptr && *options.stop) throw Interrupted();
-    std::vector<double> all = predict(values);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = residual(data.values[i], all[i]);
-    ++evaluations;
-    if (options.progress) options.progress(evaluations);
-    return all;
-  };
+/// A prediction by all replicates or one of them, from what is kept or by the models.
+std::vector<double> predicted(const Predictor& predict, FitEvaluations::Replicates of,
+                              const std::vector<double>& values, FitEvaluations* kept) {
+  if (kept == nullptr) return predict(values);
+  if (const std::vector<double>* known = kept->find(of, values)) return *known;
+  std::vector<double> made = predict(values);
+  kept->keep(of, values, made);
+  return made;
+}
+
+double sum_of_squares(const std::vector<double>& residuals) {
+  double sum = 0;
+  for (const double r : residuals) sum += r * r;
+  return sum;
+}
+
+/// Evaluations of a fit of `parameters`, as they were counted in fits of the examples: those of the
+/// first search, the intervals, and one search for each replicate.
+int usual_evaluations(std::size_t parameters, std::size_t replicates) {
+  const auto n = static_cast<int>(parameters), r = static_cast<int>(replicates);
+  return 30 * (n + 1) + 60 * n * (n + 1) + (r > 1 ? 8 * (n + 1) * r : 0);
+}
+
+/// Residuals of predictions from the measurements; counts the evaluations.
+struct Evaluator {
+  const Measurements& data;
+  const FitOptions& options;
+  int usual = 0;
+  int evaluations = 0;
+
+  Residuals residuals(const Predictor& predict, FitEvaluations::Replicates of = std::nullopt) {
+    return [this, &predict, of](const std::vector<double>& values) {
+      if (options.stop != nullptr && *options.stop) throw Interrupted();
+      std::vector<double> all = predicted(predict, of, values, options.kept);
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] = residual(data.values[i], all[i]);
+      ++evaluations;
+      if (options.kept != nullptr && !of) options.kept->note(values, sum_of_squares(all));
+      if (options.progress) options.progress(evaluations, std::max(usual, evaluations));
+      return all;
+    };
+  }
+};
+
+/// Replicates that every mill has.
+std::size_t common_replicates(const std::vector<results::Outcome>& mills) {
+  std::size_t replicates = results::averaged_replicates(mills.front()).size();
+  for (const results::Outcome& mill : mills)
+    replicates = std::min(replicates, results::averaged_replicates(mill).size());
+  return replicates;
 }
 
 std::vector<double> values_of(const LeastSquaresResult& found) {
@@ -258,17 +296,13 @@ std::vector<double> values_of(const LeastSquaresResult& found) {
 
 /// Half-widths from fits of single replicates, as positions (fit.10).
 std::vector<double> simulation_half_widths(const std::vector<results::Outcome>& mills,
-                                           const Measurements& data,
                                            const std::vector<FreeParameter>& parameters,
-                                           const LeastSquaresResult& found,
-                                           const FitOptions& options, int& evaluations) {
-  std::size_t replicates = results::averaged_replicates(mills.front()).size();
-  for (const results::Outcome& mill : mills)
-    replicates = std::min(replicates, results::averaged_replicates(mill).size());
+                                           const LeastSquaresResult& found, Evaluator& evaluator) {
+  const std::size_t replicates = common_replicates(mills);
   std::vector<std::vector<double>> positions(parameters.size());
   for (std::size_t r = 0; r < replicates && replicates > 1; ++r) {
-    const Predictor predict(mills, parameters, data.values, options.threads, r);
-    const Residuals own = residuals(predict, data, options, evaluations);
+    const Predictor predict(mills, parameters, evaluator.data.values, evaluator.options.threads, r);
+    const Residuals own = evaluator.residuals(predict, r);
     Minimiser search(own, parameters);
     std::vector<double> start;
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -305,17 +339,17 @@ void widen_interval(double width, const FreeParameter& parameter, FittedParamete
 
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
         const std::vector<FreeParameter>& parameters, const FitOptions& options) {
-  int evaluations = 0;
+  Evaluator evaluator{.data = data,
+                      .options = options,
+                      .usual = usual_evaluations(parameters.size(), common_replicates(mills))};
   const Predictor predict(mills, parameters, data.values, options.threads);
   const ErrorScale scatter = data.errors_known() ? ErrorScale::known : ErrorScale::estimated;
-  Fit made{
-      .result = least_squares(residuals(predict, data, options, evaluations), parameters, scatter),
-      .predicted = {},
-      .simulation_ci95 = {}};
+  Fit made{.result = least_squares(evaluator.residuals(predict), parameters, scatter),
+           .predicted = {},
+           .simulation_ci95 = {}};
   made.predicted = predict(values_of(made.result));
-  made.simulation_ci95 =
-      simulation_half_widths(mills, data, parameters, made.result, options, evaluations);
-  made.result.evaluations = evaluations;
+  made.simulation_ci95 = simulation_half_widths(mills, parameters, made.result, evaluator);
+  made.result.evaluations = evaluator.evaluations;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     FittedParameter& p = made.result.parameters[i];
     const double width = made.simulation_ci95[i], position = position_of(parameters[i], p.value);

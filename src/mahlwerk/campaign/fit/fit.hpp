@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/fit/evaluations.hpp"
 #include "mahlwerk/campaign/fit/least_squares.hpp"
 #include "mahlwerk/campaign/fit/measurements.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
@@ -74,9 +75,11 @@ class Predictor {
 double residual(const Measurement& measured, double predicted);
 
 struct FitOptions {
-  int threads = 0;                                     ///< 0: as many as the machine has
-  const std::atomic<bool>* stop = nullptr;             ///< when set: throws Interrupted
-  std::function<void(int evaluations)> progress = {};  ///< called after each evaluation
+  int threads = 0;                          ///< 0: as many as the machine has
+  const std::atomic<bool>* stop = nullptr;  ///< when set: throws Interrupted
+  /// Called after each evaluation; `usual`: number of evaluations that a fit usually takes.
+  std::function<void(int evaluations, int usual)> progress = {};
+  FitEvaluations* kept = nullptr;  ///< keeps predictions, and supplies them
 };
 
 struct Fit {

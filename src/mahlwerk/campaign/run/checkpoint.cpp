@@ -56,10 +56,11 @@ void serialize(Archive& archive, std::string& title, std::string& what,
 }  // namespace
 
 Checkpoint::Checkpoint(std::filesystem::path file, std::string what, std::size_t jobs, double every,
-                       WriteErrorCallback on_write_error)
+                       WriteErrorCallback on_write_error, std::optional<Unasked> unasked)
     : file_(std::move(file)),
       run_id_(std::move(what)),
       interval_(every),
+      unasked_(unasked),
       states_(jobs),
       saved_at_(jobs, std::chrono::steady_clock::now()),
       on_write_error_(std::move(on_write_error)) {
@@ -72,7 +73,8 @@ void Checkpoint::load() {
   if (!stream)
     throw refusal(
         file_, "there is no checkpoint to resume from",
-        "start the run with --checkpoint; leave out --resume to start from the beginning");
+        "leave out --resume to start from the beginning; a run of more than a minute keeps a "
+        "checkpoint when it is interrupted, a shorter one with --checkpoint");
   std::string bytes{std::istreambuf_iterator<char>(stream), {}}, title, what;
   const auto begins = [&](std::string_view with) {
     return bytes.find(with) == sizeof(std::uint64_t);  // after the length of the string
@@ -118,19 +120,36 @@ void Checkpoint::save(std::size_t job, ReplicateRun& replica) {
   Archive archive;
   replica.serialize(archive);
   const std::lock_guard lock(mutex_);
-  states_[job] = archive.bytes();
   saved_at_[job] = std::chrono::steady_clock::now();
+  if (given_up_) return;
+  bytes_ += archive.bytes().size() - states_[job].size();
+  states_[job] = archive.bytes();
   unwritten_ = true;
+  if (!unasked_ || bytes_ <= unasked_->most) return;
+  given_up_ = true;  // an earlier file stays valid
+  unwritten_ = false;
+  states_.assign(states_.size(), {});
+}
+
+bool Checkpoint::begun() const {
+  return !unasked_ || loaded_ ||
+         std::chrono::steady_clock::now() - made_at_ >=
+             std::chrono::duration<double>(unasked_->after);
 }
 
 void Checkpoint::write_if_due() {
   const std::lock_guard lock(mutex_);
-  if (unwritten_ && std::chrono::steady_clock::now() - written_at_ > interval_) write();
+  if (unwritten_ && begun() && std::chrono::steady_clock::now() - written_at_ > interval_) write();
 }
 
 void Checkpoint::flush() {
   const std::lock_guard lock(mutex_);
-  if (unwritten_) write();
+  if (unwritten_ && begun()) write();
+}
+
+bool Checkpoint::written() const {
+  const std::lock_guard lock(mutex_);
+  return (written_ || loaded_) && !write_error_;
 }
 
 /// Writes all kept states to a temporary file, then renames it.
@@ -147,6 +166,7 @@ void Checkpoint::write() {
   try {
     results::write_text(temporary_file(), archive.bytes());
     std::filesystem::rename(temporary_file(), file_);
+    written_ = true;
   } catch (const InputError& e) {
     write_error_ = no_checkpoint(file_, e.faults().front().what);
   } catch (const std::filesystem::filesystem_error& e) {

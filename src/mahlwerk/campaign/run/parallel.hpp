@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "mahlwerk/base/start_threads.hpp"
+
 namespace mahlwerk::campaign {
 
 /// Calls `work(i)` for every i below `count`. The first exception ends the loop and is rethrown
@@ -30,7 +32,7 @@ void in_parallel(int threads, std::size_t count, const Work& work) {
   };
   {
     std::vector<std::jthread> team;
-    for (int i = 1; i < std::min(threads, static_cast<int>(count)); ++i) team.emplace_back(worker);
+    start_threads(team, std::min(threads, static_cast<int>(count)) - 1, [&](int) { worker(); });
     worker();
   }
   if (failure) std::rethrow_exception(failure);

@@ -3,6 +3,7 @@
 #include "mahlwerk/campaign/run/queue.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <ctime>
@@ -10,11 +11,14 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/start_threads.hpp"
 #include "mahlwerk/campaign/run/active_point.hpp"
 #include "mahlwerk/campaign/run/conclude.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
@@ -37,16 +41,6 @@ double thread_cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-/// Whether a failure concerns one point only. A file that cannot be written concerns all points.
-bool is_point_failure(const std::exception& why) {
-  if (dynamic_cast<const std::system_error*>(&why) != nullptr) return false;
-  const auto* input = dynamic_cast<const InputError*>(&why);
-  return input == nullptr || std::ranges::none_of(input->faults(), [](const Fault& fault) {
-           return fault.code == "cannot-write" || fault.code == "result-exists" ||
-                  fault.code == "store";
-         });
 }
 
 /// Replicates of a point to be run by one thread.
@@ -78,7 +72,7 @@ class CampaignRunner {
     };
     {
       std::vector<std::jthread> team;
-      for (int i = 1; i < threads; ++i) team.emplace_back(worker);
+      start_threads(team, threads - 1, [&](int) { worker(); });
       worker();
     }
     if (failure_) std::rethrow_exception(failure_);
@@ -320,6 +314,18 @@ class CampaignRunner {
 };
 
 }  // namespace
+
+bool is_point_failure(const std::exception& why) {
+  constexpr std::array<std::string_view, 5> of_all{"cannot-write", "result-exists", "store",
+                                                   "bad-catalogue-file", "no-catalogue"};
+  if (dynamic_cast<const std::system_error*>(&why) != nullptr ||
+      dynamic_cast<const std::bad_alloc*>(&why) != nullptr)
+    return false;
+  const auto* input = dynamic_cast<const InputError*>(&why);
+  return input == nullptr || std::ranges::none_of(input->faults(), [&](const Fault& fault) {
+           return std::ranges::find(of_all, fault.code) != of_all.end();
+         });
+}
 
 void run_queue(const RunQueue& queue, const RunOptions& options) {
   CampaignRunner(queue, options).work(std::max(1, options.threads));

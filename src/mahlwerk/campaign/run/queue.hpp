@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <string>
 
@@ -40,6 +41,10 @@ struct RunQueue {
   /// Weight of a point's simulated time in `total`; empty: 1.
   std::function<double(std::size_t point)> weight;
 };
+
+/// Whether a failure concerns one point only. A file that cannot be written and a catalogue that
+/// cannot be read concern all points, and so does memory that was free before the point began.
+bool is_point_failure(const std::exception& why);
 
 /// Runs all points of a queue in options.threads threads, the replicates of a point together; a
 /// thread runs one replicate at a time, or several side by side (replicates_together()). Returns

@@ -244,6 +244,7 @@ std::vector<std::vector<TrialResult>> TrialRuns::run_each(const std::vector<Tria
         else
           pending.push_back({&all[k][i], std::move(mill_case), hash});
       } catch (const InputError& why) {
+        if (!is_point_failure(why)) throw;
         all[k][i].failure = short_reason(why);
       }
   run_pending(pending, measure, options, store);

@@ -32,6 +32,15 @@ std::string TrialStore::name_of(RunHash run) const {
 std::optional<TrialResult> TrialStore::find(RunHash run) {
   const std::lock_guard lock(mutex_);
   if (!database_) return std::nullopt;
+  try {
+    return read(run);
+  } catch (const InputError& e) {  // after a failed write: the trial is run again
+    on_write_error_(e.faults().front());
+    return std::nullopt;
+  }
+}
+
+std::optional<TrialResult> TrialStore::read(RunHash run) const {
   const std::string name = name_of(run);
   Statement trial = database_->prepare("SELECT failure FROM trials WHERE run = ?");
   if (!trial.bind(1, name).step()) return std::nullopt;

@@ -20,8 +20,8 @@ namespace mahlwerk::campaign {
 class TrialStore {
  public:
   /// `measure` identifies the outcomes of each replicate: results of other measures are not found.
-  /// The file is made with the first result. Throws InputError if it cannot be read; if it cannot
-  /// be written, `on_write_error` is called and the search continues.
+  /// The file is made with the first result. Throws InputError if it cannot be opened; if it
+  /// cannot be written or read later, `on_write_error` is called and the search continues.
   TrialStore(const std::filesystem::path& file, std::string measure,
              std::function<void(const Fault&)> on_write_error);
 
@@ -29,6 +29,7 @@ class TrialStore {
   void keep(RunHash run, const TrialResult& result);
 
  private:
+  std::optional<TrialResult> read(RunHash run) const;
   void write(RunHash run, const TrialResult& result);
   std::string name_of(RunHash run) const;
   void open();

@@ -31,8 +31,10 @@ std::string remedy_for(int code) {
       return "the file is not a store, or it is damaged: move it away, then start again";
     case SQLITE_IOERR:
       return "check the disk and its free space, then start again: finished work is kept";
+    case SQLITE_NOMEM:
+      return "free memory, then start again: finished work is kept";
     default:
-      return "";
+      return "start again: finished work is kept";
   }
 }
 

@@ -58,6 +58,7 @@ std::string hash_text(RunHash hash) {
 Store::Store(const std::filesystem::path& file, Access access)
     : writes_(access == Access::write),
       database_(file, access == Access::read ? Database::Access::read : Database::Access::write) {
+  refuse_views();
   if (access == Access::read) {
     if (database_.query_text("PRAGMA user_version") != std::to_string(format))
       throw InputError(Fault{file.generic_string(),
@@ -125,6 +126,14 @@ void Store::make_tables() {
 
 /// Makes the view `results`: one row per point, with the column names of campaign.csv.
 void Store::make_view() {
+  database_.run(
+      // Names `main`: the bare name could mean the view of an attached store.
+      "DROP VIEW IF EXISTS main.results; CREATE VIEW main.results AS " + query_of_results());
+}
+
+/// The query of the view `results`. The program asks it instead of the view, which another program
+/// may have replaced by one that never ends.
+std::string Store::query_of_results() const {
   std::string columns = "p.point";
   for (const SweptColumn& s : swept()) columns += ", p." + quoted_name(s.column);
   columns +=
@@ -134,12 +143,22 @@ void Store::make_view() {
       database_.prepare("SELECT \"column\", ci95_column FROM quantities ORDER BY position");
   while (known.step())
     columns += fmt::format(", s.{}, s.{}", quoted_name(known.text(0)), quoted_name(known.text(1)));
-  database_.run(
-      // Names `main`: the bare name could mean the view of an attached store.
-      fmt::format("DROP VIEW IF EXISTS main.results; CREATE VIEW main.results AS SELECT {} FROM "
-                  "points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash "
-                  "= p.hash ORDER BY p.point",
-                  columns));
+  return fmt::format(
+      "SELECT {} FROM points p JOIN runs r ON r.hash = p.hash LEFT JOIN summary s ON s.hash = "
+      "p.hash ORDER BY p.point",
+      columns);
+}
+
+/// Throws InputError if a table of the store is a view, which could have rows without end.
+void Store::refuse_views() const {
+  const std::string name = database_.query_text(
+      "SELECT name FROM sqlite_master WHERE (type <> 'table' OR sql LIKE 'CREATE VIRTUAL%') AND "
+      "name IN ('campaign', 'overrides', 'swept', 'points', 'runs', 'notices', 'quantities', "
+      "'summary', 'forms')");
+  if (!name.empty())
+    throw InputError(Fault{database_.file().generic_string(),
+                           fmt::format("`{}` is no table: Mahlwerk did not write this store", name),
+                           "name the folder of a campaign as Mahlwerk wrote it", "store"});
 }
 
 std::vector<Store::SweptColumn> Store::swept() const {

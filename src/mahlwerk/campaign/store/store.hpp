@@ -115,7 +115,7 @@ class Store {
   /// Calls `take` for each point of the plan, in order, with the named quantities.
   void read(const std::vector<std::string>& quantities,
             const std::function<void(const StoredPoint&)>& take) const;
-  /// Writes the view `results` as comma-separated text with a heading.
+  /// Writes the rows of the view `results` as comma-separated text with a heading.
   void write_csv(std::ostream& out) const;
 
  private:
@@ -125,6 +125,8 @@ class Store {
   };
   void make_tables();
   void make_view();
+  std::string query_of_results() const;
+  void refuse_views() const;
   void refuse_other_campaign(const std::filesystem::path& other) const;
   void take_newer_plan();
   std::vector<SweptColumn> swept() const;

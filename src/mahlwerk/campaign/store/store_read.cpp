@@ -161,7 +161,7 @@ void Store::read(const std::vector<std::string>& quantities,
 
 void Store::write_csv(std::ostream& out) const {
   const std::lock_guard lock(mutex_);
-  Statement asked = database_.prepare("SELECT * FROM results");
+  Statement asked = database_.prepare(query_of_results());
   std::vector<std::string> cells;
   for (int i = 0; i < asked.columns(); ++i) cells.push_back(results::csv_cell(asked.name(i)));
   out << results::csv_line(cells);

@@ -5,6 +5,8 @@
 #include "mahlwerk/commands/campaigns/campaign_pages.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
 
@@ -95,31 +97,22 @@ void write_pages(const campaign::Store& store, const report::Campaign& campaign,
   std::vector<std::string> names{"campaign.csv", "campaign.html"};
   for (const auto& [name, picture] : figures) names.push_back(name);
   results::list_files(place, names);
-  // Writes to a temporary file and renames it, so that a reader never sees a partial file.
-  const auto put = [&](const std::string& name, const auto& write) {
-    const fs::path file = place / name, aside = file.string() + ".part";
-    results::make_folder(file.parent_path());
-    write(aside);
-    std::error_code failed;
-    fs::rename(aside, file, failed);
-    if (failed)
-      throw InputError(Fault{file.string(), "cannot be written: " + failed.message(),
-                             "check that you have write permission there", "cannot-write"});
-  };
-  put("campaign.csv", [&](const fs::path& aside) {
+  write_table(store, place / "campaign.csv");
+  results::write_whole(place / "campaign.html", report::campaign_page(campaign, version()));
+  for (const auto& [name, picture] : figures) {
+    results::make_folder((place / name).parent_path());
+    results::write_whole(place / name, picture);
+  }
+}
+
+void write_table(const campaign::Store& store, const fs::path& file) {
+  results::write_whole(file, [&](const fs::path& aside) {
+    errno = 0;
     std::ofstream out(aside, std::ios::binary);
     store.write_csv(out);
     out.close();
-    if (!out)
-      throw InputError(Fault{aside.string(), "cannot be written",
-                             "free disk space, then start again: finished runs are kept",
-                             "cannot-write"});
+    if (!out) throw results::cannot_write(file, errno != 0 ? std::strerror(errno) : "not whole");
   });
-  put("campaign.html", [&](const fs::path& aside) {
-    results::write_text(aside, report::campaign_page(campaign, version()));
-  });
-  for (const auto& figure : figures)
-    put(figure.first, [&](const fs::path& aside) { results::write_text(aside, figure.second); });
 }
 
 }  // namespace mahlwerk::commands

@@ -22,5 +22,7 @@ void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
 /// errors.
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,
                  const std::filesystem::path& place);
+/// Writes the table of a campaign as CSV. Throws InputError on write errors.
+void write_table(const campaign::Store& store, const std::filesystem::path& file);
 
 }  // namespace mahlwerk::commands

@@ -21,6 +21,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/report/paper/figure_plot.hpp"
 #include "mahlwerk/report/paper/overview.hpp"
 #include "mahlwerk/report/paper/page.hpp"
@@ -246,10 +247,12 @@ std::optional<Fault> write(const PaperJob& job,
   return missing;
 }
 
-void print_summary(const PaperJob& job, const report::PaperResult& result, double seconds) {
+void print_summary(const PaperJob& job, const report::PaperResult& result, double seconds,
+                   bool written) {
   const fs::path place = job.folder->target();
   to_stdout(fmt::format("{}\n{}\n\n{}\n", job.paper.title, job.paper.source,
                         report::claims_text(result)));
+  if (!written) return;
   fmt::print("page:     {}\n", (place / "paper.html").string());
   fmt::print("figures:  {}\n", (place / "figures").string());
   if (!result.tables.empty()) fmt::print("tables:   {}\n", (place / "tables").string());
@@ -303,10 +306,10 @@ class Overview {
 int papers(const PapersArguments& given) {
   const Running& running = given.running;
   const cases::Catalogue known = catalogue();
+  catch_ctrl_c();
   const std::vector<PaperJob> jobs = prepare_papers(given, known);
   std::optional<Overview> overview;
   if (is_validation(given.target)) overview.emplace(running);
-  catch_ctrl_c();
   int ended = success;
   bool warned = false;
   results::Json list = results::Json::array();
@@ -322,19 +325,24 @@ int papers(const PapersArguments& given) {
     report::PaperResult result = report::paper_result(job.paper, run);
     for (const auto& [key, value, swept] : given.changes.overrides())
       result.changed.push_back(fmt::format("{} = {}", key, value));
-    const std::optional<Fault> missing = write(job, run, result);
+    std::optional<Fault> missing;
+    const std::vector<Fault> unwritten = write_result([&] { missing = write(job, run, result); });
     if (missing && !warned && running.prints_errors()) print_warning(*missing);
     warned = warned || missing;  // said once for all papers
-    kept.remove();
+    if (unwritten.empty()) kept.remove();
     if (overview) overview->add(job, result);
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     if (running.json) list.push_back(as_json(job, result));
-    if (running.prints_text()) print_summary(job, result, seconds);
+    const auto print = [&] {
+      if (running.prints_text()) print_summary(job, result, seconds, unwritten.empty());
+    };
+    ended = print_result(print, unwritten, ended);
+    if (!unwritten.empty()) break;  // the others would meet the same disk
     for (const auto& [name, one] : run)
       if (const int how = report_exit_status(one.outcomes); how != success) ended = how;
   }
-  if (overview && ended != interrupted) overview->write();
+  if (overview && ended != interrupted && ended != bad_input) overview->write();
   if (running.json) json_to_stdout(list);
   return ended;
 }

@@ -114,7 +114,7 @@ int submit_to_slurm(const SweepArguments& given, const fs::path& case_file, cons
   campaign::prepare_folder(place);
   results::list_campaign_files(place);
   results::list_files(place, {script.filename().string()});
-  results::write_text(script, text);
+  results::write_whole(script, text);
   const std::string array = output_of("sbatch --parsable " + shell_path(script), script);
   const std::string job = array.substr(0, array.find(';'));
   const std::string merge =

@@ -59,8 +59,8 @@ std::vector<std::string> usual_quantities(const campaign::Store& store, const st
             "no-surrogate"});
 }
 
-/// Writes the file under another name and renames it: nobody sees a part of it.
-void write_whole(const fs::path& name, const std::string& text, bool replace) {
+/// Writes the file, unless there is one that `replace` does not allow to be replaced.
+void write_surrogate(const fs::path& name, const std::string& text, bool replace) {
   const auto refuse = [&](const char* what, const char* remedy, const char* code) {
     throw InputError(Fault{name.string(), what, remedy, code});
   };
@@ -75,12 +75,7 @@ void write_whole(const fs::path& name, const std::string& text, bool replace) {
   if (fs::exists(file, failed) && !fs::is_regular_file(file, failed))
     refuse("this is no file but a folder or device", "give the name of a file", "cannot-write");
   if (!file.parent_path().empty()) results::make_folder(file.parent_path());
-  fs::path aside = file.string() + ".part";
-  for (int i = 1; fs::exists(fs::symlink_status(aside, failed)); ++i)
-    aside = fmt::format("{}.part-{}", file.string(), i);
-  results::write_text(aside, text);
-  fs::rename(aside, file, failed);
-  if (failed) throw results::cannot_write(file, failed.message());
+  results::write_whole(file, text);
 }
 
 struct SurrogateArguments {
@@ -96,7 +91,7 @@ int surrogate(const SurrogateArguments& given) {
       given.quantities.empty() ? usual_quantities(store, given.folder) : given.quantities;
   const campaign::CampaignSurrogate made =
       campaign::surrogate_of(store, given.folder, names, version());
-  write_whole(*given.out, campaign::surrogate_text(made), given.force);
+  write_surrogate(*given.out, campaign::surrogate_text(made), given.force);
   if (given.json)
     json_to_stdout(surrogate_json(made));
   else if (!given.quiet)

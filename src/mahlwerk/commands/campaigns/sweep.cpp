@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 #include "mahlwerk/base/error.hpp"
@@ -73,13 +72,7 @@ int sweep_export(const SweepArguments& given) {
   const campaign::Store store = campaign::open_store(given.target);
   if (const auto& file = given.running.out) {
     refuse_existing(*file, given.running.force);
-    std::ofstream out(*file, std::ios::binary);
-    store.write_csv(out);
-    out.close();
-    if (!out)
-      throw InputError(Fault{file->string(), "cannot be written",
-                             "check the folder, your permissions and the free disk space",
-                             "cannot-write"});
+    write_table(store, *file);
     return success;
   }
   store.write_csv(std::cout);

@@ -80,7 +80,7 @@ int new_case(const NewArguments& given) {
   const std::string text = case_template(parts, catalogue());
   if (!file.empty()) refuse_existing(file, given.force);
   for (const auto& [path, content] : files) refuse_existing(path, given.force);
-  for (const auto& [path, content] : files) results::write_text(path, content);
+  for (const auto& [path, content] : files) results::write_whole(path, content);
   try {
     check_case(text, file.empty() ? fs::path("case.toml") : file);
   } catch (const InputError&) {
@@ -92,7 +92,7 @@ int new_case(const NewArguments& given) {
     to_stdout(text);
     return success;
   }
-  results::write_text(file, text);
+  results::write_whole(file, text);
   for (const auto& [path, content] : files) to_stdout(fmt::format("{} written\n", path.string()));
   const std::string word = shell_word(file.string());
   to_stdout(fmt::format(

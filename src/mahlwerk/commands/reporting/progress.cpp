@@ -30,6 +30,25 @@ extern "C" void on_interrupt(int signal) {
   std::signal(signal, signal == SIGHUP ? SIG_IGN : SIG_DFL);
 }
 
+/// Functions of a signal handler may only make system calls.
+extern "C" void on_early_signal(int) {
+  constexpr std::string_view text = "interrupted: nothing was begun\n",
+                             json =
+                                 "{\"ended\": \"interrupted\", \"exit\": 130, \"faults\": "
+                                 "[{\"code\": \"interrupted\", \"where\": \"\", \"what\": "
+                                 "\"interrupted\", \"remedy\": \"nothing was begun\"}]}\n";
+  const std::string_view words = json_messages() ? json : text;
+  if (::write(STDERR_FILENO, words.data(), words.size()) < 0) _exit(interrupted);
+  _exit(interrupted);
+}
+
+/// SIGHUP stays ignored under nohup.
+void on_signals(void (*handler)(int)) {
+  std::signal(SIGINT, handler);
+  std::signal(SIGTERM, handler);
+  if (std::signal(SIGHUP, handler) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
+}
+
 bool is_terminal() {
   const char* term = std::getenv("TERM");
   return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
@@ -56,10 +75,12 @@ const std::atomic<bool>& stop_wanted() {
 }
 
 void catch_ctrl_c() {
-  if (listener() != nullptr) return;  // signals belong to the program that called the command
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
-  if (std::signal(SIGHUP, on_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // under nohup
+  // With a listener signals belong to the program that called the command.
+  if (listener() == nullptr) on_signals(on_interrupt);
+}
+
+void catch_early_signals() {
+  on_signals(on_early_signal);
 }
 
 ProgressLine::ProgressLine(bool quiet)

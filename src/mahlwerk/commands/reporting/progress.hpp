@@ -15,7 +15,11 @@ class Listener;
 /// Set by Ctrl-C, SIGTERM or SIGHUP after catch_ctrl_c(), or by the listener of this thread. A
 /// second signal other than SIGHUP ends the program at once.
 const std::atomic<bool>& stop_wanted();
+/// Call it before a command makes its first file or folder.
 void catch_ctrl_c();
+/// Until then these signals end the program at once, with a message and the exit code of an
+/// interruption: there is nothing to keep. Call it first.
+void catch_early_signals();
 
 /// Progress of a run on stderr: on a terminal one line that is overwritten, else a new line every
 /// 30 s (or MAHLWERK_PROGRESS_EVERY seconds). A listener gets every line.

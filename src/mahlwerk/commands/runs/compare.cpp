@@ -14,6 +14,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/report/report.hpp"
 
 namespace mahlwerk::commands {
@@ -75,8 +76,10 @@ void print_json(const report::Comparison& comparison, const fs::path& place) {
                                {"quantities", std::move(quantities)}}));
 }
 
-void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds) {
+void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds,
+                   bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", comparison.title, report::compare_table(comparison)));
+  if (!written) return;
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "compare.html").string());
   fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());
@@ -89,19 +92,24 @@ int compare(const CaseArguments& given) {
   const std::vector<cases::Case> cases = both(given.changes.overrides(), file);
   const fs::path usual = default_folder(given.target, file, false).string() + "-compare";
   const fs::path place = running.out.value_or(usual);
+  catch_ctrl_c();
   results::Folder folder(place, running.force);
+  folder.reserve();
   campaign::Streams streams(version());
   for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
-
-  catch_ctrl_c();
   const std::vector<results::Outcome> outcomes = compute(running, cases, streams);
-  streams.close();
   const report::Comparison comparison = report::compare(outcomes[0], outcomes[1]);
-  write(folder, outcomes, comparison);
-  if (running.json) print_json(comparison, folder.target());
-  if (running.prints_text())
-    print_summary(comparison, folder.target(), outcomes.front().wall_seconds);
-  return report_exit_status(outcomes);
+  const std::vector<Fault> unwritten = write_result([&] {
+    streams.close();
+    write(folder, outcomes, comparison);
+  });
+  const auto print = [&] {
+    if (running.json) print_json(comparison, folder.target());
+    if (running.prints_text())
+      print_summary(comparison, folder.target(), outcomes.front().wall_seconds, unwritten.empty());
+  };
+  const int printed = print_result(print, unwritten, success);
+  return unwritten.empty() ? report_exit_status(outcomes) : printed;
 }
 
 }  // namespace

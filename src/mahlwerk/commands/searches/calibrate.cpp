@@ -20,6 +20,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/fit_report.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/observe/statistics.hpp"
@@ -254,8 +255,9 @@ cases::Case calibrated_case(const CalibrationJob& job, const Found& found,
   return made;
 }
 
-void print_summary(const report::CalibrationReport& found, const fs::path& place) {
+void print_summary(const report::CalibrationReport& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::calibration_table(found)));
+  if (!written) return;
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "fit.html").string());
   fmt::print("numbers:  {}\n", (place / "fit.json").string());
@@ -270,22 +272,27 @@ int calibrate(const FitArguments& given, const fs::path& file) {
   CalibrationJob job =
       campaign::calibration_job(file, given.data, known, given.changes.overrides(), given.settings);
   const fs::path usual = default_folder(given.target, file, false).string() + "-fit";
-  results::Folder folder(running.out.value_or(usual), running.force);
   catch_ctrl_c();
+  results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
     const Found found = find_calibration(running, job, kept);
     const report::CalibrationReport report = calibration_report(job, found);
-    folder.write("fit.json", json_of(report).text(2) + '\n');
-    folder.write("fit.csv", report::calibration_csv(report));
-    folder.write("posterior.csv", report::posterior_csv(report));
-    folder.write("fit.html", report::calibration_page(report, version()));
-    results::write_case(folder, calibrated_case(job, found, report), "calibrated.toml");
-    folder.commit();
-    kept.remove();
-    if (running.json) json_to_stdout(json_of(report));
-    if (running.prints_text()) print_summary(report, folder.target());
-    return success;
+    const std::vector<Fault> unwritten = write_result([&] {
+      folder.write("fit.json", json_of(report).text(2) + '\n');
+      folder.write("fit.csv", report::calibration_csv(report));
+      folder.write("posterior.csv", report::posterior_csv(report));
+      folder.write("fit.html", report::calibration_page(report, version()));
+      results::write_case(folder, calibrated_case(job, found, report), "calibrated.toml");
+      folder.commit();
+    });
+    if (unwritten.empty()) kept.remove();
+    const auto print = [&] {
+      if (running.json) json_to_stdout(json_of(report));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, success);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }

@@ -8,14 +8,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
+#include "mahlwerk/cases/grinding.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/calibrate.hpp"
 #include "mahlwerk/commands/searches/fit_report.hpp"
+#include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 
 namespace mahlwerk::commands {
@@ -24,20 +29,56 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Runs each mill once. Its result files are not kept.
-std::vector<results::Outcome> run_mills(const Running& running, const campaign::FitJob& job,
-                                        const results::Folder& folder) {
+std::vector<results::Outcome> run_mills(const FitArguments& given, const campaign::FitJob& job,
+                                        const results::Folder& folder, ResumableSearch& kept) {
   campaign::Streams streams(version());
   for (const cases::Case& mill : job.mills) streams.add(mill, folder, "");
-  return compute(running, job.mills, streams);
+  return compute(given.running, job.mills, streams, kept.runs(), given.checkpoint);
+}
+
+/// Text of all inputs that determine the evaluations of a fit.
+std::string identity_of(const campaign::FitJob& job) {
+  std::string text = fmt::format("version {}\n", version());
+  for (const cases::Case& mill : job.mills)
+    text += cases::write(mill) + cases::input_files_fingerprint(mill);
+  for (const campaign::FreeParameter& p : job.parameters)
+    text += fmt::format("{} {} {}\n", p.name, p.least, p.most);
+  for (const campaign::Measurement& m : job.data.values)
+    text += fmt::format("{} {} {} {} {} {} {}\n", static_cast<int>(m.what), m.condition, m.time,
+                        m.percent, m.size, m.value, m.error);
+  return text;
 }
 
 campaign::Fit find(const Running& running, const campaign::FitJob& job,
-                   const std::vector<results::Outcome>& mills) {
+                   const std::vector<results::Outcome>& mills, campaign::FitEvaluations& kept) {
+  if (kept.count() > 0 && running.prints_text())
+    to_stderr(fmt::format("resuming a fit with {} kept evaluations\n", kept.count()));
   ProgressLine line(running.quiet);
-  return campaign::fit(mills, job.data, job.parameters,
-                       {.threads = running.threads, .stop = &stop_wanted(), .progress = [&](int n) {
-                          line.show(fmt::format("fitting: {} evaluations of the powder model", n));
-                        }});
+  return campaign::fit(
+      mills, job.data, job.parameters,
+      {.threads = running.threads,
+       .stop = &stop_wanted(),
+       .progress =
+           [&](int n, int usual) {
+             line.show(
+                 fmt::format("fitting: {} of about {} evaluations of the powder model", n, usual));
+           },
+       .kept = &kept});
+}
+
+/// The best values so far as part of a message; empty if none was found.
+std::string best_so_far(const campaign::FitJob& job, const campaign::FitEvaluations& kept) {
+  if (!kept.best()) return "";
+  const std::vector<cases::FitParameter> known = cases::fit_parameters(job.base);
+  std::string list;
+  for (std::size_t i = 0; i < job.parameters.size(); ++i) {
+    const auto of = std::ranges::find(known, job.parameters[i].name, &cases::FitParameter::key);
+    const std::string unit = of == known.end() ? "" : of->unit;
+    list += fmt::format("{}{} = {:.4g}{}{}", i > 0 ? ", " : "", job.parameters[i].name,
+                        kept.best()->values[i], unit.empty() ? "" : " ", unit);
+  }
+  return fmt::format("the best of {} evaluations so far is {} (sum of squares {:.4g}); ",
+                     kept.count(), list, kept.best()->sum);
 }
 
 void write(results::Folder& folder, const campaign::FitJob& job, const report::FitReport& found) {
@@ -48,30 +89,54 @@ void write(results::Folder& folder, const campaign::FitJob& job, const report::F
   folder.commit();
 }
 
-void print_summary(const report::FitReport& found, const fs::path& place) {
+void print_summary(const report::FitReport& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::fit_table(found)));
+  if (!written) return;
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "fit.html").string());
   fmt::print("numbers:  {}\n", (place / "fit.json").string());
   fmt::print("case:     {}\n", (place / "fitted.toml").string());
 }
 
-int report_no_fit() {
-  return report_end(interrupted, "interrupted: nothing was fitted.",
-                    {Fault{"", "interrupted", "nothing was fitted", "interrupted"}});
-}
-
-/// A fit needs complete runs of all mills: reports a run that stopped or was interrupted, and
-/// returns its exit code.
-int cut_short(const std::vector<results::Outcome>& mills) {
-  if (std::ranges::all_of(mills, results::complete)) return success;
+/// A fit needs complete runs of all mills: reports a run that was stopped.
+int report_stopped(const std::vector<results::Outcome>& mills) {
   for (const results::Outcome& mill : mills)
     for (const results::Replicate& r : mill.replicates)
       if (!r.stop_reason.empty())
         return report_end(stopped_by_physics,
                           fmt::format("stopped: {}\nNothing was fitted.", r.stop_reason),
                           {Fault{"", r.stop_reason, "nothing was fitted", "stopped"}});
-  return report_no_fit();
+  return success;
+}
+
+/// Fits, writes and prints the result. `kept` is removed once it is written.
+int fit_powder(const FitArguments& given, const campaign::FitJob& job, results::Folder& folder,
+               ResumableSearch& kept) {
+  const Running& running = given.running;
+  const std::vector<results::Outcome> mills = run_mills(given, job, folder, kept);
+  if (const int code = report_stopped(mills); code != success) return code;
+  if (stop_wanted()) return kept.report_interrupted();
+  WriteErrorReporter not_kept;
+  campaign::FitEvaluations evaluations(kept.trials(), identity_of(job),
+                                       given.checkpoint.value_or(1), std::ref(not_kept));
+  try {
+    const campaign::Fit found = find(running, job, mills, evaluations);
+    not_kept.repeat();
+    const report::FitReport report = fit_report(job, mills, found);
+    const std::vector<Fault> unwritten = write_result([&] { write(folder, job, report); });
+    if (unwritten.empty())
+      kept.remove();
+    else
+      evaluations.flush();
+    const auto print = [&] {
+      if (running.json) json_to_stdout(fit_json(report, version()));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, success);
+  } catch (const Interrupted&) {
+    evaluations.flush();
+    return kept.report_interrupted(best_so_far(job, evaluations));
+  }
 }
 
 int fit(const FitArguments& given) {
@@ -81,21 +146,11 @@ int fit(const FitArguments& given) {
   if (campaign::calibrates(file, set)) return calibrate(given, file);
   const campaign::FitJob job = campaign::fit_job(file, given.data, catalogue(), set);
   const fs::path usual = default_folder(given.target, file, false).string() + "-fit";
-  results::Folder folder(running.out.value_or(usual), running.force);
-
   catch_ctrl_c();
-  const std::vector<results::Outcome> mills = run_mills(running, job, folder);
-  if (const int code = cut_short(mills); code != success) return code;
-  try {
-    const campaign::Fit found = find(running, job, mills);
-    const report::FitReport report = fit_report(job, mills, found);
-    write(folder, job, report);
-    if (running.json) json_to_stdout(fit_json(report, version()));
-    if (running.prints_text()) print_summary(report, folder.target());
-  } catch (const Interrupted&) {
-    return report_no_fit();
-  }
-  return success;
+  results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
+  ResumableSearch kept(folder.target(), "evaluations", "the evaluations of the fit");
+  return fit_powder(given, job, folder, kept);
 }
 
 }  // namespace

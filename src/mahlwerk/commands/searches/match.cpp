@@ -15,6 +15,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/match.hpp"
@@ -146,18 +147,20 @@ results::Json match_json(const report::MatchReport& found) {
                        {"search", optimum_json(found.search, version())}});
 }
 
-void print_summary(const report::MatchReport& found, const fs::path& place) {
+void print_summary(const report::MatchReport& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b,
                         report::match_table(found)));
+  if (!written) return;
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "match.html").string());
   fmt::print("settings: {}\n", (place / "settings.csv").string());
   if (found.search.best) fmt::print("case:     {}\n", (place / "best.toml").string());
 }
 
-/// Searches the settings of B, runs B at the best setting with new seeds, and writes the results.
+/// Searches the settings of B, runs B at the best setting with new seeds, and writes the results of
+/// both mills. `unwritten` takes why they cannot be written.
 report::MatchReport find(const MatchArguments& given, MatchJob& job, const results::Folder& folder,
-                         ResumableSearch& kept) {
+                         ResumableSearch& kept, std::vector<Fault>& unwritten) {
   constexpr int anew = 1'000'000;  // first replicate, beyond those that the search uses
   const cases::Case& base = job.runs->base();
   const results::Outcome a = whole(given, job.like, "A", folder, kept.runs());
@@ -176,7 +179,7 @@ report::MatchReport find(const MatchArguments& given, MatchJob& job, const resul
                            .search = report_of(search, found)};
   made.search.check = check_best(given.running, search, found, kept);
   results::count(made.notices, a.notices);
-  report::write(folder, a, version(), "a/");
+  unwritten = write_result([&] { report::write(folder, a, version(), "a/"); });
   if (!found.best) return made;
   const campaign::DesignPoint& point = found.trials[*found.best].point;
   const int count = static_cast<int>(base.match->replicates);
@@ -185,9 +188,12 @@ report::MatchReport find(const MatchArguments& given, MatchJob& job, const resul
   compare_mills(job, campaign::mill_spectra(b, job.by_powder), made);
   results::count(made.notices, b.notices);
   results::sort(made.notices);
-  report::write(folder, b, version(), "b/");
-  results::write_case(folder, job.runs->at(point, 0, static_cast<int>(base.run.replicates)),
-                      "best.toml");
+  if (unwritten.empty())
+    unwritten = write_result([&] {
+      report::write(folder, b, version(), "b/");
+      results::write_case(folder, job.runs->at(point, 0, static_cast<int>(base.run.replicates)),
+                          "best.toml");
+    });
   return made;
 }
 
@@ -212,19 +218,26 @@ int match(const MatchArguments& given) {
   job.by_powder = has_powder(job.like) && has_powder(mill_case);
   job.like.run.replicates = std::max(job.like.run.replicates, mill_case.match->replicates);
   const fs::path usual = default_folder(given.in, file_b, false).string() + "-match";
-  results::Folder folder(running.out.value_or(usual), running.force);
   catch_ctrl_c();
+  results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
-    const report::MatchReport found = find(given, job, folder, kept);
-    folder.write("match.json", match_json(found).text(2) + '\n');
-    folder.write("settings.csv", report::optimum_csv(found.search));
-    folder.write("match.html", report::match_page(found, version()));
-    folder.commit();
-    kept.remove();
-    if (running.json) json_to_stdout(match_json(found));
-    if (running.prints_text()) print_summary(found, folder.target());
-    return found.search.best ? success : stopped_by_physics;
+    std::vector<Fault> unwritten;
+    const report::MatchReport found = find(given, job, folder, kept, unwritten);
+    if (unwritten.empty())
+      unwritten = write_result([&] {
+        folder.write("match.json", match_json(found).text(2) + '\n');
+        folder.write("settings.csv", report::optimum_csv(found.search));
+        folder.write("match.html", report::match_page(found, version()));
+        folder.commit();
+      });
+    if (unwritten.empty()) kept.remove();
+    const auto print = [&] {
+      if (running.json) json_to_stdout(match_json(found));
+      if (running.prints_text()) print_summary(found, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, found.search.best ? success : stopped_by_physics);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/writer.hpp"
@@ -24,8 +25,9 @@ void write(const results::Folder& folder, const report::OptimumReport& found) {
   folder.write("optimise.html", report::optimum_page(found, version()));
 }
 
-void print_summary(const report::OptimumReport& found, const fs::path& place) {
+void print_summary(const report::OptimumReport& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::optimum_table(found)));
+  if (!written) return;
   fmt::print("results:  {}\n", place.string());
   fmt::print("report:   {}\n", (place / "optimise.html").string());
   fmt::print("settings: {}\n", (place / "settings.csv").string());
@@ -48,23 +50,29 @@ int optimise(const CaseArguments& given) {
   const campaign::TrialRuns runs(file, known, set, cases::ValueSource::optimise);
   const campaign::SearchJob job = campaign::optimise_job(runs);
   const fs::path usual = default_folder(given.target, file, false).string() + "-optimise";
-  results::Folder folder(running.out.value_or(usual), running.force);
   catch_ctrl_c();
+  results::Folder folder(running.out.value_or(usual), running.force);
+  folder.reserve();
   ResumableSearch kept(folder.target());
   try {
     const campaign::Optimum found = run_search(running, job, kept);
     report::OptimumReport report = report_of(job, found);
     report.check = check_best(running, job, found, kept);
-    write(folder, report);
-    if (found.best) {
-      const int count = static_cast<int>(runs.base().run.replicates);
-      results::write_case(folder, runs.at(found.trials[*found.best].point, 0, count), "best.toml");
-    }
-    folder.commit();
-    kept.remove();
-    if (running.json) json_to_stdout(optimum_json(report, version()));
-    if (running.prints_text()) print_summary(report, folder.target());
-    return found.best ? success : stopped_by_physics;
+    const std::vector<Fault> unwritten = write_result([&] {
+      write(folder, report);
+      if (found.best) {
+        const int count = static_cast<int>(runs.base().run.replicates);
+        results::write_case(folder, runs.at(found.trials[*found.best].point, 0, count),
+                            "best.toml");
+      }
+      folder.commit();
+    });
+    if (unwritten.empty()) kept.remove();
+    const auto print = [&] {
+      if (running.json) json_to_stdout(optimum_json(report, version()));
+      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+    };
+    return print_result(print, unwritten, found.best ? success : stopped_by_physics);
   } catch (const Interrupted&) {
     return kept.report_interrupted();
   }

@@ -118,8 +118,9 @@ Json check_json(const report::OptimumReport& found) {
 
 }  // namespace
 
-ResumableSearch::ResumableSearch(const std::filesystem::path& results)
-    : runs_(results), trials_(runs_.folder() / "trials.sqlite") {}
+ResumableSearch::ResumableSearch(const std::filesystem::path& results, const char* file,
+                                 std::string what)
+    : runs_(results), trials_(runs_.folder() / file), what_(std::move(what)) {}
 
 ResumableSearch::~ResumableSearch() {
   if (!removed_ && !has_trials() && !has_states()) remove();
@@ -137,9 +138,9 @@ bool ResumableSearch::has_states() const {
   return false;
 }
 
-int ResumableSearch::report_interrupted() const {
+int ResumableSearch::report_interrupted(const std::string& found) const {
   const bool trials = has_trials(), states = has_states();
-  std::string what = trials ? "the finished runs of the search" : "";
+  std::string what = trials ? what_ : "";
   if (trials && states) what += " and ";
   if (states) what += "checkpoints of the mills' own runs";
   const std::string remedy =
@@ -147,8 +148,8 @@ int ResumableSearch::report_interrupted() const {
                    : fmt::format("{} are kept in {}; run the same command again to resume", what,
                                  runs_.folder().string());
   const std::string words =
-      what.empty() ? "interrupted before any run ended: " + remedy : "interrupted: " + remedy;
-  return report_end(interrupted, words, {Fault{"", "interrupted", remedy, "interrupted"}});
+      (what.empty() ? "interrupted before any run ended: " : "interrupted: ") + found + remedy;
+  return report_end(interrupted, words, {Fault{"", "interrupted", found + remedy, "interrupted"}});
 }
 
 void ResumableSearch::remove() {

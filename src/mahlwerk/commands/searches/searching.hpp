@@ -19,16 +19,19 @@ namespace mahlwerk::commands {
 /// it holds neither.
 class ResumableSearch {
  public:
-  /// Throws InputError as ResumableRuns does.
-  explicit ResumableSearch(const std::filesystem::path& results);
+  /// `file`: name of that of the trials, `what`: what they are. Throws InputError as ResumableRuns
+  /// does.
+  explicit ResumableSearch(const std::filesystem::path& results, const char* file = "trials.sqlite",
+                           std::string what = "the finished runs of the search");
   ~ResumableSearch();
   ResumableSearch(const ResumableSearch&) = delete;
   ResumableSearch& operator=(const ResumableSearch&) = delete;
 
   campaign::ResumableRuns& runs() { return runs_; }
   const std::filesystem::path& trials() const { return trials_; }
-  int report_interrupted() const;  ///< reports what is kept; returns the exit code
-  void remove();                   ///< call after the results are written
+  /// Reports what is kept, after `found`: what was found so far. Returns the exit code.
+  int report_interrupted(const std::string& found = {}) const;
+  void remove();  ///< call after the results are written
 
  private:
   bool has_trials() const;
@@ -36,6 +39,7 @@ class ResumableSearch {
 
   campaign::ResumableRuns runs_;
   std::filesystem::path trials_;
+  std::string what_;
   bool removed_ = false;
 };
 

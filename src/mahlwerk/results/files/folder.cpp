@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* reserved = ".reserved";  // a file that keeps space on the disk
+
 InputError in_use_error(const fs::path& target) {
   return InputError(Fault{target.string(), "another process is at work on a result for this folder",
                           "wait until it ends, or give another folder with --out",
@@ -82,9 +84,12 @@ bool is_other_process(std::string_view number) {
   return process != own_process_id() && process_exists(process);
 }
 
+enum class Leftovers { partial, all };
+
 /// Removes the hidden folders that killed runs left beside the target; this process holds the lock
-/// of the target's name. A complete result that could not be put in place stays.
-void remove_leftovers(const fs::path& target) {
+/// of the target's name. A result whose process was killed before it was put in place goes only
+/// once another one is there; one that could not be put in place (keep_complete()) stays.
+void remove_leftovers(const fs::path& target, Leftovers which) {
   if (target.parent_path().filename() == campaign_runs) return;  // the campaign removes them
   const std::string partial = hidden(target, "partial"), replaced = hidden(target, "replaced");
   std::vector<fs::path> remains;
@@ -95,7 +100,7 @@ void remove_leftovers(const fs::path& target) {
       return name.starts_with(before) &&
              !is_other_process(std::string_view(name).substr(before.size()));
     };
-    if ((remaining(partial) && !listed_files(entry.path())) ||
+    if ((remaining(partial) && (which == Leftovers::all || !listed_files(entry.path()))) ||
         (remaining(replaced) && fs::exists(target) && foreign_files(entry.path()).empty()))
       remains.push_back(entry.path());
   }
@@ -134,7 +139,7 @@ Folder::Folder(const fs::path& target, bool force) : force_(force) {
     if (lock_->state() == FileLock::State::held_elsewhere) throw in_use_error(target_);
     check_replaceable(target_,
                       force);  // again: the previous holder of the lock may have written there
-    if (lock_->state() == FileLock::State::held) remove_leftovers(target_);
+    if (lock_->state() == FileLock::State::held) remove_leftovers(target_, Leftovers::partial);
     staging_ = sibling(target_, "partial");
     while (listed_files(staging_))
       staging_ += "-";  // a complete result of a process with the same id
@@ -158,16 +163,28 @@ fs::path Folder::file(std::string_view name) const {
   return path;
 }
 
+void Folder::reserve() {
+  constexpr std::size_t size = 4U << 20U;  // of a report with a replay, its tables and summary
+  if (const int failed = reserve_space(staging_ / reserved, size); failed != 0)
+    throw cannot_write(target_, fmt::format("{} ({} MB are needed for a result)",
+                                            std::strerror(failed), size >> 20U));
+}
+
 void Folder::write(std::string_view name, std::string_view text) const {
+  std::error_code none;
+  fs::remove(staging_ / reserved, none);
   if (const int failed = write_bytes(file(name), text); failed != 0)
     throw cannot_write(target_ / name, std::strerror(failed));
 }
 
 void Folder::commit() {
   done_ = true;  // from here on the result is kept even on failure: it may have taken hours
+  std::error_code none;
+  fs::remove(staging_ / reserved, none);
   try {
     list_all_files(staging_);
     put_in_place();
+    if (lock_->state() == FileLock::State::held) remove_leftovers(target_, Leftovers::all);
   } catch (const std::exception& e) {
     keep_complete();
     throw InputError(Fault{
@@ -202,6 +219,32 @@ void Folder::put_in_place() const {
 void write_text(const fs::path& file, std::string_view text) {
   if (const int failed = write_bytes(file, text); failed != 0)
     throw cannot_write(file, std::strerror(failed));
+}
+
+void write_whole(const fs::path& name, const std::function<void(const fs::path&)>& write) {
+  std::error_code none;
+  const fs::path file = fs::is_symlink(name, none) ? fs::weakly_canonical(name, none) : name;
+  if (fs::exists(file, none) && !fs::is_regular_file(file, none)) return write(file);  // a device
+  fs::path aside = file.string() + ".part";
+  for (int i = 1; fs::exists(fs::symlink_status(aside, none)) && !fs::is_regular_file(aside, none);
+       ++i)
+    aside = fmt::format("{}.part-{}", file.string(), i);
+  try {
+    write(aside);
+    std::error_code failed;
+    fs::rename(aside, file, failed);
+    if (failed) throw cannot_write(file, failed.message());
+  } catch (...) {
+    fs::remove(aside, none);
+    throw;
+  }
+}
+
+void write_whole(const fs::path& file, std::string_view text) {
+  write_whole(file, [&](const fs::path& aside) {
+    if (const int failed = write_bytes(aside, text); failed != 0)
+      throw cannot_write(file, std::strerror(failed));
+  });
 }
 
 void append_text(const fs::path& file, std::string_view text) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,10 @@ class Folder {
   std::filesystem::path file(std::string_view name) const;
   void write(std::string_view name, std::string_view text) const;
 
+  /// Keeps space on the disk for the files that write() writes, until the first of them. Throws
+  /// InputError if the disk is too full for a result.
+  void reserve();
+
   /// Moves the staging folder to the target. A replaced result is removed only after that. On
   /// failure the result is kept, and the InputError says where.
   void commit();
@@ -53,6 +58,13 @@ InputError cannot_write(const std::filesystem::path& place, const std::string& w
 
 /// Writes a whole file. Throws InputError with the reason on failure.
 void write_text(const std::filesystem::path& file, std::string_view text);
+
+/// Lets `write` write the file under another name, then renames it: nobody sees a part of it, and
+/// no part stays. A device is written as it is. Throws InputError with the reason on failure.
+void write_whole(const std::filesystem::path& file,
+                 const std::function<void(const std::filesystem::path& aside)>& write);
+/// The same with a text.
+void write_whole(const std::filesystem::path& file, std::string_view text);
 
 /// Appends to a file, or creates it. Lines that several processes append stay whole.
 void append_text(const std::filesystem::path& file, std::string_view text);

@@ -34,8 +34,16 @@ void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
                      const std::vector<Vec3>& forces) {
   const Frame frame{time, balls, forces, kinematics::frame_motion(*chamber_.motion, time).centre,
                     kinematics::rotation(*chamber_.motion, time) * chamber_.mount};
+  if (!failed_) write(frame);
+}
+
+void FrameFiles::write(const Frame& frame) try {
   if (xyz_) xyz_->add(frame);
   if (vtk_) vtk_->add(frame);
+} catch (...) {
+  if (!keep_) throw;
+  failed_ = true;
+  keep_(std::current_exception());
 }
 
 std::string frames_name(int replicate) {

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
@@ -27,8 +30,14 @@ class FrameFiles {
   /// forces on them, if known (scene::Engine::forces).
   void add(double time, const std::vector<scene::Ball>& balls,
            const std::vector<Vec3>& forces = {});
+  /// `keep` takes the first failure of add(), which then throws none and adds no more frames.
+  void on_failure(std::function<void(std::exception_ptr)> keep) { keep_ = std::move(keep); }
 
  private:
+  void write(const Frame& frame);
+
+  std::function<void(std::exception_ptr)> keep_;
+  bool failed_ = false;
   scene::Chamber chamber_;
   std::optional<XyzFrames> xyz_;
   std::optional<VtkFrames> vtk_;

@@ -16,14 +16,11 @@ static_assert(std::is_same_v<hid_t, Handle::Id> && std::is_same_v<herr_t, int>);
 std::unique_lock<std::mutex> hdf5_library() {
   static std::mutex library;
   std::unique_lock held(library);
-  // Disables the library's error trace on the terminal and its clean-up at exit, which retries
-  // without end on a full disk.
-  static const bool quiet = [] {
-    H5dont_atexit();
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return true;
-  }();
-  static_cast<void>(quiet);
+  // Disables the library's clean-up at exit, which retries without end on a full disk, and its
+  // error trace on the terminal. A thread-safe library has a trace for each thread.
+  static const int no_clean_up = H5dont_atexit();
+  static_cast<void>(no_clean_up);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   return held;
 }
 

@@ -144,7 +144,7 @@ Json notices_json(const NoticeCounts& counts) {
   return list;
 }
 
-std::string summary_json(const Outcome& outcome, std::string_view version) {
+Json summary_of(const Outcome& outcome, std::string_view version) {
   const Summary& summary = outcome.summary;
   Json all;
   all["_about"] = about(outcome, version);
@@ -154,7 +154,11 @@ std::string summary_json(const Outcome& outcome, std::string_view version) {
   if (summary.sensitivity) all["_sensitivity"] = sensitivity_of(*summary.sensitivity);
   if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
   if (summary.two_states) all["_states"] = states_of(*summary.two_states);
-  return all.text(2) + '\n';
+  return all;
+}
+
+std::string summary_json(const Outcome& outcome, std::string_view version) {
+  return summary_of(outcome, version).text(2) + '\n';
 }
 
 }  // namespace mahlwerk::results

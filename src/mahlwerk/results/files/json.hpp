@@ -12,6 +12,8 @@
 
 namespace mahlwerk::results {
 
+/// The content of summary.json.
+Json summary_of(const Outcome& outcome, std::string_view version);
 /// Text of summary.json: an object for each quantity under its name, and "_about" with the case and
 /// the program. NaN is null.
 std::string summary_json(const Outcome& outcome, std::string_view version);

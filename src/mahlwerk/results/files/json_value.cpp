@@ -94,7 +94,11 @@ Json::Json(const char* text) : value_(std::string(text)) {}
 Json::Json(std::string_view text) : value_(std::string(text)) {}
 Json::Json(std::string text) : value_(std::move(text)) {}
 
-Json::Json(const Json&) = default;
+/// By assignment. In libstdc++ 12 the copy constructor of a variant that a vector may be in
+/// destroys a value that does not exist if the copy throws (std::bad_alloc).
+Json::Json(const Json& other) : Json() {
+  value_ = other.value_;
+}
 Json::Json(Json&&) noexcept = default;
 Json& Json::operator=(const Json&) = default;
 Json& Json::operator=(Json&&) noexcept = default;

@@ -27,6 +27,9 @@ std::optional<std::set<std::string>> listed_files(const fs::path& folder) {
   std::error_code none;
   if (!fs::is_regular_file(fs::symlink_status(file, none))) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
+  if (!in)
+    throw InputError(
+        Fault{file.string(), "cannot be read", "check your permissions there", "cannot-read"});
   std::string line;
   if (!std::getline(in, line) || line + '\n' != head) return std::nullopt;
   std::set<std::string> names{std::string(manifest_name)};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/files/process.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -15,6 +16,23 @@ int own_process_id() {
 
 bool process_exists(int id) {
   return ::kill(id, 0) == 0 || errno == EPERM;
+}
+
+int reserve_space(const std::filesystem::path& file, std::size_t size) {
+  int failed = 0;
+#ifdef __linux__
+  const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  if (made < 0) return errno;
+  if (::fallocate(made, 0, 0, static_cast<off_t>(size)) != 0) failed = errno;
+  ::close(made);
+  if (failed != 0) ::unlink(file.c_str());
+  // File systems without this call, and `ulimit -f`, say nothing about the space.
+  if (failed == EOPNOTSUPP || failed == ENOSYS || failed == EFBIG || failed == EINVAL) failed = 0;
+#else
+  static_cast<void>(file);
+  static_cast<void>(size);
+#endif
+  return failed;
 }
 
 }  // namespace mahlwerk::results

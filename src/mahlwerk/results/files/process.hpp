@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// Processes of this machine by their ids (POSIX).
+#include <cstddef>
+#include <filesystem>
+
+// Processes of this machine by their ids, and space on its disks (POSIX).
 namespace mahlwerk::results {
 
 int own_process_id();
 
 /// Whether there is a process with this id, of whatever user.
 bool process_exists(int id);
+
+/// Makes a file of this size [bytes], for which the disk keeps space. Returns 0, or the errno if
+/// the disk has no such space; 0 without a file where space cannot be kept.
+int reserve_space(const std::filesystem::path& file, std::size_t size);
 
 }  // namespace mahlwerk::results

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/start_threads.hpp"
+
 namespace mahlwerk::soft {
 namespace {
 
@@ -25,7 +27,7 @@ void wait_while(const std::atomic<T>& value, T old) {
 
 ThreadTeam::ThreadTeam(int threads)
     : ranges_(new WorkRange[static_cast<std::size_t>(std::max(threads, 1))]) {
-  for (int k = 1; k < threads; ++k) threads_.emplace_back([this, k] { work_loop(k); });
+  start_threads(threads_, threads - 1, [this](int k) { work_loop(k); });
 }
 
 std::int32_t ThreadTeam::WorkRange::take(bool from_the_end) {

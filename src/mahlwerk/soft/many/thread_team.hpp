@@ -16,7 +16,7 @@ namespace mahlwerk::soft {
 /// depend on the schedule.
 class ThreadTeam {
  public:
-  explicit ThreadTeam(int threads);
+  explicit ThreadTeam(int threads);  ///< fewer if the system has no more threads
   ~ThreadTeam();
   ThreadTeam(const ThreadTeam&) = delete;
   ThreadTeam& operator=(const ThreadTeam&) = delete;
