@@ -82,6 +82,8 @@ void read_all(const Store& store) {
   store.case_file();
   store.overrides();
   store.states();
+  store.runs();
+  store.without_folder(scratch());
   store.notices();
   std::vector<std::string> names;
   for (const results::Quantity& q : store.quantities()) names.push_back(q.name);
