@@ -3,6 +3,10 @@
 
 // `run --engine lammps` as a user gives it: folders, refusals, and results where LAMMPS is
 // installed.
+#include <sys/resource.h>
+
+#include <cmath>
+
 #include "lammps_cases.hpp"
 #include "mahlwerk/lammps/program.hpp"
 #include "program.hpp"
@@ -30,6 +34,19 @@ class LammpsRun : public ProgramTest {
     EXPECT_NE(r.output.find(because), std::string::npos) << words << "\n" << r.output;
     EXPECT_FALSE(fs::exists(here_ / "out")) << words;
     EXPECT_FALSE(fs::exists(here_ / "out.lammps")) << words;
+  }
+  /// A number of summary.json by the text before it.
+  double number(const std::string& summary, const std::string& before) const {
+    const std::string all = text(summary);
+    const std::size_t at = all.find(before);
+    return at == std::string::npos ? NAN : std::stod(all.substr(at + before.size()));
+  }
+  /// [s] of all programs that this one has started and that have ended.
+  static double cpu_of_children() {
+    rusage used{};
+    getrusage(RUSAGE_CHILDREN, &used);
+    return static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
   }
   static bool has_lammps() { return lammps::installed(1).faults.empty(); }
 };
@@ -139,6 +156,45 @@ TEST_F(LammpsRun, results_are_those_of_a_run_and_can_start_another) {
   EXPECT_EQ(r.code, 0) << r.output;
 }
 
+TEST_F(LammpsRun, quantities_that_lammps_does_not_know_are_absent) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  const std::string quick = "run drum.toml --set run.time='0.05 s' --set run.time_step='4 us' ";
+  const ProgramResult there = mahlwerk(quick + "--out there"),
+                      here = mahlwerk(quick + "--out here --engine soft");
+  ASSERT_EQ(there.code, 0) << there.output;
+  ASSERT_EQ(here.code, 0) << here.output;
+  for (const char* name :
+       {"energy_lost_mean", "energy_lost_mean_above_threshold", "dissipated_power_of_collisions",
+        "dissipated_power_of_lasting_contacts", "energy_residual", "energy_balance"}) {
+    const std::string entry = std::string("\"") + name + "\"";
+    EXPECT_EQ(text("there/summary.json").find(entry), std::string::npos) << name;
+    EXPECT_NE(text("here/summary.json").find(entry), std::string::npos) << name;
+  }
+  EXPECT_NE(text("there/summary.json").find("\"dissipated_power\""), std::string::npos);
+  // A residual that closes by definition is not printed as one, and none is missed.
+  EXPECT_EQ(there.output.find("residual  "), std::string::npos) << there.output;
+  EXPECT_EQ(there.output.find("does not close"), std::string::npos) << there.output;
+}
+
+TEST_F(LammpsRun, each_frame_of_the_replay_is_later_than_the_one_before) {
+  if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
+  // A film of three periods of 20 ms asks for 360 frames; LAMMPS writes 120 rows in that time.
+  write_case(lammps_case_text("vibration", "cylinder", 20));
+  replace("frequency = \"20 Hz\"", "frequency = \"50 Hz\"");
+  const ProgramResult r =
+      mahlwerk("run drum.toml --out out --quiet --set run.time='0.2 s' --set run.time_step='4 us'");
+  ASSERT_EQ(r.code, 0) << r.output;
+  const std::string page = text("out/report.html"), before = "\"times\":[";
+  const std::size_t at = page.find(before);
+  ASSERT_NE(at, std::string::npos) << "the report has no replay";
+  std::istringstream list(page.substr(at + before.size(), page.find(']', at) - at - before.size()));
+  std::vector<double> times;
+  for (std::string word; std::getline(list, word, ',');) times.push_back(std::stod(word));
+  EXPECT_GT(times.size(), 15U);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    EXPECT_GT(times[i], times[i - 1]) << "frame " << i << " of " << times.size();
+}
+
 TEST_F(LammpsRun, a_damaged_folder_is_not_taken_for_results) {
   if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
   const std::string words =
@@ -210,13 +266,21 @@ TEST_F(LammpsRun, ctrl_c_ends_lammps_and_the_run_goes_on) {
   if (!has_lammps()) GTEST_SKIP() << "LAMMPS is not installed";
   const std::string words =
       "run drum.toml --out out --set run.time='2 s' --set run.time_step='4 us'";
-  ProgramResult r = mahlwerk_until("out.lammps/replicate-1/restart.a", SIGINT, words);
+  const double before = cpu_of_children();
+  ProgramResult r = mahlwerk_until("out.lammps/replicate-1/restart.b", SIGINT, words);
   EXPECT_EQ(r.code, 130) << r.output;
   EXPECT_NE(r.output.find("--resume"), std::string::npos) << r.output;
   EXPECT_FALSE(fs::exists(here_ / "out.lammps/replicate-1/restart.end"));
   r = mahlwerk(words + " --resume");
   EXPECT_EQ(r.code, 0) << r.output;
   EXPECT_TRUE(fs::exists(here_ / "out.lammps/replicate-1/restart.end"));
+  EXPECT_NE(text("out/summary.json").find("lammps-restarted"), std::string::npos);
+  // The CPU time of both processes of LAMMPS counts. Starting, reading the case and the report do
+  // not; they take less than half.
+  const double all = cpu_of_children() - before,
+               counted = number("out/summary.json", "\"cpu_seconds\": ");
+  EXPECT_GT(counted, 0.5 * all) << "of " << all << " s";
+  EXPECT_LT(counted, all);
 }
 
 TEST_F(LammpsRun, a_run_that_ended_while_its_first_restart_file_was_written_begins_again) {

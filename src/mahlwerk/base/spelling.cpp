@@ -37,6 +37,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::string best;
   std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& k : known) {
+    const auto [shorter, longer] = std::minmax(word.size(), k.size());
+    if (longer - shorter >= least) continue;  // the distance is at least this
     const std::size_t d = distance(lower(word), lower(k));
     if (d < least && d < std::max(word.size(), k.size())) {
       least = d;

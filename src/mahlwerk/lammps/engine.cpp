@@ -64,14 +64,6 @@ class Engine final : public scene::Engine {
     run_.start(mill_case, steps.total);
   }
 
-  /// A run that has reached its end may write its last files.
-  ~Engine() override {
-    while (!stopped() && reached_.time >= steps_.time && !run_.ended())
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  Engine(const Engine&) = delete;
-  Engine& operator=(const Engine&) = delete;
-
   void advance(double time, scene::Observer& observer) override {
     while (reached_.time < time && !stopped()) {
       const bool ended = run_.ended();
@@ -80,11 +72,18 @@ class Engine final : public scene::Engine {
       if (ended) run_.end_early(reached_.time);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
+    // A run that has reached its end may write its last files.
+    while (!stopped() && reached_.time >= steps_.time && !run_.ended())
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     if (stopped()) run_.stop();
   }
   scene::EnergyBalance energy_balance() const override { return reached_; }
   std::vector<scene::Ball> balls() const override { return balls_; }
   std::optional<double> balls_time() const override { return balls_time_; }
+  double cpu_seconds_elsewhere() const override { return run_.cpu_seconds(); }
+  int restarts() const override {
+    return std::max(0, static_cast<int>(sessions(run_.folder()).size()) - 1);
+  }
   void serialize(Archive&) override {
     throw RunError("a run by LAMMPS keeps its state in restart files of its own");
   }

@@ -12,4 +12,7 @@ Notices model_notices(const cases::Case& mill_case);
 /// The same, and how the numbers of a run with LAMMPS were got.
 Notices notices(const cases::Case& mill_case);
 
+/// Of a run whose LAMMPS went on from a restart file so many times.
+Notices restart_notices(int restarts);
+
 }  // namespace mahlwerk::lammps

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -185,13 +186,20 @@ Running::Running(const fs::path& folder, const std::vector<std::string>& given) 
   ::setpgid(child_, child_);
 }
 
-bool Running::ended() {
-  if (child_ < 0) return true;
-  int status = 0;
-  if (::waitpid(child_, &status, WNOHANG) != child_) return false;
-  status_ = status;
+/// Takes over the status of a child that has ended, and the CPU time of it and of its own children.
+bool Running::collect(int options) {
+  rusage used{};
+  if (::wait4(child_, &status_, options, &used) != child_) return false;
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  cpu_seconds_ = seconds(used.ru_utime) + seconds(used.ru_stime);
   child_ = -1;
   return true;
+}
+
+bool Running::ended() {
+  return child_ < 0 || collect(WNOHANG);
 }
 
 void Running::stop() {
@@ -205,7 +213,7 @@ void Running::stop() {
   ::kill(-group, SIGTERM);
   wait_until([&] { return ended(); });
   ::kill(-group, SIGKILL);  // and what the leader left behind
-  if (child_ >= 0) ::waitpid(child_, &status_, 0);
+  if (child_ >= 0) collect(0);
   child_ = -1;
   wait_until([&] { return ::kill(-group, 0) != 0; });
   wait_until([&] { return at_work_in(folder_).empty(); });  // ranks of mpirun have other groups

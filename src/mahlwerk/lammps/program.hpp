@@ -33,10 +33,15 @@ class Running {
   bool ended();  ///< whether it has ended by itself
   bool succeeded() const { return status_ == 0; }
   void stop();  ///< ends it and all its ranks, and waits
+  /// [s] CPU time of it and its ranks, once it has ended.
+  double cpu_seconds() const { return cpu_seconds_; }
 
  private:
+  bool collect(int options);
+
   std::filesystem::path folder_;
   int child_ = -1, status_ = -1;
+  double cpu_seconds_ = 0;
 };
 
 /// Waits until no LAMMPS of an earlier run is at work in `folder`, for up to ten seconds. Throws

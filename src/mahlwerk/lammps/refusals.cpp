@@ -108,10 +108,25 @@ Notices notices(const cases::Case& c) {
       "the body force; dissipated power from the balance of energy (lmp.7); every contact of "
       "two balls is counted, and its speeds are those at first touch in a frame, or of a like "
       "contact that a frame shows (lmp.10); collisions with the jar from frequent looks for "
-      "new contacts (lmp.9, lmp.11). The losses of a collision are those of an undisturbed "
-      "one; what contacts lose after that is dissipated_power_of_lasting_contacts.")};
+      "new contacts (lmp.9, lmp.11). In tables, the losses of a collision are those "
+      "of an undisturbed one. No residual of energy is given: the balance closes by its "
+      "definition.")};
   append(list, model_notices(c));
   return list;
+}
+
+Notices restart_notices(int restarts) {
+  if (restarts == 0) return {};
+  return {note(
+      "lammps-restarted",
+      fmt::format(
+          "LAMMPS went on {} from a restart file. It sums forces in another order from there on, "
+          "so "
+          "that the balls part by chaos from those of a run that nothing interrupted. The numbers "
+          "differ as those of two starts do: in a drum of 40 balls by 2.4 % in power and 9 % in "
+          "hits above the threshold (root mean square of 16 runs), without a bias in power of more "
+          "than 2 %.",
+          restarts == 1 ? std::string("once") : fmt::format("{} times", restarts)))};
 }
 
 }  // namespace mahlwerk::lammps

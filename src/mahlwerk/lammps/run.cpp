@@ -18,6 +18,11 @@
 
 namespace mahlwerk::lammps {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* cpu_file = "cpu.txt";  // [s] of all runs of the folder that have ended
+
+}  // namespace
 
 Run::Run(const Launch& launch) : folder_(launch.folder), ranks_(std::max(1, launch.ranks)) {
   if (folder_.empty()) {
@@ -28,12 +33,32 @@ Run::Run(const Launch& launch) : folder_(launch.folder), ranks_(std::max(1, laun
     temporary_ = true;
   }
   resumes_ = launch.resume && fs::exists(folder_ / "in.lammps");
+  if (resumes_) std::ifstream(folder_ / cpu_file) >> earlier_cpu_;
 }
 
 Run::~Run() {
-  running_.reset();
+  stop();
   std::error_code ignored;
   if (temporary_) fs::remove_all(folder_, ignored);
+}
+
+bool Run::ended() {
+  if (!running_) return true;
+  const bool now = running_->ended();
+  if (now) keep_cpu_seconds();
+  return now;
+}
+
+void Run::stop() {
+  if (!running_) return;
+  running_->stop();
+  keep_cpu_seconds();
+  earlier_cpu_ = cpu_seconds();
+  running_.reset();
+}
+
+void Run::keep_cpu_seconds() const {
+  std::ofstream(folder_ / cpu_file) << fmt::format("{:.6g}\n", cpu_seconds());
 }
 
 void Run::start(const cases::Case& mill_case, std::int64_t last) {

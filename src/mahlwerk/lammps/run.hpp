@@ -32,8 +32,10 @@ class Run {
   /// restart file that LAMMPS can read. Throws InputError if the folder is that of another case, or
   /// LAMMPS is missing; RunError if it cannot be started.
   void start(const cases::Case& mill_case, std::int64_t last);
-  bool ended() { return !running_ || running_->ended(); }
-  void stop() { running_.reset(); }
+  bool ended();
+  void stop();
+  /// [s] CPU time of LAMMPS in this run and in those that it goes on with, as far as they ended.
+  double cpu_seconds() const { return earlier_cpu_ + (running_ ? running_->cpu_seconds() : 0); }
   /// Throws the RunError of a LAMMPS that stopped at `time` [s].
   [[noreturn]] void end_early(double time) const;
 
@@ -43,10 +45,12 @@ class Run {
   std::vector<std::string> command() const;
   bool start_from_restart_file();
   std::vector<std::filesystem::path> restart_files() const;
+  void keep_cpu_seconds() const;
 
   std::filesystem::path folder_;
   bool temporary_ = false, resumes_ = false;
   int ranks_ = 1;
+  double earlier_cpu_ = 0;  // [s]
   std::unique_ptr<Running> running_;
 };
 

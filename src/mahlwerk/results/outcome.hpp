@@ -80,6 +80,7 @@ struct Replicate {
   std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
   std::vector<scene::Ball> balls_at_end;   ///< with observe.final_state: in the carrier's axes
   double cpu_seconds = 0;
+  int restarts = 0;  ///< of LAMMPS, from its restart files
   /// Gives back memory that a result does not need; nothing is added from then on.
   void pack() {
     tally.pack();

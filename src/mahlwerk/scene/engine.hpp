@@ -44,6 +44,12 @@ class Engine {
   /// if contacts are instantaneous.
   virtual std::vector<Vec3> forces() const { return {}; }
 
+  /// [s] CPU time so far of another program that computes for this engine, once that has ended.
+  virtual double cpu_seconds_elsewhere() const { return 0; }
+
+  /// How often that program went on from a file of its own, from where on its numbers are others.
+  virtual int restarts() const { return 0; }
+
   /// Writes the present state to `archive`, or restores it from there. A restored engine made from
   /// the same case continues bit-identically.
   virtual void serialize(Archive& archive) = 0;

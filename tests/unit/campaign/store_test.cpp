@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/store/sqlite.hpp"
 
 namespace mahlwerk::campaign::store_test {
 namespace {
@@ -283,6 +284,32 @@ TEST_F(StoreTest, one_process_at_a_time_holds_a_campaign) {
   }
   EXPECT_FALSE(CampaignLock::held(file("campaign.lock")));
   const CampaignLock again(file("campaign.lock"));
+}
+
+TEST_F(StoreTest, a_damaged_store_is_refused_with_what_is_wrong) {
+  const auto reason = [&](const std::string& damage) -> std::string {
+    fs::remove(file());
+    {
+      Store store(file(), Store::Access::shard);
+      store.plan(planned({7, 8}));
+    }
+    Database(file(), Database::Access::write).run(damage);
+    try {
+      const Store store(file(), Store::Access::read);
+      store.runs();
+      store.states();
+      return "";
+    } catch (const InputError& error) {
+      return error.faults().front().what;
+    }
+  };
+  EXPECT_EQ(reason("UPDATE campaign SET value = value"), "");
+  EXPECT_EQ(reason("UPDATE points SET hash = 'zebra' WHERE point = 1"),
+            "the store is damaged: \"zebra\" is not the identity of a run");
+  EXPECT_EQ(reason("UPDATE runs SET hash = '' WHERE hash LIKE '%7'"),
+            "the store is damaged: \"\" is not the identity of a run");
+  EXPECT_EQ(reason("UPDATE runs SET status = 'undone'"),
+            "the store is damaged: a run is \"undone\"");
 }
 
 }  // namespace

@@ -24,6 +24,27 @@ TEST(CaseFaults, files_that_are_not_there) {
   EXPECT_EQ(code("."), "no-such-file");
 }
 
+/// A device may have no end.
+TEST(CaseFaults, devices_and_folders_are_no_files_of_numbers) {
+  const Folder folder;
+  const auto code = [&](const std::string& text) {
+    folder.write("case.toml", text);
+    try {
+      read(folder.path() / "case.toml", catalogue());
+    } catch (const InputError& error) {
+      return error.faults().at(0).code;
+    }
+    return std::string();
+  };
+  for (const std::string place : {"/dev/null", "."})
+    EXPECT_EQ(code(with(with(with(vial, "kind", "kind = \"tabulated\"\nfile = \"" + place + "\""),
+                             "frequency", ""),
+                        "amplitude", "")),
+              "no-such-file")
+        << place;
+  EXPECT_EQ(code(with(vial, "time", "time = \"1 s\"\nstart_from = \"/dev/null\"")), "no-such-file");
+}
+
 TEST(CaseFaults, bad_rows_of_a_measured_motion) {
   const Folder folder;
   folder.write("case.toml", with(with(with(vial, "kind", "kind = \"tabulated\"\nfile = \"m.csv\""),

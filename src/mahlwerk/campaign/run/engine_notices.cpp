@@ -142,7 +142,12 @@ Notices engine_notices(const results::Outcome& outcome, const EngineChoice& choi
   for (const std::string& reason : choice.reason) notes.push_back(note("engine-chosen", reason));
   if (std::string grains = cases::grains_note(outcome.mill_case); !grains.empty())
     notes.push_back(note("powder-as-grains", std::move(grains)));
-  if (choice.engine == cases::EngineName::lammps) append(notes, lammps::notices(outcome.mill_case));
+  if (choice.engine == cases::EngineName::lammps) {
+    append(notes, lammps::notices(outcome.mill_case));
+    int most = 0;
+    for (const results::Replicate& r : outcome.replicates) most = std::max(most, r.restarts);
+    append(notes, lammps::restart_notices(most));
+  }
   if (cases::in_time_steps(choice.engine)) {
     append(notes, soft_notices(outcome.mill_case));
     append(notes, speed_notices(outcome.mill_case, largest_collision_speed(outcome)));

@@ -286,6 +286,8 @@ results::Replicate ReplicateRun::result() const {
   if (given.complete && mill_case_->observe.final_state)
     given.balls_at_end = seen_from_carrier(
         *mill_case_, engine_->balls(), engine_->balls_time().value_or(given.energy_balance.time));
+  given.cpu_seconds += engine_->cpu_seconds_elsewhere();
+  given.restarts = engine_->restarts();
   results::grind(*mill_case_, given, index_);
   return given;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "mahlwerk/base/error.hpp"
@@ -24,8 +25,11 @@ constexpr std::array<std::string_view, 3> state_words{"waiting", "done", "failed
 std::string_view word_of(RunState state) {
   return state_words[static_cast<std::size_t>(state)];
 }
-RunState state_of(std::string_view word) {
-  return static_cast<RunState>(std::ranges::find(state_words, word) - state_words.begin());
+
+InputError damaged(const std::filesystem::path& file, const std::string& what) {
+  return InputError(Fault{file.generic_string(), "the store is damaged: " + what,
+                          "restore it from a copy, or start from the beginning with --force",
+                          "store"});
 }
 
 /// Name of a column; the unit "%" is written "percent".
@@ -244,9 +248,33 @@ std::unordered_map<RunHash, RunState> Store::states() const {
   const std::lock_guard lock(mutex_);
   std::unordered_map<RunHash, RunState> found;
   Statement asked = database_.prepare("SELECT hash, status FROM runs");
-  while (asked.step())
-    found.emplace(std::stoull(asked.text(0), nullptr, 16), state_of(asked.text(1)));
+  while (asked.step()) {
+    const auto state = std::ranges::find(state_words, asked.text(1));
+    if (state == state_words.end())
+      throw damaged(database_.file(), fmt::format("a run is \"{}\"", asked.text(1).substr(0, 60)));
+    found.emplace(hash_in(asked, 0), static_cast<RunState>(state - state_words.begin()));
+  }
   return found;
+}
+
+std::vector<RunHash> Store::runs() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<RunHash> list;
+  Statement asked = database_.prepare("SELECT hash FROM points ORDER BY point");
+  while (asked.step()) list.push_back(hash_in(asked, 0));
+  return list;
+}
+
+RunHash Store::hash_in(const Statement& row, int column) const {
+  const std::string text = row.text(column);
+  RunHash hash = 0;
+  constexpr int hexadecimal = 16;
+  const auto [end, error] =
+      std::from_chars(text.data(), text.data() + text.size(), hash, hexadecimal);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw damaged(database_.file(),
+                  fmt::format("\"{}\" is not the identity of a run", text.substr(0, 60)));
+  return hash;
 }
 
 void Store::keep(const RunRecord& f) {

@@ -91,6 +91,8 @@ class Store {
   /// Replaces the plan. Known runs keep their state, new runs wait.
   void plan(const CampaignPlan& planned);
   std::unordered_map<RunHash, RunState> states() const;  ///< of all runs, also of earlier plans
+  std::vector<RunHash> runs() const;                     ///< of the points of the plan, in order
+  std::string planned() const;  ///< when the plan was made: UTC, ISO 8601; empty: never
 
   /// Finished runs whose results folder does not exist below `place`.
   std::vector<RunHash> without_folder(const std::filesystem::path& place) const;
@@ -123,6 +125,7 @@ class Store {
     std::string key, unit, column;
     bool numeric = false, follows = false;
   };
+  RunHash hash_in(const Statement& row, int column) const;
   void make_tables();
   void make_view();
   std::string query_of_results() const;

@@ -63,14 +63,18 @@ std::vector<RunHash> Store::without_folder(const std::filesystem::path& place) c
       database_.prepare("SELECT hash, folder FROM runs WHERE status = 'done' AND folder <> ''");
   std::error_code none;
   while (asked.step())
-    if (!std::filesystem::exists(place / asked.text(1), none))
-      lost.push_back(std::stoull(asked.text(0), nullptr, 16));
+    if (!std::filesystem::exists(place / asked.text(1), none)) lost.push_back(hash_in(asked, 0));
   return lost;
 }
 
 std::string Store::title() const {
   const std::lock_guard lock(mutex_);
   return database_.query_text("SELECT value FROM campaign WHERE key = 'title'");
+}
+
+std::string Store::planned() const {
+  const std::lock_guard lock(mutex_);
+  return database_.query_text("SELECT value FROM campaign WHERE key = 'planned'");
 }
 
 std::filesystem::path Store::case_file() const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -89,8 +90,10 @@ class MotionFile {
 
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
                                        Findings& findings) {
-  std::ifstream stream(file);
-  if (!stream) {
+  std::error_code none;
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, none)) stream.open(file);  // /dev/zero has no end
+  if (!stream.is_open()) {
     findings.faults.push_back({at.where, fmt::format("the motion file {} cannot be read", file),
                                "give its path relative to the case file", "no-such-file"});
     return {};

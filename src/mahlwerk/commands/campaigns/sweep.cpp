@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// sweep: runs the campaign of a case with [sweep]; status, export, retry and merge of shards.
+// sweep: runs the campaign of a case with [sweep]; export and retry.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -27,45 +27,9 @@ int sweep(const SweepArguments& given) {
   const fs::path file = one_case_file(given.target, "sweep");
   const fs::path place = given.running.out.value_or(default_folder(given.target, file, false));
   if (given.shards > 0) {
-    swept_case(file, set);  // reports faults of the case before it is queued
-    return submit_to_slurm(given, file, place);
+    return submit_to_slurm(given, swept_case(file, set), file, place);
   }
   return sweep_case(given.running, given.part, file, set, place);
-}
-
-int sweep_status(const SweepArguments& given) {
-  const fs::path place = given.target;
-  const campaign::Store store = campaign::open_store(place);
-  const campaign::RunCounts counts = store.counts();
-  if (given.running.json) {
-    print_campaign(store, place, nullptr);
-    return success;
-  }
-  const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
-  to_stdout(fmt::format(
-      "{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", store.title(),
-      counts.points, counts.done, counts.failed, counts.waiting,
-      counts.points == 0
-          ? "no runs are planned yet: a process is reading the case, or was ended while reading it"
-      : at_work            ? "a process is running it"
-      : counts.waiting > 0 ? "no process is running it; `mahlwerk sweep` with its case resumes it"
-                           : "all runs have ended"));
-  if (const std::string warned = report::notice_lines(store.notices(), counts.points, "point");
-      !warned.empty())
-    to_stdout("\n" + warned);
-  constexpr std::size_t most = 20;
-  std::size_t printed = 0;
-  const std::vector<std::string> keys = store.keys();
-  store.read({}, [&](const campaign::StoredPoint& point) {
-    if (point.state != campaign::RunState::failed || ++printed > most) return;
-    std::string values;
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
-    to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
-  });
-  if (printed > most)
-    fmt::print("\nand {} more: see the column `message` of the store\n", printed - most);
-  return success;
 }
 
 int sweep_export(const SweepArguments& given) {
@@ -100,38 +64,6 @@ int sweep_retry(const SweepArguments& given) {
   return sweep_case(given.running, given.part, file, set, place);
 }
 
-int sweep_merge(const SweepArguments& given) {
-  const fs::path place = given.target;
-  std::vector<fs::path> shards;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(place, failed))
-    if (entry.path().filename().string().starts_with("campaign.shard-") &&
-        entry.path().extension() == ".sqlite")
-      shards.push_back(entry.path());
-  if (shards.empty())
-    throw InputError(Fault{place.string(), "the folder holds no shards of a campaign",
-                           "name the folder that `mahlwerk sweep --shard` was given as --out",
-                           "no-campaign"});
-  std::ranges::sort(shards);
-  const campaign::CampaignLock lock(place / "campaign.lock", campaign::CampaignLock::Mode::shared);
-  campaign::Store store(place / "campaign.sqlite", campaign::Store::Access::write);
-  std::size_t taken = 0;
-  for (const fs::path& shard : shards) taken += store.merge(shard);
-  const campaign::RunCounts counts = store.counts();
-  const report::Campaign campaign = campaign_of(store);
-  write_pages(store, campaign, place);
-  if (given.running.json) {
-    print_campaign(store, place, nullptr);
-  } else if (!given.running.quiet) {
-    to_stdout(fmt::format(
-        "{}\n\n{}{} merged from {}: {} of {} done, {} failed, {} waiting\nreport:   {}\n",
-        campaign.title, table_with_warnings(campaign), counted(taken, "run"),
-        counted(shards.size(), "shard"), counts.done, counts.done + counts.failed + counts.waiting,
-        counts.failed, counts.waiting, (place / "campaign.html").string()));
-  }
-  return counts.failed > 0 ? stopped_by_physics : success;
-}
-
 Options sharing(SweepArguments& given) {
   return {{.name = "--results",
            .target = &given.part.results,
@@ -140,6 +72,16 @@ Options sharing(SweepArguments& given) {
            .values = {"all", "summary"}},
           {"--shard", &given.part.shard,
            "run only this part of the campaign: 2/8 is the second of eight"},
+          {.name = "--merge",
+           .target = &given.part.merge,
+           .about = "after the shard, merge all, if it was the last",
+           .needs = "--shard"},
+          {.name = "--case-fingerprint",
+           .target = &given.part.fingerprint,
+           .about = "refuse a case that has changed since this was written: for the scripts of "
+                    "--slurm",
+           .type = "FINGERPRINT",
+           .needs = "--shard"},
           {.name = "--slurm",
            .target = &given.shards,
            .about = "submit the campaign to Slurm as this many shards, and a job that merges them",
@@ -162,7 +104,7 @@ std::vector<Command> subcommands(const std::shared_ptr<SweepArguments>& given) {
   return {{"status",
            "show the progress of a campaign and the runs that failed",
            {folder, json(running.json)},
-           [given] { return sweep_status(*given); }},
+           [given] { return campaign_status(given->running, given->target); }},
           {"export",
            "write the table of a campaign as CSV",
            {folder,
@@ -176,7 +118,7 @@ std::vector<Command> subcommands(const std::shared_ptr<SweepArguments>& given) {
           {"merge",
            "merge the shards of a campaign",
            {folder, quiet(running.quiet), json(running.json)},
-           [given] { return sweep_merge(*given); }}};
+           [given] { return merge_shards(given->running, given->target); }}};
 }
 
 }  // namespace

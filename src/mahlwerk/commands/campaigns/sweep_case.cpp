@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/forecast.hpp"
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
+#include "mahlwerk/campaign/sweep/shards.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
@@ -73,6 +74,29 @@ int ending(const Running& running, const campaign::WorkSummary& worked,
     report_end(stopped_by_physics, failed + ": " + remedy,
                {Fault{place.string(), failed, remedy, "runs-failed"}});
   return stopped_by_physics;
+}
+
+/// Refuses a case that is not the one that was submitted: its shards would be parts of another
+/// campaign.
+void refuse_changed_case(const CampaignPart& part, const cases::Case& mill_case) {
+  if (part.fingerprint.empty() || part.fingerprint == campaign::campaign_fingerprint(mill_case))
+    return;
+  throw InputError(Fault{
+      mill_case.file, "the case, or a file that it names, has changed since it was submitted",
+      "submit it again (mahlwerk sweep CASE --slurm SHARDS), which keeps what still holds, or "
+      "restore the file",
+      "case-changed"});
+}
+
+/// Merges all shards if this was the last one. Where two end together, one of them does it.
+void merge_after_last(const Running& running, const fs::path& place) {
+  const auto progress = campaign::shards_progress(place);
+  if (!progress || !progress->complete()) return;
+  try {
+    merge_shards(running, place);
+  } catch (const InputError& e) {
+    if (e.faults().front().code != "campaign-at-work") throw;
+  }
 }
 
 /// Reports the end of a shard. Results are reported after all shards are merged.
@@ -157,20 +181,27 @@ int sweep_case(const Running& running, const CampaignPart& part, const fs::path&
                            "a shard cannot replace a folder that other shards may be using",
                            "remove the folder before the first shard starts", "bad-shard"});
   const cases::Case mill_case = swept_case(file, set);
+  refuse_changed_case(part, mill_case);
   if (mill_case.observe.collisions || mill_case.observe.frames)
     campaign::check_disk(campaign::CheckedPoints(mill_case, file, catalogue(), set).good(), place);
   catch_ctrl_c();
   std::optional<ProgressLine> line;
   WriteErrorReporter not_kept;
-  campaign::CampaignFolder folder(settings_of(running, part, line, not_kept), file, set, place,
-                                  shard);
+  std::optional<campaign::CampaignFolder> opened;
+  campaign::CampaignFolder& folder =
+      opened.emplace(settings_of(running, part, line, not_kept), file, set, place, shard);
   folder.plan(campaign::Plan(mill_case.sweep, mill_case.seed));
   if (stop_wanted()) return report_interrupted(running, "no run has started");
   line.emplace(running.quiet);
   const campaign::WorkSummary worked = folder.work();
   not_kept.repeat();
   line.reset();  // clears the line on the terminal
-  if (!shard.whole()) return end_shard(running, folder, shard, worked);
+  if (!shard.whole()) {
+    const int code = end_shard(running, folder, shard, worked);
+    opened.reset();
+    if (part.merge && !worked.interrupted) merge_after_last(running, place);
+    return code;
+  }
   const campaign::RunCounts counts = folder.store().counts();
   if (!fs::exists(place / "campaign.sqlite"))
     throw InputError(Fault{place.string(), "the folder was removed while the campaign ran",

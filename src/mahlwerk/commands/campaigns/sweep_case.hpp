@@ -17,15 +17,26 @@ namespace mahlwerk::commands {
 /// Reads a case with [sweep]. Throws InputError if it has none.
 cases::Case swept_case(const std::filesystem::path& file, const std::vector<cases::Override>& set);
 
+/// File name of the lock of who merges shards.
+constexpr const char* merge_lock = "campaign.merge.lock";
+
 /// Which part of a campaign is run, and what is kept of it.
 struct CampaignPart {
-  std::string shard;    ///< "2/8": the second of eight parts; empty: all
-  std::string results;  ///< results kept: "all", "summary"; empty: by their number
+  std::string shard;        ///< "2/8": the second of eight parts; empty: all
+  std::string results;      ///< results kept: "all", "summary"; empty: by their number
+  bool merge = false;       ///< after a shard, merge all, if no point waits any more
+  std::string fingerprint;  ///< of the campaign when it was submitted; empty: it may have changed
 };
 
 /// Runs or resumes the campaign, or a part of it, in the folder `place`. Returns the exit code.
 int sweep_case(const Running& running, const CampaignPart& part, const std::filesystem::path& file,
                const std::vector<cases::Override>& set, const std::filesystem::path& place);
+
+/// Merges the shards of a campaign and writes its pages. Returns the exit code.
+int merge_shards(const Running& running, const std::filesystem::path& place);
+
+/// Prints the progress of a campaign and the runs that failed: of its shards, where there are some.
+int campaign_status(const Running& running, const std::filesystem::path& place);
 
 /// "1 run", "2 runs".
 std::string counted(std::size_t n, std::string_view what);

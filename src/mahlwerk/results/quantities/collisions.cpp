@@ -113,7 +113,11 @@ Measures collision_means() {
       {.label = "mean centre energy", .symbol = "$E_{m}$"});
   add_means<&CollisionSums::lost>(list, "energy_lost_mean", "J",
                                   "mean energy dissipated in one collision",
-                                  {.label = "mean energy lost", .symbol = "$E_{l}$"});
+                                  {.label = "mean energy lost",
+                                   .symbol = "$E_{l}$",
+                                   .applies = knows_losses,
+                                   .only = not_in_lammps},
+                                  {.applies = knows_losses, .only = not_in_lammps});
   add_means<&CollisionSums::approach>(list, "impact_speed_normal_mean", "m/s",
                                       "mean normal speed u_n at first contact",
                                       {.label = "mean normal speed", .symbol = "$u_{n}$"});

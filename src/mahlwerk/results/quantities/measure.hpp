@@ -31,6 +31,14 @@ using Measures = std::vector<Measure>;
 /// The records, which only some cases have: those for which `applies` is true, in words `only`.
 Measures where(bool (*applies)(const cases::Case&), std::string_view only, Measures list);
 
+/// Whether an engine of ours computed the run, which knows what each collision loses. LAMMPS tells
+/// what a charge loses as the rest of its energy balance, and gives a collision the loss of an
+/// undisturbed one.
+inline bool knows_losses(const cases::Case& c) {
+  return c.run.engine != cases::EngineName::lammps;
+}
+constexpr std::string_view not_in_lammps = "not with `engine = \"lammps\"`";
+
 /// The records of all quantities that each replicate may have, in the order of summary.json.
 const Measures& all_measures();
 

@@ -248,22 +248,24 @@ Measures dose_measures() {
 }
 
 Measures energy_balance_measures() {  // (obs.3)
-  return {
-      {"dissipated_power_of_collisions", "W",
-       "power dissipated in finished collisions: the sum of the spectrum",
-       [](const Case&, const Replicate& r) {
-         return share(above_rounding(r, r.tally.all.lost), r.time());
-       }},
-      {"dissipated_power_of_lasting_contacts",
-       "W",
-       "power dissipated in sustained contacts, for which there are no collision records, and in "
-       "contacts that had not ended",
-       [](const Case&, const Replicate& r) {
-         return per_time(r, &scene::EnergyBalance::lost_lasting) +
-                per_time(r, &scene::EnergyBalance::lost_open);
-       },
-       {.range = any_value, .label = "dissipated power of sustained contacts"}},
-  };
+  return where(knows_losses, not_in_lammps,
+               {
+                   {"dissipated_power_of_collisions", "W",
+                    "power dissipated in finished collisions: the sum of the spectrum",
+                    [](const Case&, const Replicate& r) {
+                      return share(above_rounding(r, r.tally.all.lost), r.time());
+                    }},
+                   {"dissipated_power_of_lasting_contacts",
+                    "W",
+                    "power dissipated in sustained contacts, for which there are no collision "
+                    "records, and in "
+                    "contacts that had not ended",
+                    [](const Case&, const Replicate& r) {
+                      return per_time(r, &scene::EnergyBalance::lost_lasting) +
+                             per_time(r, &scene::EnergyBalance::lost_open);
+                    },
+                    {.range = any_value, .label = "dissipated power of sustained contacts"}},
+               });
 }
 
 }  // namespace mahlwerk::results
