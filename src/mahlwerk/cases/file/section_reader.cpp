@@ -15,11 +15,13 @@
 namespace mahlwerk::cases {
 namespace {
 
-/// The key and its value as written in the file, for messages.
+/// The key and its value as written in the file, for messages; a long value is cut.
 std::string as_written(std::string_view key, const Node& node) {
+  constexpr std::size_t most = 80;
+  std::string text = node.text.substr(0, most);
+  if (node.text.size() > most) text += "...";
   const bool quoted = node.kind == Node::Kind::text;
-  return quoted ? fmt::format("{} = \"{}\"", key, node.text)
-                : fmt::format("{} = {}", key, node.text);
+  return quoted ? fmt::format("{} = \"{}\"", key, text) : fmt::format("{} = {}", key, text);
 }
 
 /// The word of `words` that has hyphens where `word` has underscores; empty if there is none.
