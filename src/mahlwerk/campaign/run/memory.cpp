@@ -89,36 +89,36 @@ double memory_kept(const cases::Case& mill_case) {
 namespace {
 
 /// Replicates that are computed at the same time, and [bytes] what those that have ended keep.
-struct Load {
+struct Needs {
   double running = 0, kept = 0;
 };
 
-Load load_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
-  Load load;
+Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
+  Needs needs;
   double replicates = 0;
   for (const cases::Case& mill_case : points) {
     const auto own = static_cast<double>(mill_case.run.replicates);
     replicates += own;
-    load.kept += own * memory_kept(mill_case);
+    needs.kept += own * memory_kept(mill_case);
   }
   const auto together = static_cast<double>(replicates_together(largest));  // in each thread
-  load.running = std::min(replicates, at_once * together);
-  return load;
+  needs.running = std::min(replicates, at_once * together);
+  return needs;
 }
 
 }  // namespace
 
 double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
-  const Load load = load_of(points, largest, at_once);
-  return program_itself + load.running * memory_needed(largest) + load.kept;
+  const Needs needs = needs_of(points, largest, at_once);
+  return program_itself + needs.running * memory_needed(largest) + needs.kept;
 }
 
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
                                  std::optional<double> available) {
   if (points.empty() || !available) return {};
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
-  const auto [running, kept] = load_of(points, largest, at_once);
+  const auto [running, kept] = needs_of(points, largest, at_once);
   const double each = memory_needed(largest), needed = each * running + kept;
   if (needed <= *available) return {};
   if (kept > 0.5 * *available)
