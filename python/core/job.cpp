@@ -3,7 +3,9 @@
 #include "job.hpp"
 
 #include <chrono>
+#include <optional>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace mahlwerk::python {
@@ -102,7 +104,7 @@ void Job::wait_for(std::thread& worker, const py::object& show) {
 bool Job::run(const std::function<void()>& work, const py::object& show) {
   const ActiveJob active(*this);
   std::exception_ptr thrown;
-  std::thread worker([&] {
+  const auto body = [&] {
     try {
       work();
     } catch (...) {
@@ -111,8 +113,15 @@ bool Job::run(const std::function<void()>& work, const py::object& show) {
     const std::lock_guard lock(mutex_);
     ended_ = true;
     changed_.notify_all();
-  });
-  wait_for(worker, show);
+  };
+  std::optional<std::thread> worker;
+  try {
+    worker.emplace(body);
+  } catch (const std::system_error&) {  // the system has no more threads: this one works
+    const py::gil_scoped_release free;
+    body();
+  }
+  if (worker) wait_for(*worker, show);
   if (raised_) std::rethrow_exception(std::exchange(raised_, nullptr));
   if (thrown) std::rethrow_exception(thrown);
   return interrupted_;

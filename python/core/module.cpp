@@ -8,12 +8,14 @@
 
 #include <exception>
 #include <string>
+#include <system_error>
 
 #include "job.hpp"
 #include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/isa.hpp"
 #include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 #include "outcome.hpp"
 
@@ -34,6 +36,8 @@ void translate(std::exception_ptr thrown) {
     raise("InputError", py::cast(e.faults()));
   } catch (const RunError& e) {
     raise("RunError", py::str(e.what()));
+  } catch (const std::system_error&) {
+    raise("InputError", py::cast(commands::faults_of_system(thrown)));
   } catch (const Interrupted&) {
     raise("Interrupted", py::str("nothing was computed"));
   }

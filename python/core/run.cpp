@@ -27,6 +27,7 @@
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "outcome.hpp"
@@ -109,7 +110,7 @@ results::Outcome compute(const cases::Case& mill_case, const RunRequest& request
   return outcome;
 }
 
-/// Returns the result and whether Ctrl-C ended the run early.
+/// Returns the result, whether Ctrl-C ended the run early, and why its files were not written.
 py::tuple run(const cases::Case& mill_case, const CaseText& source,
               const std::optional<fs::path>& out, bool force, int threads, bool keep_records,
               const py::list& observers, const py::object& show) {
@@ -127,17 +128,20 @@ py::tuple run(const cases::Case& mill_case, const CaseText& source,
   std::atomic<bool> stop{false};
   Job job(stop);
   auto result = std::make_unique<RunResult>();
+  std::vector<Fault> unwritten;
   const bool interrupted = job.run(
       [&] {
         result->outcome =
             compute(mill_case, request, folder ? &streams : nullptr, stop, job, result->records);
         if (!folder || job.failed()) return;  // nothing is written after an exception of Python
-        streams.close();
-        report::write(*folder, result->outcome, commands::version());
-        folder->commit();
+        unwritten = commands::write_result([&] {
+          streams.close();
+          report::write(*folder, result->outcome, commands::version());
+          folder->commit();
+        });
       },
       show);
-  return py::make_tuple(py::cast(std::move(result)), interrupted);
+  return py::make_tuple(py::cast(std::move(result)), interrupted, unwritten);
 }
 
 }  // namespace

@@ -189,8 +189,8 @@ class Case:
         progress    None: in notebooks and on terminals; True, False; or a function
                     `f(share, line)`
 
-        Raises InputError; RunError if physics stopped a replicate; Interrupted after Ctrl-C. The last
-        two hold what was computed in `result`.
+        Raises InputError; RunError if physics stopped a replicate; Interrupted after Ctrl-C. They hold
+        what was computed in `result`: InputError if the files of the result could not be written.
         """
         from .result import Result
 
@@ -199,9 +199,12 @@ class Case:
         folder = None if out is None else named_folder(out)
         called = [observer(one) for one in observers]
         with shown(progress) as show:
-            ran, interrupted = _core.run(self._resolved, self._source.parts(), folder, force, checked_threads(threads),
-                                         bool(collisions), called, show)
-        result = Result.of_run(ran, folder, self._source.file.parent)
+            ran, interrupted, unwritten = _core.run(
+                self._resolved, self._source.parts(), folder, force, checked_threads(threads),
+                bool(collisions), called, show)
+        result = Result.of_run(ran, None if unwritten else folder, self._source.file.parent)
+        if unwritten:
+            raise InputError(unwritten, result)
         if ran.failure:
             raise RunError(ran.failure, result)
         if interrupted:

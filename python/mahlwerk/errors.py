@@ -18,11 +18,13 @@ class MahlwerkError(Exception):
 
 class InputError(MahlwerkError, ValueError):
     """Invalid input. `faults` lists every fault: where it is, what it is, the remedy, and its code,
-    which is a heading on the documentation's page of errors."""
+    which is a heading on the documentation's page of errors. `result` holds the result of a run whose
+    files could not be written, or is None."""
 
-    def __init__(self, faults: list[Fault]):
+    def __init__(self, faults: list[Fault], result: Any = None):
         super().__init__(faults)
         self.faults = faults
+        self.result = result
 
     def __str__(self) -> str:
         from ._core import describe_faults

@@ -8,13 +8,19 @@
 //   MAHLWERK_FAULT=write:17:28:stays  so do all later ones: a disk that stays full
 //   MAHLWERK_FAULT=open:3:signal:15   the signal 15 is raised before the third call
 //   MAHLWERK_FAULT_LOG=FILE           gets the failed call, and at the end the number of all calls
+//   MAHLWERK_FAULT_TRACE=1            prints the functions that made the failed call
 //   MAHLWERK_FAULT_WAIT=1             calls count from mahlwerk_fault_begin() on, not from main()
 //
 // Kinds: open, write, sync, rename, make (a folder), mmap, malloc, thread. What is written to
-// standard error is not counted: the messages of the program are what a test reads.
+// standard error is not counted: the messages of the program are what a test reads. Of the
+// allocations those count that the program makes itself, or through the C++ library, SQLite or the
+// other libraries below: HDF5 1.10 crashes without memory, and the directory iterators of libstdc++
+// end the program, so that the next allocation fails instead.
 #include <dirent.h>
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
+#include <link.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -27,6 +33,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -77,12 +84,79 @@ void log_fault(int kind, long call, const char* what) {
   log(line.data());
 }
 
+/// Code whose allocations count.
+struct Range {
+  std::uintptr_t begin = 0, end = 0;
+};
+std::array<Range, 16> counted{};
+
+/// Notes the code of a loaded object, if its allocations count.
+int note_code(dl_phdr_info* object, std::size_t, void* number) {
+  constexpr std::array<const char*, 5> libraries{"libstdc++", "libsqlite3", "libfmt",
+                                                 "libtomlplusplus", "/_core."};
+  auto& made = *static_cast<unsigned*>(number);
+  const char* name = object->dlpi_name;
+  bool counts_here = name[0] == '\0' && std::getenv("MAHLWERK_FAULT_WAIT") == nullptr;
+  for (const char* library : libraries)
+    counts_here = counts_here || std::strstr(name, library) != nullptr;
+  for (int k = 0; counts_here && k < object->dlpi_phnum && made < counted.size(); ++k)
+    if (const auto& part = object->dlpi_phdr[k]; part.p_type == PT_LOAD && (part.p_flags & PF_X)) {
+      const std::uintptr_t begin = object->dlpi_addr + part.p_vaddr;
+      counted[made++] = {begin, begin + part.p_memsz};
+    }
+  return 0;
+}
+
+void begin_to_count() {
+  unsigned number = 0;
+  dl_iterate_phdr(note_code, &number);
+  counts = true;
+}
+
+bool is_counted(const void* caller) {
+  if (!counts.load(std::memory_order_relaxed)) return false;
+  const auto place = reinterpret_cast<std::uintptr_t>(caller);
+  for (const Range& code : counted)
+    if (place >= code.begin && place < code.end) return true;
+  return false;
+}
+
+bool in_directory_iterator() {
+  std::array<void*, 40> places{};
+  counts = false;
+  const int depth = backtrace(places.data(), places.size());
+  bool found = false;
+  for (int k = 0; k < depth; ++k) {
+    Dl_info place{};
+    found = found ||
+            (dladdr(places[static_cast<unsigned>(k)], &place) != 0 && place.dli_sname != nullptr &&
+             std::strstr(place.dli_sname, "directory_iterator") != nullptr);
+  }
+  counts = true;
+  return found;
+}
+
+void print_trace() {
+  std::array<void*, 60> places{};
+  counts = false;
+  std::array<char, 40> line{};
+  const int length = std::snprintf(line.data(), line.size(), "code at %lx\n", counted[0].begin);
+  syscall(SYS_write, STDERR_FILENO, line.data(), length);
+  backtrace_symbols_fd(places.data(), backtrace(places.data(), places.size()), STDERR_FILENO);
+  counts = true;
+}
+
 /// Counts a call; true if it shall fail, with errno set.
 bool fails(Kind kind, const char* what = "") {
   if (!counts.load(std::memory_order_relaxed)) return false;
   const long call = ++calls[kind];
   if (kind != chosen || call < at_call || (call > at_call && !stays)) return false;
+  if (kind == memory && call == at_call && in_directory_iterator()) {
+    ++at_call;
+    return false;
+  }
   if (call == at_call) log_fault(kind, call, what);
+  if (call == at_call && std::getenv("MAHLWERK_FAULT_TRACE") != nullptr) print_trace();
   if (signal_number != 0) {
     if (call == at_call) std::raise(signal_number);
     return false;
@@ -129,7 +203,7 @@ using Main = int(int, char**, char**);
 Main* program = nullptr;
 
 int main_of_program(int argc, char** argv, char** environment) {
-  if (std::getenv("MAHLWERK_FAULT_WAIT") == nullptr) counts = true;
+  if (std::getenv("MAHLWERK_FAULT_WAIT") == nullptr) begin_to_count();
   return program(argc, argv, environment);
 }
 
@@ -156,7 +230,7 @@ struct Report {
 extern "C" {
 
 EXPORT void mahlwerk_fault_begin() {
-  counts = true;
+  begin_to_count();
 }
 EXPORT void mahlwerk_fault_end() {
   counts = false;
@@ -291,6 +365,10 @@ EXPORT int mkdir(const char* path, mode_t mode) noexcept {
 
 // --- memory and threads
 
+static bool memory_fails(const void* caller) {
+  return is_counted(caller) && fails(memory);
+}
+
 EXPORT void* mmap64(void* at, std::size_t size, int rights, int flags, int file,
                     off64_t offset) noexcept {
   if (fails(map)) return MAP_FAILED;
@@ -304,19 +382,19 @@ EXPORT void* mmap(void* at, std::size_t size, int rights, int flags, int file,
   return mmap64(at, size, rights, flags, file, offset);
 }
 EXPORT void* malloc(std::size_t size) {
-  return fails(memory) ? nullptr : __libc_malloc(size);
+  return memory_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
 }
 EXPORT void* calloc(std::size_t count, std::size_t size) {
-  return fails(memory) ? nullptr : __libc_calloc(count, size);
+  return memory_fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(count, size);
 }
 EXPORT void* realloc(void* old, std::size_t size) {
-  return fails(memory) ? nullptr : __libc_realloc(old, size);
+  return memory_fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(old, size);
 }
 EXPORT void* aligned_alloc(std::size_t align, std::size_t size) {
-  return fails(memory) ? nullptr : __libc_memalign(align, size);
+  return memory_fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(align, size);
 }
 EXPORT int posix_memalign(void** place, std::size_t align, std::size_t size) {
-  if (fails(memory)) return ENOMEM;
+  if (memory_fails(__builtin_return_address(0))) return ENOMEM;
   *place = __libc_memalign(align, size);
   return *place == nullptr ? ENOMEM : 0;
 }

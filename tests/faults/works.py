@@ -59,6 +59,8 @@ try:
     value = result["dissipated_power"].value
     ended = {"ended": "", "exit": 0, "faults": []}
 except mahlwerk.InputError as e:
+    if e.result is not None:
+        print("dissipated_power", e.result["dissipated_power"].value)
     ended = {"ended": "bad-input", "exit": 2, "faults": [
         {"code": f.code, "where": f.where, "what": f.what, "remedy": f.remedy} for f in e.faults]}
 except (MemoryError, OSError) as e:
@@ -99,7 +101,7 @@ class PythonWork(Work):
     takes_json = False
 
     def __init__(self, name, package):
-        super().__init__(name, [], {"ball.toml": BALL}, threads=False)
+        super().__init__(name, [], {"ball.toml": BALL}, marks=["dissipated_power"], threads=False)
         self.package = package
 
     def command(self, program, jobs, as_json):

@@ -13,30 +13,52 @@ namespace {
 
 using NlohmannJson = nlohmann::ordered_json;
 
-NlohmannJson to_nlohmann(const Json& json);
-
-NlohmannJson to_nlohmann(const Json::Array& values) {
-  NlohmannJson::array_t made;
-  made.reserve(values.size());
-  for (const Json& value : values) made.push_back(to_nlohmann(value));
-  return made;
+/// The text of a value that is no list.
+template <class Value>
+std::string scalar_text(const Value& value) {
+  return NlohmannJson(value).dump(-1, ' ', false, NlohmannJson::error_handler_t::replace);
 }
 
-NlohmannJson to_nlohmann(const Json::Object& members) {
-  NlohmannJson::object_t made;
-  for (const auto& [key, value] : members) made.emplace(key, to_nlohmann(value));
-  return made;
+/// Begins a line in pretty text.
+void new_line(std::string& text, int indent, int level) {
+  if (indent < 0) return;
+  text += '\n';
+  text.append(static_cast<std::size_t>(indent) * static_cast<std::size_t>(level), ' ');
 }
 
-NlohmannJson to_nlohmann(const Json& json) {
-  const auto made = [](const auto& value) -> NlohmannJson {
+void append(const Json& json, int indent, int level, std::string& text);
+
+/// Appends a list between its brackets; `one` appends an element.
+template <class List, class AppendOne>
+void append_list(const List& list, std::string_view brackets, int indent, int level,
+                 std::string& text, const AppendOne& one) {
+  text += brackets.front();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) text += ',';
+    new_line(text, indent, level + 1);
+    one(list[i]);
+  }
+  if (!list.empty()) new_line(text, indent, level);
+  text += brackets.back();
+}
+
+/// Appends a value. Lists are not given to the JSON library: it allocates while it destroys them,
+/// and without memory that would end the program.
+void append(const Json& json, int indent, int level, std::string& text) {
+  const auto write = [&](const auto& value) {
     using Kind = std::decay_t<decltype(value)>;
-    if constexpr (std::is_same_v<Kind, Json::Array> || std::is_same_v<Kind, Json::Object>)
-      return to_nlohmann(value);
+    if constexpr (std::is_same_v<Kind, Json::Array>)
+      append_list(value, "[]", indent, level, text,
+                  [&](const Json& one) { append(one, indent, level + 1, text); });
+    else if constexpr (std::is_same_v<Kind, Json::Object>)
+      append_list(value, "{}", indent, level, text, [&](const Json::Member& one) {
+        text += scalar_text(one.key) + (indent < 0 ? ":" : ": ");
+        append(one.value, indent, level + 1, text);
+      });
     else
-      return value;
+      text += scalar_text(value);
   };
-  return std::visit(made, json.value());
+  std::visit(write, json.value());
 }
 
 Json from_nlohmann(const NlohmannJson& json) {
@@ -135,7 +157,9 @@ Json& Json::back() {
 }
 
 std::string Json::text(int indent) const {
-  return to_nlohmann(*this).dump(indent, ' ', false, NlohmannJson::error_handler_t::replace);
+  std::string made;
+  append(*this, indent, 0, made);
+  return made;
 }
 
 }  // namespace mahlwerk::results
