@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "mahlwerk/base/fingerprint.hpp"
+#include "mahlwerk/campaign/search/trial_store.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
 #include "mahlwerk/campaign/surrogate/campaign_surrogate.hpp"
 #include "targets.hpp"
@@ -93,6 +94,21 @@ void read_all(const Store& store) {
   store.write_csv(text);
 }
 
+/// The store of a search with one setting, damaged by the same statements.
+void read_trials(const std::string& sql) {
+  const fs::path file = scratch() / "trials.sqlite";
+  const auto trouble = [](const Fault&) {};
+  static const std::string made = [&] {
+    campaign::TrialStore(file, "power", trouble)
+        .keep(7, {.replicates = {{1.5, 2}, {3, 4}}, .failure = ""});
+    return contents(file);
+  }();
+  fs::remove(file.string() + "-journal");
+  write_file(file, made);
+  change(file, sql);
+  campaign::TrialStore(file, "power", trouble).find(7);
+}
+
 /// An input is a file, or statements of SQL that damage a good one: no mutation of bytes would
 /// change a value and leave a database.
 void read_store(const std::string& bytes) {
@@ -100,7 +116,7 @@ void read_store(const std::string& bytes) {
   for (const char* ending : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + ending);
   const bool whole = bytes.starts_with("SQLite format 3");
   write_file(file, whole ? bytes : store_bytes());
-  if (!whole) change(file, bytes);
+  if (!whole) change(file, bytes), read_trials(bytes);
   {
     const Store store(file, Store::Access::read);
     read_all(store);

@@ -171,6 +171,7 @@ TEST_F(LammpsRun, quantities_that_lammps_does_not_know_are_absent) {
     EXPECT_NE(text("here/summary.json").find(entry), std::string::npos) << name;
   }
   EXPECT_NE(text("there/summary.json").find("\"dissipated_power\""), std::string::npos);
+  EXPECT_NE(there.output.find("\nNumerical accuracy\n"), std::string::npos) << there.output;
   // A residual that closes by definition is not printed as one, and none is missed.
   EXPECT_EQ(there.output.find("residual  "), std::string::npos) << there.output;
   EXPECT_EQ(there.output.find("does not close"), std::string::npos) << there.output;

@@ -26,5 +26,25 @@ TEST(TrialStore, notices_are_there_again_when_a_search_goes_on) {
   EXPECT_FALSE(again.find(8));
 }
 
+TEST(TrialStore, a_damaged_one_is_refused) {
+  const cases::sample::Folder here;
+  const auto file = here.path() / "trials.sqlite";
+  const auto trouble = [](const Fault& fault) { ADD_FAILURE() << fault.what; };
+  for (const char* damage :
+       {"", "UPDATE told SET replicate = -1 WHERE replicate = 1",
+        "UPDATE told SET replicate = 1e18 WHERE replicate = 1",
+        "DELETE FROM told WHERE replicate = 0", "DELETE FROM told WHERE outcome = 0",
+        "DELETE FROM told WHERE outcome = 1 AND replicate = 1"}) {
+    std::filesystem::remove(file);
+    TrialStore(file, "power", trouble).keep(7, {.replicates = {{1.5, 2}, {3, 4}}, .failure = ""});
+    Database(file, Database::Access::write).run(damage);
+    TrialStore again(file, "power", trouble);
+    if (std::string(damage).empty())
+      EXPECT_TRUE(again.find(7));
+    else
+      EXPECT_THROW(again.find(7), InputError) << damage;
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::campaign::trial_store_test

@@ -4,9 +4,22 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/fingerprint.hpp"
 
 namespace mahlwerk::campaign {
+
+namespace {
+
+InputError damaged(const std::filesystem::path& file) {
+  return InputError(Fault{file.generic_string(),
+                          "the store of this search is damaged: outcomes of a setting are missing",
+                          "remove it: the search begins again", "store"});
+}
+
+}  // namespace
 
 TrialStore::TrialStore(const std::filesystem::path& file, std::string measure,
                        std::function<void(const Fault&)> on_write_error)
@@ -47,13 +60,18 @@ std::optional<TrialResult> TrialStore::read(RunHash run) const {
   TrialResult result;
   result.failure = trial.text(0);
   Statement values = database_->prepare(
-      "SELECT replicate, value FROM told WHERE run = ? ORDER BY replicate, outcome");
+      "SELECT replicate, outcome, value FROM told WHERE run = ? ORDER BY replicate, outcome");
   values.bind(1, name);
+  std::vector<std::vector<double>>& told = result.replicates;
   while (values.step()) {
-    const auto replicate = static_cast<std::size_t>(values.integer(0));
-    if (result.replicates.size() <= replicate) result.replicates.resize(replicate + 1);
-    result.replicates[replicate].push_back(values.number(1));
+    if (values.integer(0) == std::ssize(told)) told.emplace_back();
+    if (told.empty() || values.integer(0) != std::ssize(told) - 1 ||
+        values.integer(1) != std::ssize(told.back()))
+      throw damaged(file_);
+    told.back().push_back(values.number(2));
   }
+  for (const std::vector<double>& one : told)
+    if (one.size() != told.front().size()) throw damaged(file_);
   Statement notices = database_->prepare(
       "SELECT code, severity, text FROM notices WHERE run = ? ORDER BY position");
   notices.bind(1, name);

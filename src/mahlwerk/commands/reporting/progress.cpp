@@ -99,10 +99,10 @@ void ProgressLine::show(const campaign::Progress& p) {
   const double share = p.total > 0 ? p.simulated / p.total : 0;
   const double left = share > 0 ? std::max(0.0, gone * (1 - share) / share) : 0;
   warn_if_endless(p);
-  show(fmt::format(
-      "{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s  energy "
-      "residual {:.0e}",
-      100 * share, p.simulated, p.total, left, p.collisions / gone, p.residual));
+  const bool known = p.residual > 0;  // LAMMPS tells none
+  show(fmt::format("{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s{}",
+                   100 * share, p.simulated, p.total, left, p.collisions / gone,
+                   known ? fmt::format("  energy residual {:.0e}", p.residual) : ""));
 }
 
 /// Warns once if the run, at the rate of the last seconds, takes hours.

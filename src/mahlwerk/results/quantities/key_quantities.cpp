@@ -37,9 +37,19 @@ std::vector<std::string> in_places(int QuantityTraits::*place) {
   return names;
 }
 
+/// The heading of the group of a quantity, whether or not the first of the group is there.
 std::string_view heading_of(std::string_view quantity) {
-  const Measure* record = record_of(quantity);
-  return record == nullptr ? std::string_view() : record->traits.heading;
+  static const auto all = [] {
+    std::map<std::string_view, std::string_view> headings;
+    std::string_view last = "Results";
+    for (const Measure& m : all_measures()) {
+      if (!m.traits.heading.empty()) last = m.traits.heading;
+      headings.emplace(m.name, last);
+    }
+    return headings;
+  }();
+  const auto found = all.find(quantity);
+  return found == all.end() ? std::string_view() : found->second;
 }
 
 }  // namespace
@@ -61,7 +71,7 @@ std::vector<QuantityGroup> quantity_groups(const std::vector<Quantity>& list) {
   std::vector<QuantityGroup> all;
   for (const Quantity& q : list) {
     const std::string_view heading = heading_of(q.name);
-    if (!heading.empty() || all.empty())
+    if (all.empty() || (!heading.empty() && heading != all.back().heading))
       all.push_back({heading.empty() ? std::string_view("Results") : heading, {}});
     all.back().names.push_back(q.name);
   }
