@@ -43,7 +43,7 @@ TEST(Disk, needed_is_that_of_records_and_frames_of_all_replicates) {
 
 TEST(Disk, that_does_not_suffice_is_told_with_a_time_that_fits) {
   cases::Case c = shaken(1e7);
-  EXPECT_TRUE(disk_faults({c}, 150, 1e9).empty()) << "tables do not grow with the time";
+  EXPECT_TRUE(disk_faults({c}, 150, 1).empty()) << "tables do not grow with the time";
   c.observe.collisions = true;  // 4 replicates of 150 GB
   EXPECT_TRUE(disk_faults({shaken(1)}, 150, std::nullopt).empty());
   const Fault fault = disk_faults({c}, 150, 60e9).at(0);

@@ -14,6 +14,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
+#include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/campaign/run/settled_state.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -43,8 +44,15 @@ cases::Case endless(cases::Case made) {
   return made;
 }
 
-std::string in_gigabytes(double bytes) {
-  return fmt::format("{:.3g} GB", bytes / 1e9);
+/// [bytes] of what a run writes while it proceeds: its frames and records. The space of its tables
+/// is reserved when their folder is made.
+double streamed(const cases::Case& mill_case, double collisions) {
+  const cases::Observe& observe = mill_case.observe;
+  const double time = cases::expected_time(mill_case);
+  const double frames =
+      observe.frames ? time / *observe.frames * cases::frame_bytes(mill_case) : 0;
+  const double records = observe.collisions ? time * collisions * record_bytes : 0;
+  return static_cast<double>(mill_case.run.replicates) * (frames + records);
 }
 
 }  // namespace
@@ -87,12 +95,7 @@ Forecast forecast(const cases::Case& decided, std::chrono::milliseconds patience
 }
 
 double disk_needed(const cases::Case& mill_case, double collisions) {
-  const cases::Observe& observe = mill_case.observe;
-  const double time = cases::expected_time(mill_case),
-               replicates = static_cast<double>(mill_case.run.replicates);
-  const double frames = observe.frames ? time / *observe.frames * cases::frame_bytes(mill_case) : 0;
-  const double records = observe.collisions ? time * collisions * record_bytes : 0;
-  return result_bytes + replicates * (frames + records);
+  return result_bytes + streamed(mill_case, collisions);
 }
 
 std::optional<double> disk_available(const std::filesystem::path& folder) {
@@ -109,7 +112,7 @@ std::vector<Fault> disk_faults(const std::vector<cases::Case>& points, double co
   double needed = 0;
   const cases::Case* records = nullptr;
   for (const cases::Case& point : points) {
-    needed += disk_needed(point, collisions);
+    needed += streamed(point, collisions);
     if (point.observe.collisions) records = &point;
   }
   const bool recorded = records != nullptr;
@@ -117,16 +120,14 @@ std::vector<Fault> disk_faults(const std::vector<cases::Case>& points, double co
   if (!full && !(recorded && needed > largest_records)) return {};
   const cases::Case& shown = recorded ? *records : points.front();
   const double fits = std::min(available.value_or(needed), recorded ? largest_records : needed);
-  const std::string_view key = recorded               ? "observe.collisions"
-                               : shown.observe.frames ? "observe.frames"
-                                                      : "run.replicates";
-  std::string what = fmt::format("the files need about {}", in_gigabytes(needed));
+  const std::string key = recorded ? "observe.collisions" : "observe.frames";
+  std::string what = fmt::format("the {} need about {}", recorded ? "records of collisions" : "frames", bytes_in_words(needed));
   if (recorded)
-    what += fmt::format(" (about {:.2g} collisions a second are recorded in each replicate)",
+    what += fmt::format(" (about {:.2g} collisions a second in each replicate)",
                         collisions);
-  what += full ? fmt::format(", but {} are free on the disk", in_gigabytes(*available))
-               : fmt::format(", more than {}", in_gigabytes(largest_records));
-  return {{cases::location_of(shown, std::string(key)), std::move(what),
+  what += full ? fmt::format(", but {} are free on the disk", bytes_in_words(*available))
+               : fmt::format(", more than {}", bytes_in_words(largest_records));
+  return {{cases::location_of(shown, key), std::move(what),
            fmt::format("shorten run.time to {} or less, take fewer run.replicates, or {}",
                        show_rounded(0.9 * shown.run.time * fits / needed, "s", 2),
                        recorded ? "write collisions = false: all tables and spectra are written "

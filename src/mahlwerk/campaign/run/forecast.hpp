@@ -36,8 +36,8 @@ double disk_needed(const cases::Case& mill_case, double collisions);
 /// does not tell.
 std::optional<double> disk_available(const std::filesystem::path& folder);
 
-/// A fault if the files of all points need more than `available` [bytes], or their records more
-/// than largest_records. `collisions` is of each replicate of any point.
+/// A fault if the frames and records of all points need more than `available` [bytes], or more than
+/// largest_records where there are records. `collisions` is of each replicate of any point.
 std::vector<Fault> disk_faults(const std::vector<cases::Case>& points, double collisions,
                                std::optional<double> available);
 

@@ -53,12 +53,12 @@ std::optional<double> remaining(const std::string& limit, const std::string& use
   return std::max(0.0, *most - *now);
 }
 
-std::string in_megabytes(double bytes) {
+}  // namespace
+
+std::string bytes_in_words(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", bytes / 1e6)
                      : fmt::format("{:.3g} GB", bytes / 1e9);
 }
-
-}  // namespace
 
 double memory_needed(const cases::Case& mill_case) {
   const auto balls = static_cast<double>(cases::balls_count(mill_case.balls));
@@ -125,7 +125,7 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
     return {{cases::location_of(largest, "run.replicates"),
              fmt::format("the results of all replicates need up to {} of memory, but {} are "
                          "available",
-                         in_megabytes(kept), in_megabytes(*available)),
+                         bytes_in_words(kept), bytes_in_words(*available)),
              "take fewer run.replicates; the same time in fewer, longer replicates costs no memory",
              "not-enough-memory"}};
   const double left = *available - kept;
@@ -142,8 +142,8 @@ std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_
                : cases::location_of(largest, "balls.1.count"),
            fmt::format("{:.3g} balls in {:.0f} replicate{} at once need about {} of memory, but "
                        "{} are available",
-                       balls, running, running == 1 ? "" : "s", in_megabytes(needed),
-                       in_megabytes(*available)),
+                       balls, running, running == 1 ? "" : "s", bytes_in_words(needed),
+                       bytes_in_words(*available)),
            std::move(remedy), "not-enough-memory"}};
 }
 

@@ -24,6 +24,8 @@ double memory_of_run(const std::vector<cases::Case>& points, int at_once);
 /// read.
 std::optional<double> memory_available(const std::string& root = "");
 
+std::string bytes_in_words(double bytes);  ///< "15 MB", "3.2 GB"
+
 /// A fault if a run of all points in `at_once` threads needs more than `available` [bytes].
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
                                  std::optional<double> available);
