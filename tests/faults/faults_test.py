@@ -168,8 +168,8 @@ class Bench:
             raise Failed(f"exit code {ended.returncode}: {out[-300:]}")
         if number != signal.SIGKILL:
             for name in listing(place):
-                if any(part.startswith(".") for part in name.split("/")):
-                    raise Failed(f"hidden {name} is left")
+                if name.endswith(".part") or any(part.startswith(".") for part in name.split("/")):
+                    raise Failed(f"{name} is left")
             if ended.returncode == 130:
                 self.check_message(ended, as_json)
         self.check_again(place, jobs, False)

@@ -59,6 +59,7 @@ try:
     value = result["dissipated_power"].value
     ended = {"ended": "", "exit": 0, "faults": []}
 except mahlwerk.InputError as e:
+    faults.mahlwerk_fault_end()
     if e.result is not None:
         print("dissipated_power", e.result["dissipated_power"].value)
     ended = {"ended": "bad-input", "exit": 2, "faults": [

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <utility>
 
 #include "unit/cases/sample.hpp"
 
@@ -45,6 +46,37 @@ TEST(Checkpoint, what_a_killed_process_left_half_written_is_removed) {
   std::ofstream(part) << "half";
   const Checkpoint states(folder.path() / "states", "a run", 1, always);
   EXPECT_FALSE(fs::exists(part));
+}
+
+TEST(Checkpoint, one_that_nobody_asked_for_is_written_after_its_time_only) {
+  const Folder folder;
+  ReplicateRun replica(read_sample(vial), 0);
+  for (const auto& [after, there] : {std::pair(1e6, false), std::pair(0.0, true)}) {
+    Checkpoint states(folder.path() / "states", "a run", 1, always, {},
+                      Checkpoint::Unasked{.after = after});
+    states.save(0, replica), states.flush(), states.write_if_due();
+    EXPECT_EQ(fs::exists(states.file()), there) << after << " s";
+    EXPECT_EQ(states.written(), there) << after << " s";
+  }
+  Checkpoint resumed(folder.path() / "states", "a run", 1, always, {},
+                     Checkpoint::Unasked{.after = 1e6});
+  resumed.load();
+  EXPECT_TRUE(resumed.has_state(0));
+}
+
+TEST(Checkpoint, states_beyond_the_memory_for_unasked_ones_are_not_kept) {
+  const Folder folder;
+  ReplicateRun replica(read_sample(vial), 0);
+  Archive archive;
+  replica.serialize(archive);
+  const std::size_t one = archive.bytes().size();
+  for (const auto& [most, kept] : {std::pair(2 * one, true), std::pair(2 * one - 1, false)}) {
+    Checkpoint states(folder.path() / "states", "a run", 2, always, {},
+                      Checkpoint::Unasked{.after = 0, .most = most});
+    for (const std::size_t job : {0U, 1U, 1U}) states.save(job, replica);  // one of them twice
+    EXPECT_EQ(states.has_state(0), kept) << most << " bytes";
+    EXPECT_EQ(states.has_state(1), kept) << most << " bytes";
+  }
 }
 
 }  // namespace

@@ -238,8 +238,8 @@ double residual(const Measurement& measured, double predicted) {
 namespace {
 
 /// A prediction by all replicates or one of them, from what is kept or by the models.
-std::vector<double> predicted(const Predictor& predict, FitEvaluations::Replicates of,
-                              const std::vector<double>& values, FitEvaluations* kept) {
+std::vector<double> prediction_of(const Predictor& predict, FitEvaluations::Replicates of,
+                                  const std::vector<double>& values, FitEvaluations* kept) {
   if (kept == nullptr) return predict(values);
   if (const std::vector<double>* known = kept->find(of, values)) return *known;
   std::vector<double> made = predict(values);
@@ -270,7 +270,7 @@ struct Evaluator {
   Residuals residuals(const Predictor& predict, FitEvaluations::Replicates of = std::nullopt) {
     return [this, &predict, of](const std::vector<double>& values) {
       if (options.stop != nullptr && *options.stop) throw Interrupted();
-      std::vector<double> all = predicted(predict, of, values, options.kept);
+      std::vector<double> all = prediction_of(predict, of, values, options.kept);
       for (std::size_t i = 0; i < all.size(); ++i) all[i] = residual(data.values[i], all[i]);
       ++evaluations;
       if (options.kept != nullptr && !of) options.kept->note(values, sum_of_squares(all));

@@ -222,6 +222,7 @@ void write_text(const fs::path& file, std::string_view text) {
 }
 
 void write_whole(const fs::path& name, const std::function<void(const fs::path&)>& write) {
+  const HeldSignals held;  // a part of the file would stay
   std::error_code none;
   const fs::path file = fs::is_symlink(name, none) ? fs::weakly_canonical(name, none) : name;
   if (fs::exists(file, none) && !fs::is_regular_file(file, none)) return write(file);  // a device

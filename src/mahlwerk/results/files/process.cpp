@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <initializer_list>
 
 namespace mahlwerk::results {
 
@@ -16,6 +17,21 @@ int own_process_id() {
 
 bool process_exists(int id) {
   return ::kill(id, 0) == 0 || errno == EPERM;
+}
+
+struct HeldSignals::Before {
+  sigset_t mask;
+};
+
+HeldSignals::HeldSignals() : before_(std::make_unique<Before>()) {
+  sigset_t held;
+  sigemptyset(&held);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, signal);
+  pthread_sigmask(SIG_BLOCK, &held, &before_->mask);
+}
+
+HeldSignals::~HeldSignals() {
+  pthread_sigmask(SIG_SETMASK, &before_->mask, nullptr);
 }
 
 int reserve_space(const std::filesystem::path& file, std::size_t size) {
