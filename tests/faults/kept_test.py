@@ -224,9 +224,10 @@ def a_full_disk_is_answered_and_the_table_is_printed(program):
           ls -A room
           mount -o remount,size=5M {room}
           {program} run ball.toml --out room/out --jobs 2; echo "then $?"; ls -A room
-          mount -o remount,size=16M {room}
-          {program} run ball.toml --out room/out --jobs 2 & sleep 0.4
-          dd if=/dev/zero of=room/other bs=1k 2>/dev/null; wait $!; echo "last $?"
+          mount -o remount,size=64M {room}
+          {program} run ball.toml --set run.time="600 s" --out room/out --jobs 2 &
+          until ls room/.out*/collisions.h5 >/dev/null 2>&1; do sleep 0.01; done
+          dd if=/dev/zero of=room/other bs=64k 2>/dev/null; wait $!; echo "last $?"
           ls -A room/out""")
         if ended is None or ended.returncode == 77:
             return SKIPPED

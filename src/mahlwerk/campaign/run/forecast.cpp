@@ -49,8 +49,7 @@ cases::Case endless(cases::Case made) {
 double streamed(const cases::Case& mill_case, double collisions) {
   const cases::Observe& observe = mill_case.observe;
   const double time = cases::expected_time(mill_case);
-  const double frames =
-      observe.frames ? time / *observe.frames * cases::frame_bytes(mill_case) : 0;
+  const double frames = observe.frames ? time / *observe.frames * cases::frame_bytes(mill_case) : 0;
   const double records = observe.collisions ? time * collisions * record_bytes : 0;
   return static_cast<double>(mill_case.run.replicates) * (frames + records);
 }
@@ -121,10 +120,11 @@ std::vector<Fault> disk_faults(const std::vector<cases::Case>& points, double co
   const cases::Case& shown = recorded ? *records : points.front();
   const double fits = std::min(available.value_or(needed), recorded ? largest_records : needed);
   const std::string key = recorded ? "observe.collisions" : "observe.frames";
-  std::string what = fmt::format("the {} need about {}", recorded ? "records of collisions" : "frames", bytes_in_words(needed));
+  std::string what =
+      fmt::format("the {} need about {}", recorded ? "records of collisions" : "frames",
+                  bytes_in_words(needed));
   if (recorded)
-    what += fmt::format(" (about {:.2g} collisions a second in each replicate)",
-                        collisions);
+    what += fmt::format(" (about {:.2g} collisions a second in each replicate)", collisions);
   what += full ? fmt::format(", but {} are free on the disk", bytes_in_words(*available))
                : fmt::format(", more than {}", bytes_in_words(largest_records));
   return {{cases::location_of(shown, key), std::move(what),
