@@ -142,7 +142,7 @@ def works(home, package=""):
              {"ball.toml": BALL}, marks=power),
         Work("compare", ["compare", "soft.toml", "--out", "out"],
              {"soft.toml": soft.replace("[run]", 'restitution_law = "constant"\n[run]', 1)
-              if "restitution_law" in soft else soft}, marks=power),
+              if "restitution_law" in soft else soft}, marks=power, most=40),
         Work("sweep", ["sweep", "sweep.toml", "--out", "out"], {"sweep.toml": swept()}),
         Work("sweep-summary", ["sweep", "sweep.toml", "--out", "out", "--results", "summary"],
              {"sweep.toml": swept()}),
@@ -160,7 +160,7 @@ def works(home, package=""):
         Work("match", ["match", "ball.toml", "--in", "in.toml", "--out", "out"],
              {"ball.toml": BALL,
               "in.toml": BALL + "[match]\nsettings = 6\nreplicates = 2\nover = { "
-                                '"mill.frequency" = %s }\n' % RANGE}, marks=["mill.frequency"]),
+                                '"mill.frequency" = %s }\n' % RANGE}, marks=["mill.frequency"], most=40),
         Work("fit", ["fit", "fit.toml", "fit.csv", "--out", "out"],
              {"fit.toml": fit, "fit.csv": (cases / "fit.csv").read_text()},
              marks=["breakage.f_mat"]),
@@ -168,7 +168,7 @@ def works(home, package=""):
                            "out"],
              {"mill-fit.toml": mill_fit, "mill-fit.csv": (cases / "mill-fit.csv").read_text()},
              marks=["contact.restitution"], most=12),
-        Work("papers", ["papers", "mine", "--out", "out"], paper, marks=["increasing"]),
+        Work("papers", ["papers", "mine", "--out", "out"], paper, marks=["increasing"], most=40),
         Work("check", ["check", "ball.toml"], {"ball.toml": BALL}, threads=False),
         Work("new", ["new", "--mill", "retsch-mm400", "made.toml"], {},
              threads=False),
@@ -178,7 +178,7 @@ def works(home, package=""):
     if package:
         made.append(PythonWork("python", package))
     for work in made:
-        if work.name == "new":
+        if work.name in ("new", "export"):
             work.takes_json = False
     return made
 

@@ -238,6 +238,7 @@ bool add_sensitivity(const RunArguments& given, const RunJob& job, results::Outc
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
   options.lammps.ranks = given.lammps.ranks;
   const bool stopped_before = stop_wanted();
+  if (!stopped_before) line.show("varying the assumed values");
   outcome.summary.sensitivity = campaign::sensitivity_to_assumed(outcome, read, options);
   return !stopped_before && stop_wanted() && !outcome.summary.sensitivity;
 }
