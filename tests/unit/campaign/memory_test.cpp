@@ -88,7 +88,7 @@ TEST(Memory, of_ended_replicates_grows_with_their_number_and_is_refused_before_t
   const double each = memory_kept(drum(5, 1));
   EXPECT_GT(each, 1e5);
   EXPECT_LT(each, 1e6);
-  const double some = memory_of_run({drum(5, 1000)}, 2), more = memory_of_run({drum(5, 2000)}, 2);
+  const double some = memory_of_run({drum(5, 2000)}, 2), more = memory_of_run({drum(5, 3000)}, 2);
   EXPECT_NEAR(more - some, 1000 * each, 1);
   EXPECT_TRUE(memory_faults({drum(5, 10000)}, 2, 10100 * each).empty());
   const Fault fault = memory_faults({drum(5, 10000)}, 2, 9000 * each).at(0);

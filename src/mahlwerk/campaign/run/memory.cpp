@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "mahlwerk/campaign/run/checkpoint.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
@@ -111,7 +112,8 @@ Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& larges
 double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
   const Needs needs = needs_of(points, largest, at_once);
-  return program_itself + needs.running * memory_needed(largest) + needs.kept;
+  const double states = std::min(needs.kept, static_cast<double>(Checkpoint::Unasked().most));
+  return program_itself + needs.running * memory_needed(largest) + needs.kept + states;
 }
 
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
