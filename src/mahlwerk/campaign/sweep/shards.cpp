@@ -26,10 +26,12 @@ std::optional<Shard> shard_of_name(const fs::path& file) {
   const char* const end = name.data() + name.size();
   const auto number = std::from_chars(name.data() + shard_name.size(), end, shard.number);
   constexpr std::string_view between = "-of-";
-  if (number.ec != std::errc{} || !std::string_view(number.ptr, end).starts_with(between))
-    return std::nullopt;
+  const auto rest = [&](const char* from) {
+    return std::string_view(from, static_cast<std::size_t>(end - from));
+  };
+  if (number.ec != std::errc{} || !rest(number.ptr).starts_with(between)) return std::nullopt;
   const auto of = std::from_chars(number.ptr + between.size(), end, shard.of);
-  if (of.ec != std::errc{} || std::string_view(of.ptr, end) != ".sqlite" || shard.number < 1 ||
+  if (of.ec != std::errc{} || rest(of.ptr) != ".sqlite" || shard.number < 1 ||
       shard.number > shard.of)
     return std::nullopt;
   return shard;
