@@ -132,12 +132,23 @@ def toml(made):
     return "\n".join(lines) + "\n"
 
 
-def limit():
+MEMORY = 8_000_000_000  # [bytes]
+
+
+def limit(memory=True):
     resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
-    resource.setrlimit(resource.RLIMIT_AS, (8_000_000_000, 8_000_000_000))
+    if memory:
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def tried(program, text, setting, command):
+def limit_for(program):
+    """Limits under which the program starts: a sanitizer reserves terabytes of addresses."""
+    starts = subprocess.run([program, "--version"], preexec_fn=limit, check=False,
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+    return limit if starts else lambda: limit(memory=False)
+
+
+def tried(program, limits, text, setting, command):
     """Whether the program takes the case, and what is wrong with its answer; empty if nothing is."""
     with tempfile.TemporaryDirectory() as folder:
         case = pathlib.Path(folder) / "case.toml"
@@ -148,7 +159,7 @@ def tried(program, text, setting, command):
                       "--set", f"run.engine={command[1]}"]
         words += ["--set", setting.replace("\u0000", "\\u0000")]
         ended = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                               preexec_fn=limit, check=False)
+                               preexec_fn=limits, check=False)
     said = ended.stdout.decode(errors="replace")
     taken = ended.returncode in (0, 3)
     if not taken and ended.returncode != 2:
@@ -167,7 +178,7 @@ def main():
     parser.add_argument("--all", action="store_true")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    every = list(keys(options.program))
+    every, limits = list(keys(options.program)), limit_for(options.program)
     drawn = []
     for section, key in every:
         text = toml(case_for(every, section, key))
@@ -179,7 +190,7 @@ def main():
         drawn = random.Random(options.seed).sample(drawn, min(options.count, len(drawn)))
     bad, reached = 0, set()
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        answers = pool.map(lambda one: tried(options.program, *one), drawn)
+        answers = pool.map(lambda one: tried(options.program, limits, *one), drawn)
         for (_, setting, command), (taken, wrong) in zip(drawn, answers):
             if taken:
                 reached.add(setting.split("=")[0])
