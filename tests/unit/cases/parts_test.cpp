@@ -45,6 +45,16 @@ TEST(JarWithParts, lifter_bars_are_read_and_are_faces) {
   EXPECT_EQ(face_names(*c.jar.shape).back(), "lifter8");
 }
 
+/// A number out of range is no number of bars; bars are not laid out then.
+TEST(JarWithParts, a_number_of_bars_out_of_range_is_refused) {
+  for (const char* bars : {"0.5", "-1e300", "1001"}) {
+    const auto found =
+        faults_of(with(std::string(drum), "lifters = 8", std::string("lifters = ") + bars));
+    ASSERT_EQ(found.size(), 1U) << bars;
+    EXPECT_EQ(found[0].code, "out-of-range");
+  }
+}
+
 TEST(JarWithParts, kind_with_underscores_is_read_with_a_note) {
   const Case now = read_sample(std::string(drum));
   const Case old =

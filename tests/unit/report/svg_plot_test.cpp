@@ -21,6 +21,16 @@ TEST(Ticks, are_round_numbers_inside) {
   EXPECT_TRUE(ticks(1, 1, false, 5).empty());
 }
 
+/// The ends of a logarithmic axis, below the least value, are numbers above 0 with few ticks.
+TEST(Ticks, of_values_next_to_zero_are_on_an_axis_with_ends) {
+  AxisScale scale(true);
+  scale.include(5e-324);
+  scale.include(1e-299);
+  scale.set_limits({}, true);
+  EXPECT_GT(scale.least, 1e-300);
+  EXPECT_LT(ticks(scale.least, scale.most, true, 5).size(), 9U);
+}
+
 TEST(Ticks, are_a_few_whatever_the_range) {
   Random random(3, 0);
   for (int i = 0; i < 2000; ++i) {

@@ -102,7 +102,8 @@ void read_shape(SectionReader& in, S& shape) {
   }
   if constexpr (is_plain<S>) {
     if (size != nullptr) size_from_volume(in, shape, follows, size);
-  } else {
+  } else if (std::ranges::none_of(
+                 S::fields(), [&](const auto& field) { return std::isnan(shape.*field.value); })) {
     shape.complete();
   }
 }

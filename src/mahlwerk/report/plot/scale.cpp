@@ -34,7 +34,8 @@ std::vector<double> powers(double least, double most, int wanted) {
 }  // namespace
 
 bool is_plottable(double v, bool logarithmic) {
-  return std::isfinite(v) && (!logarithmic || v > 0);
+  constexpr double least = 1e-300;  // the end of an axis is below its least value
+  return std::isfinite(v) && (!logarithmic || v > least);
 }
 
 void AxisScale::include(double v) {
