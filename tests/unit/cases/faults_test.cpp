@@ -102,7 +102,7 @@ TEST(CaseFaults, values_out_of_range) {
   EXPECT_TRUE(out("count", "mass = \"0 g\"", 13, "above 0 g"));
   EXPECT_TRUE(out("count", "filling = \"0 %\"", 13, "above 0"));
   EXPECT_TRUE(out("count", "filling = 1.2", 13, "at most 1"));
-  EXPECT_TRUE(out("time", "time = \"0 s\"", 21, "above 0 s"));
+  EXPECT_TRUE(out("time", "time = \"0 s\"", 21, "at least 1 ns"));
   EXPECT_TRUE(out("time", "time = \"1 s\"\nsettle = \"-1 s\"", 22, "at least 0 s"));
   EXPECT_TRUE(out("time", "time = \"1 s\"\nreplicates = 0", 22, "from 1 to 10000"));
   EXPECT_TRUE(out("time", "time = \"1 s\"\nreplicates = 10001", 22, "from 1 to 10000"));

@@ -55,6 +55,13 @@ TEST(JarWithParts, a_number_of_bars_out_of_range_is_refused) {
   }
 }
 
+/// The volume of such a jar is no number.
+TEST(JarWithParts, bars_wider_than_the_jar_are_refused) {
+  const auto found = faults_of(with(std::string(drum), "lifter_width", "lifter_width = \"20 m\""));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "impossible-jar");
+}
+
 TEST(JarWithParts, kind_with_underscores_is_read_with_a_note) {
   const Case now = read_sample(std::string(drum));
   const Case old =

@@ -23,6 +23,7 @@
 #include "mahlwerk/geometry/periodic_box.hpp"
 #include "mahlwerk/geometry/periodic_cylinder.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/still.hpp"
 
 namespace mahlwerk::cases {
@@ -99,9 +100,20 @@ void thin_film(const Case& c, std::vector<Fault>& found) {
                    "thin-film"});
 }
 
+/// Whether all sizes of the jar are numbers: a size with a fault, which is reported elsewhere, is
+/// none. The volume may be none because parts do not fit together.
+bool has_sizes(const geometry::AnyShape& any) {
+  return std::visit(
+      []<class S>(const S& shape) {
+        return std::ranges::none_of(
+            S::fields(), [&](const auto& field) { return std::isnan(shape.*field.value); });
+      },
+      any);
+}
+
 /// Parts of a jar that do not fit together.
 void impossible_jar(const Case& c, std::vector<Fault>& found) {
-  if (std::isnan(geometry::volume(*c.jar.shape))) return;  // invalid size, reported elsewhere
+  if (!has_sizes(*c.jar.shape)) return;
   const std::string flaw = geometry::flaw(*c.jar.shape);
   if (flaw.empty()) return;
   found.push_back({location_of(c, "jar.kind"),

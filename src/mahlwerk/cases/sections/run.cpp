@@ -12,7 +12,7 @@ namespace mahlwerk::cases {
 namespace {
 
 /// At most three years; a longer time is taken for a mistake.
-constexpr Range run_times{.least = 0, .most = 1e8, .without_least = true};
+constexpr Range run_times{.least = 1e-9, .most = 1e8};
 constexpr Range settle_times{.least = 0, .most = 1e8};
 /// At most three times the speed of sound in air; no mill accelerates its balls to more.
 constexpr Range start_speeds{.least = 0, .most = 1000};

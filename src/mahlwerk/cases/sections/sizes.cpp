@@ -37,8 +37,8 @@ bool describe_spread(KeyVisitor& v, Distribution& d) {
                .with(ball_diameter)
                .plausible_within("", "0.5 m"),
            d.diameter);
-  constexpr Range deviations{.least = 0, .most = 0.3, .without_least = true};
-  constexpr Range ratios{.least = 1, .most = 2, .without_least = true};
+  constexpr double least = 1e-3;  // less is one size within rounding
+  constexpr Range deviations{.least = least, .most = 0.3}, ratios{.least = 1 + least, .most = 2};
   v.number({"spread", "", normal ? deviations : ratios,
             normal ? "standard deviation over the mean diameter"
                    : "geometric standard deviation, a pure number above 1"},
