@@ -5,18 +5,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <map>
-#include <mutex>
 #include <optional>
-#include <set>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/campaign/points/plan.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/campaigns/paper_folders.hpp"
+#include "mahlwerk/commands/campaigns/paper_runs.hpp"
 #include "mahlwerk/commands/campaigns/render.hpp"
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
@@ -25,7 +22,6 @@
 #include "mahlwerk/report/paper/figure_plot.hpp"
 #include "mahlwerk/report/paper/overview.hpp"
 #include "mahlwerk/report/paper/page.hpp"
-#include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json.hpp"
 
@@ -37,14 +33,6 @@ namespace fs = std::filesystem;
 struct PapersArguments : CaseArguments {
   bool quick = false;                ///< without those that take long
   std::optional<double> checkpoint;  ///< [s]
-};
-
-/// A paper with the cases of its campaigns.
-struct PaperJob {
-  report::Paper paper;
-  std::map<std::string, cases::Case> whole;                ///< by campaign: its case with [sweep]
-  std::map<std::string, std::vector<cases::Case>> points;  ///< by campaign: its points
-  std::unique_ptr<results::Folder> folder;
 };
 
 PaperJob prepare_paper(const PapersArguments& given, report::Paper paper, const fs::path& results,
@@ -87,129 +75,6 @@ std::vector<PaperJob> prepare_papers(const PapersArguments& given,
     throw InputError(Fault{given.target, "--quick leaves out all of these papers",
                            "leave out --quick", "no-such-paper"});
   return jobs;
-}
-
-std::string below(const std::string& campaign, std::size_t point) {
-  return fmt::format("{}/point-{:03}/", campaign, point + 1);
-}
-
-report::Campaign numbers_of(const cases::Case& mill_case,
-                            const std::vector<results::Outcome>& outcomes) {
-  const campaign::Plan plan(mill_case.sweep, mill_case.seed);
-  const std::vector<std::string> own = campaign::base_values(plan, mill_case);
-  report::Campaign made{.title = mill_case.title};
-  for (const results::Outcome& outcome : outcomes) {
-    const std::size_t i = made.points.size();
-    report::add(made,
-                {.number = i + 1,
-                 .values = campaign::point_values(plan, i, own),
-                 .regime = outcome.summary.regime,
-                 .warnings = results::warning_codes(outcome.notices),
-                 .folder = fmt::format("point-{:03}/", i + 1)},
-                outcome.summary.quantities);
-  }
-  for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
-  results::sort(made.notices);
-  made.keys = report::campaign_keys(plan.keys(), made.points);
-  return made;
-}
-
-/// The points of all campaigns; points that campaigns share are stored once.
-class UniquePoints {
- public:
-  /// Adds a point unless an equal one is there. Returns its index in `points`.
-  std::size_t add(const cases::Case& point) {
-    cases::Case bare = point;
-    bare.title.clear();
-    const bool alone =
-        point.observe.collisions || point.observe.frames;  // such a point writes its own files
-    const std::string what = alone ? "" : cases::write(bare) + cases::input_files_fingerprint(bare);
-    if (!alone) {
-      const auto [known, fresh] = places_.try_emplace(what, points.size());
-      if (!fresh) return known->second;
-    }
-    points.push_back(point);
-    return points.size() - 1;
-  }
-  std::vector<cases::Case> points;
-
- private:
-  std::map<std::string, std::size_t> places_;
-};
-
-/// Where a point stands in the paper.
-struct PointPlace {
-  std::string campaign;
-  std::size_t point = 0;
-};
-
-/// Writes the results of points as they end and frees their statistics, unless a table of the paper
-/// needs them.
-class PointWriter {
- public:
-  PointWriter(const PaperJob& job, std::vector<std::vector<PointPlace>> places)
-      : job_(job), places_(std::move(places)) {
-    for (const report::PaperTable& table : job.paper.tables)
-      if (table.kind == report::PaperTable::Kind::captured) in_tables_.insert(table.campaign);
-  }
-  void operator()(std::size_t k, results::Outcome& ended) {
-    if (ended.interrupted) return;  // nothing of the paper will be written
-    const std::lock_guard<std::mutex> one_at_a_time(mutex_);
-    bool needed = false;
-    for (const auto& [campaign, i] : places_[k]) {
-      ended.mill_case = job_.points.at(campaign)[i];
-      report::write(*job_.folder, ended, version(), below(campaign, i), false);
-      needed = needed || in_tables_.contains(campaign);
-    }
-    if (!needed) results::release_statistics(ended);
-  }
-
- private:
-  const PaperJob& job_;
-  std::vector<std::vector<PointPlace>> places_;
-  std::set<std::string> in_tables_;
-  std::mutex mutex_;
-};
-
-/// Runs all points of all campaigns of the paper together, so that no core idles between campaigns.
-std::map<std::string, report::RunCampaign> run_all(const PapersArguments& given,
-                                                   const PaperJob& job,
-                                                   campaign::ResumableRuns& kept) {
-  UniquePoints unique;
-  campaign::Streams streams(version());
-  std::map<std::string, std::vector<std::size_t>> at;
-  std::vector<std::vector<PointPlace>> places;
-  for (const auto& [name, points] : job.points)
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t k = unique.add(points[i]);
-      at[name].push_back(k);
-      if (k == places.size()) {
-        places.emplace_back();
-        streams.add(points[i], *job.folder, below(name, i));
-      }
-      places[k].push_back({name, i});
-    }
-  std::vector<std::size_t> uses;  // of each outcome, by campaigns
-  for (const auto& one : places) uses.push_back(one.size());
-  PointWriter write(job, std::move(places));
-  std::vector<results::Outcome> outcomes =
-      compute(given.running, unique.points, streams, kept, given.checkpoint, true, std::ref(write));
-  streams.close();
-  std::map<std::string, report::RunCampaign> run;
-  std::vector<bool> counted(outcomes.size(), false);
-  for (const auto& [name, points] : job.points) {
-    report::RunCampaign& one = run[name];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t k = at[name][i];
-      if (!counted[k]) one.seconds += outcomes[k].cpu_seconds;
-      counted[k] = true;
-      const bool last = --uses[k] == 0;
-      one.outcomes.push_back(last ? std::move(outcomes[k]) : outcomes[k]);
-      one.outcomes.back().mill_case = points[i];
-    }
-    one.numbers = numbers_of(job.whole.at(name), one.outcomes);
-  }
-  return run;
 }
 
 /// Writes the figures with their numbers. Returns why PDF or PNG files are missing.
@@ -316,7 +181,7 @@ int papers(const PapersArguments& given) {
   for (const PaperJob& job : jobs) {
     const auto started = std::chrono::steady_clock::now();
     campaign::ResumableRuns kept(job.folder->target());
-    const std::map<std::string, report::RunCampaign> run = run_all(given, job, kept);
+    const auto [run, lost] = run_paper(running, given.checkpoint, job, kept);
     if (stop_wanted()) {
       ended = report_interrupted(running,
                                  "finished runs are kept; run the same command again to resume");
@@ -326,7 +191,9 @@ int papers(const PapersArguments& given) {
     for (const auto& [key, value, swept] : given.changes.overrides())
       result.changed.push_back(fmt::format("{} = {}", key, value));
     std::optional<Fault> missing;
-    const std::vector<Fault> unwritten = write_result([&] { missing = write(job, run, result); });
+    std::vector<Fault> unwritten = lost;
+    if (unwritten.empty())
+      unwritten = write_result([&, &campaigns = run] { missing = write(job, campaigns, result); });
     if (missing && !warned && running.prints_errors()) print_warning(*missing);
     warned = warned || missing;  // said once for all papers
     if (unwritten.empty()) kept.remove();
