@@ -18,9 +18,7 @@
 // end the program, so that the next allocation fails instead.
 #include <dirent.h>
 #include <dlfcn.h>
-#include <execinfo.h>
 #include <fcntl.h>
-#include <link.h>
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -29,14 +27,13 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdarg>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+
+#include "chosen_fault.hpp"
 
 extern "C" {
 void* __libc_malloc(std::size_t);
@@ -47,139 +44,7 @@ void* __libc_memalign(std::size_t, std::size_t);
 
 namespace {
 
-enum Kind {
-  file_open,
-  file_write,
-  file_sync,
-  file_rename,
-  folder_make,
-  map,
-  memory,
-  thread,
-  kinds
-};
-constexpr std::array<const char*, kinds> names{"open", "write", "sync",   "rename",
-                                               "make", "mmap",  "malloc", "thread"};
-
-std::array<std::atomic<long>, kinds> calls{};
-std::atomic<bool> counts{false};
-int chosen = kinds, error_number = 0, signal_number = 0;
-long at_call = 0;
-bool stays = false;
-
-/// Writes to the log without any function of this file.
-void log(const char* text) {
-  const char* name = std::getenv("MAHLWERK_FAULT_LOG");
-  if (name == nullptr) return;
-  const long file = syscall(SYS_openat, AT_FDCWD, name, O_WRONLY | O_CREAT | O_APPEND, 0644);
-  if (file < 0) return;
-  syscall(SYS_write, file, text, std::strlen(text));
-  syscall(SYS_close, file);
-}
-
-void log_fault(int kind, long call, const char* what) {
-  std::array<char, 600> line{};
-  std::snprintf(line.data(), line.size(), "fault %s %ld %s\n", names[static_cast<unsigned>(kind)],
-                call, what);
-  log(line.data());
-}
-
-/// Code whose allocations count.
-struct Range {
-  std::uintptr_t begin = 0, end = 0;
-};
-std::array<Range, 16> counted{};
-
-/// Notes the code of a loaded object, if its allocations count.
-int note_code(dl_phdr_info* object, std::size_t, void* number) {
-  constexpr std::array<const char*, 5> libraries{"libstdc++", "libsqlite3", "libfmt",
-                                                 "libtomlplusplus", "/_core."};
-  auto& made = *static_cast<unsigned*>(number);
-  const char* name = object->dlpi_name;
-  bool counts_here = name[0] == '\0' && std::getenv("MAHLWERK_FAULT_WAIT") == nullptr;
-  for (const char* library : libraries)
-    counts_here = counts_here || std::strstr(name, library) != nullptr;
-  for (int k = 0; counts_here && k < object->dlpi_phnum && made < counted.size(); ++k)
-    if (const auto& part = object->dlpi_phdr[k]; part.p_type == PT_LOAD && (part.p_flags & PF_X)) {
-      const std::uintptr_t begin = object->dlpi_addr + part.p_vaddr;
-      counted[made++] = {begin, begin + part.p_memsz};
-    }
-  return 0;
-}
-
-void begin_to_count() {
-  unsigned number = 0;
-  dl_iterate_phdr(note_code, &number);
-  counts = true;
-}
-
-bool is_counted(const void* caller) {
-  if (!counts.load(std::memory_order_relaxed)) return false;
-  const auto place = reinterpret_cast<std::uintptr_t>(caller);
-  for (const Range& code : counted)
-    if (place >= code.begin && place < code.end) return true;
-  return false;
-}
-
-bool in_directory_iterator() {
-  std::array<void*, 40> places{};
-  counts = false;
-  const int depth = backtrace(places.data(), places.size());
-  bool found = false;
-  for (int k = 0; k < depth; ++k) {
-    Dl_info place{};
-    found = found ||
-            (dladdr(places[static_cast<unsigned>(k)], &place) != 0 && place.dli_sname != nullptr &&
-             std::strstr(place.dli_sname, "directory_iterator") != nullptr);
-  }
-  counts = true;
-  return found;
-}
-
-void print_trace() {
-  std::array<void*, 60> places{};
-  counts = false;
-  std::array<char, 40> line{};
-  const int length = std::snprintf(line.data(), line.size(), "code at %lx\n", counted[0].begin);
-  syscall(SYS_write, STDERR_FILENO, line.data(), length);
-  backtrace_symbols_fd(places.data(), backtrace(places.data(), places.size()), STDERR_FILENO);
-  counts = true;
-}
-
-/// Counts a call; true if it shall fail, with errno set.
-bool fails(Kind kind, const char* what = "") {
-  if (!counts.load(std::memory_order_relaxed)) return false;
-  const long call = ++calls[kind];
-  if (kind != chosen || call < at_call || (call > at_call && !stays)) return false;
-  if (kind == memory && call == at_call && in_directory_iterator()) {
-    ++at_call;
-    return false;
-  }
-  if (call == at_call) log_fault(kind, call, what);
-  if (call == at_call && std::getenv("MAHLWERK_FAULT_TRACE") != nullptr) print_trace();
-  if (signal_number != 0) {
-    if (call == at_call) std::raise(signal_number);
-    return false;
-  }
-  errno = error_number;
-  return true;
-}
-
-/// The fault that the environment asks for.
-void read_environment() {
-  const char* text = std::getenv("MAHLWERK_FAULT");
-  if (text == nullptr) return;
-  std::array<char, 16> kind{}, rest{};
-  if (std::sscanf(text, "%15[a-z]:%ld:signal:%d", kind.data(), &at_call, &signal_number) < 3) {
-    signal_number = 0;
-    if (std::sscanf(text, "%15[a-z]:%ld:%d:%15s", kind.data(), &at_call, &error_number,
-                    rest.data()) < 3)
-      return;
-  }
-  stays = std::strcmp(rest.data(), "stays") == 0;
-  for (int k = 0; k < kinds; ++k)
-    if (std::strcmp(kind.data(), names[static_cast<unsigned>(k)]) == 0) chosen = k;
-}
+using namespace faults;
 
 template <class Function>
 Function* real(const char* name) {
@@ -213,13 +78,8 @@ struct Report {
     unsetenv("LD_PRELOAD");  // a program that is started is none under test
   }
   ~Report() {
-    counts = false;
-    std::array<char, 400> text{};
-    int length = 0;
-    for (unsigned k = 0; k < kinds; ++k)
-      length += std::snprintf(text.data() + length, text.size() - static_cast<unsigned>(length),
-                              "%s %ld\n", names[k], calls[k].load());
-    log(text.data());
+    end_counting();
+    log_calls();
   }
 } report;
 
@@ -233,7 +93,7 @@ EXPORT void mahlwerk_fault_begin() {
   begin_to_count();
 }
 EXPORT void mahlwerk_fault_end() {
-  counts = false;
+  end_counting();
 }
 
 EXPORT int __libc_start_main(Main* main, int argc, char** argv, void (*init)(), void (*fini)(),
@@ -297,8 +157,7 @@ static const char* name_of(int file) {
 }
 /// The name is found only for the call that fails.
 static bool write_fails(int file) {
-  const bool next = chosen == file_write && calls[file_write] + 1 == at_call;
-  return file != STDERR_FILENO && fails(file_write, next ? name_of(file) : "");
+  return file != STDERR_FILENO && fails(file_write, is_next(file_write) ? name_of(file) : "");
 }
 
 EXPORT ssize_t write(int file, const void* bytes, std::size_t count) {

@@ -7,30 +7,10 @@ import pathlib
 import shutil
 import sys
 
-BALL = """title = "A ball"
-seed = 1
-[mill]
-kind = "vibration"
-frequency = "10 Hz"
-amplitude = "25 mm"
-[jar]
-kind = "capsule"
-diameter = "12 mm"
-volume = "5 ml"
-[[balls]]
-count = 1
-diameter = "8 mm"
-density = "7850 kg/m3"
-[contact]
-restitution = 0.9
-tangential_restitution = 0.9
-lasting = "tc"
-contact_time = "1e-4 s"
-[run]
-engine = "event"
-time = "0.3 s"
-replicates = 2
-"""
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "campaign"))
+import campaign  # noqa: E402
+
+BALL = campaign.CASE.replace("TIME", "0.3 s").partition("[sweep]")[0]
 RANGE = '{ from = "8 Hz", to = "16 Hz" }'
 PAPER = """title = "T"
 source = "S"

@@ -54,6 +54,24 @@ std::optional<double> remaining(const std::string& limit, const std::string& use
   return std::max(0.0, *most - *now);
 }
 
+/// Replicates that are computed at the same time, and [bytes] what those that have ended keep.
+struct Needs {
+  double running = 0, kept = 0;
+};
+
+Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
+  Needs needs;
+  double replicates = 0;
+  for (const cases::Case& mill_case : points) {
+    const auto own = static_cast<double>(mill_case.run.replicates);
+    replicates += own;
+    needs.kept += own * memory_kept(mill_case);
+  }
+  const auto together = static_cast<double>(replicates_together(largest));  // in each thread
+  needs.running = std::min(replicates, at_once * together);
+  return needs;
+}
+
 }  // namespace
 
 std::string bytes_in_words(double bytes) {
@@ -86,28 +104,6 @@ double memory_kept(const cases::Case& mill_case) {
   const auto faces = static_cast<double>(geometry::face_names(*mill_case.jar.shape).size());
   return any_result + maps + spectra_of_pair * sets * (0.5 * (sets + 1) + faces);
 }
-
-namespace {
-
-/// Replicates that are computed at the same time, and [bytes] what those that have ended keep.
-struct Needs {
-  double running = 0, kept = 0;
-};
-
-Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
-  Needs needs;
-  double replicates = 0;
-  for (const cases::Case& mill_case : points) {
-    const auto own = static_cast<double>(mill_case.run.replicates);
-    replicates += own;
-    needs.kept += own * memory_kept(mill_case);
-  }
-  const auto together = static_cast<double>(replicates_together(largest));  // in each thread
-  needs.running = std::min(replicates, at_once * together);
-  return needs;
-}
-
-}  // namespace
 
 double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
