@@ -128,8 +128,8 @@ def examine(options, known, index):
     with tempfile.TemporaryDirectory() as folder:
         right = known.get(str(index)) or careful(options.careful or options.program, text, period,
                                                  balls, folder)
-        plain = run(options.program, text + f'[run]\ntime = "{counted:.3g} s"\nreplicates = 3\n',
-                    folder, options.limit)
+        plain = run(options.program, text + f'[run]\ntime = "{counted:.3g} s"\n', folder,
+                    options.limit)
     if right is None:
         return index, "no-reference", "", right
     if plain is None:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The command `compare`: one case with both engines.
+#include <sstream>
+
 #include "program.hpp"
 
 namespace mahlwerk::tests::compare_test {
@@ -38,6 +40,32 @@ TEST_F(Compare, each_result_is_that_of_a_run) {
     ASSERT_EQ(mahlwerk("run " + short_ + "--force --quiet --set run.engine=" + engine).code, 0);
     EXPECT_EQ(text("both/" + engine + "/spectrum.csv"), text("out/spectrum.csv"));
   }
+}
+
+TEST_F(Compare, that_is_interrupted_or_killed_writes_nothing_and_resumes_to_the_same) {
+  const std::string longer = "compare " + example("05-planetary-soft") +
+                             " --set run.time='2 s' --set run.settle='0 s' --checkpoint 0.05 ";
+  ASSERT_EQ(mahlwerk(longer + "--quiet --out whole").code, 0);
+  const ProgramResult ended = mahlwerk_until("out.checkpoints", SIGINT, longer + "--out out");
+  EXPECT_EQ(ended.code, 130) << ended.output;
+  EXPECT_NE(ended.output.find("out.checkpoints; run the same command again to resume"),
+            std::string::npos)
+      << ended.output;
+  EXPECT_FALSE(exists("out"));
+  EXPECT_EQ(mahlwerk_until("out.checkpoints", SIGKILL, longer + "--out out").code, 128 + SIGKILL);
+  const ProgramResult again = mahlwerk(longer + "--out out --threads 1");
+  ASSERT_EQ(again.code, 0) << again.output;
+  EXPECT_NE(again.output.find("of 2 settings where they were ended"), std::string::npos)
+      << again.output;
+  const auto numbers = [&](const std::string& folder) {
+    std::stringstream table(text(folder + "/compare.csv"));
+    std::string kept;
+    for (std::string line; std::getline(table, line);)
+      if (!line.starts_with("computing_time")) kept += line + '\n';
+    return kept;
+  };
+  EXPECT_EQ(numbers("out"), numbers("whole"));
+  EXPECT_FALSE(exists("out.checkpoints"));
 }
 
 TEST_F(Compare, json_has_both_columns) {

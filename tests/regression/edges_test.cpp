@@ -36,6 +36,12 @@ class Edges : public ProgramTest {
     ProgramTest::SetUp();
     std::ofstream(here_ / "case.toml") << vial;
   }
+  void in_mill(const std::string& lines) {
+    std::string other = vial;
+    const auto mill = other.find("[mill]"), jar = other.find("[jar]");
+    other.replace(mill, jar - mill, "[mill]\n" + lines);
+    std::ofstream(here_ / "case.toml") << other;
+  }
   /// Runs the case with these settings, separated by semicolons.
   ProgramResult with(const std::string& settings) {
     std::string words = "run case.toml --force --out out";
@@ -64,19 +70,18 @@ TEST_F(Edges, absurd_values_are_refused) {
 
 TEST_F(Edges, unusual_values_get_a_word) {
   tells("balls.density=7.85 kg/m3", "unusual-value");
-  std::string planetary = vial;
-  const auto mill = planetary.find("[mill]"), jar = planetary.find("[jar]");
-  planetary.replace(mill, jar - mill,
-                    "[mill]\nkind = \"planetary\"\nspeed = \"300 rpm\"\n"
-                    "orbit_radius = \"70 mm\"\nratio = 2\n");
-  std::ofstream(here_ / "case.toml") << planetary;
+  in_mill("kind = \"planetary\"\nspeed = \"300 rpm\"\norbit_radius = \"70 mm\"\nratio = 2\n");
   tells("run.time=0.01 s", "unusual-ratio");
 }
 
-TEST_F(Edges, a_maker_s_range_holds_beside_a_kind) {
-  const std::string mm400 = "mill.model=retsch-mm400;mill.kind=";
-  refuses(mm400 + "arc-shaker;mill.frequency=100 Hz", "outside-mill-range", "Retsch");
-  refuses(mm400 + "planetary", "model-and-kind", "not \"planetary\"");
+TEST_F(Edges, a_maker_s_range_is_told_beside_a_kind) {
+  in_mill(
+      "model = \"retsch-mm400\"\nkind = \"arc-shaker\"\nfrequency = \"25 Hz\"\n"
+      "arm = \"136 mm\"\nswing = \"3.8 deg\"\n");
+  tells("run.time=0.01 s;mill.frequency=50 Hz", "beyond-mill-range");
+  with("run.time=0.01 s");
+  EXPECT_EQ(text("out/summary.json").find("beyond-mill-range"), std::string::npos);
+  refuses("mill.model=retsch-mm400;mill.kind=planetary", "model-and-kind", "not \"planetary\"");
 }
 
 TEST_F(Edges, keys_that_the_engine_ignores_are_told) {

@@ -197,14 +197,6 @@ TEST(CaseFaults, names_the_catalogue_lacks) {
                    "ball set called 'six'", "unknown-name"));
 }
 
-TEST(CaseFaults, outside_what_the_maker_offers) {
-  EXPECT_TRUE(only(with(planetary, "speed", "speed = \"900 rpm\""), "case.toml:3",
-                   "100 rpm to 800 rpm", "outside-mill-range"));
-  EXPECT_TRUE(only(with(planetary, "speed", "speed = \"1 Hz\""), "case.toml:3",
-                   "100 rpm to 800 rpm", "outside-mill-range"));
-  EXPECT_TRUE(faults_of(with(planetary, "speed", "speed = \"800 rpm\"")).empty());
-}
-
 TEST(CaseFaults, ratios_that_are_none) {
   const auto bad = [](const std::string& line, int at, const char* code) {
     return only(with(planetary, "speed", "speed = \"400 rpm\"\n" + line),

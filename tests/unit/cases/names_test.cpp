@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Names of the catalogue as people write them, and names that are empty.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -174,6 +175,25 @@ TEST(Names, a_missing_number_of_a_mill_is_proposed_from_its_own_range) {
       only(with(planetary, "speed", ""), "case.toml:1",
            "Test mills/p7 offers 100 rpm to 800 rpm: write for instance speed = \"800 rpm\"",
            "missing-value"));
+}
+
+TEST(Names, a_speed_that_the_maker_does_not_offer_gets_a_warning_and_is_taken) {
+  const auto warned = [](const std::string& line) {
+    return unusual_values(read_sample(with(planetary, "speed", line)));
+  };
+  for (const char* beyond : {"900 rpm", "1 Hz", "-900 rpm", "99.9 rpm"}) {
+    const Notices notices = warned(fmt::format("speed = \"{}\"", beyond));
+    const Notice* told = find(notices, "beyond-mill-range");
+    ASSERT_NE(told, nullptr) << beyond;
+    EXPECT_TRUE(told->warns());
+    EXPECT_TRUE(told->text.starts_with(fmt::format(
+        "mill.speed is {}, which Test mills/p7 does not offer: its range is 100 rpm to 800 rpm",
+        beyond)))
+        << told->text;
+  }
+  for (const char* offered : {"100 rpm", "800 rpm", "-800 rpm"})
+    EXPECT_EQ(find(warned(fmt::format("speed = \"{}\"", offered)), "beyond-mill-range"), nullptr)
+        << offered;
 }
 
 TEST(Names, a_jar_of_another_mill_gets_a_warning) {

@@ -126,8 +126,6 @@ TEST(Reverse, a_negative_speed_is_read_and_0_is_not_a_speed) {
   EXPECT_LT(std::get<kinematics::Planetary>(*c.mill.motion).speed, 0);
   const Case named = read_sample(with(planetary, "speed", "speed = \"-400 rpm\""));
   EXPECT_LT(std::get<kinematics::Planetary>(*named.mill.motion).speed, 0);
-  EXPECT_TRUE(only(with(planetary, "speed", "speed = \"-900 rpm\""), "case.toml:3",
-                   "outside what Test mills/p7 offers", "outside-mill-range"));
   EXPECT_GT(shaft_speed(c).value(), 0) << "the torque has the sign of the power";
   expect_says("it must be other than 0", with(text, "speed", "speed = \"0 rpm\""));
 }

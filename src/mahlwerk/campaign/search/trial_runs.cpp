@@ -160,8 +160,8 @@ void TrialRuns::check(const cases::SweptKey& range, std::vector<Fault>& wrong) c
 /// may depend on other keys.
 void TrialRuns::check_end(const cases::SweptKey& range, std::size_t end,
                           std::vector<Fault>& wrong) const {
-  constexpr std::array sure{"unknown-key",  "bad-quantity", "wrong-type",
-                            "unknown-word", "out-of-range", "outside-mill-range"};
+  constexpr std::array sure{"unknown-key", "bad-quantity", "wrong-type", "unknown-word",
+                            "out-of-range"};
   const std::string label = fmt::format("{} = {}", range.key, range.values[end]);
   std::vector<cases::Override> set = set_;
   set.push_back({range.key, range.values[end], source_});

@@ -100,62 +100,64 @@ double compared(const NumberSpec& spec, double value) {
   return spec.range.without_zero ? std::abs(value) : value;
 }
 
-/// Reports a given value outside the range that the maker of a catalogue's mill offers.
-void check_offer(SectionReader& in, const NumberSpec& spec, double value,
-                 const CatalogueEntry& entry) {
-  const Node* at = in.find(spec.key);
-  if (at == nullptr || at->precedence == Precedence::catalogue) return;
-  const auto offered = [&](std::string_view end) -> std::optional<double> {
-    const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
-    if (found == entry.values.end()) return std::nullopt;
-    return parse_in(found->second.text, spec.unit);
-  };
-  try {
-    const auto least = offered("least"), most = offered("most");
-    const double size = compared(spec, value);
-    const bool low = least && size < *least, high = most && size > *most;
-    if (!low && !high) return;
-    const auto text = [&](std::string_view end) {
-      const auto found = entry.values.find(fmt::format("{}_{}", spec.key, end));
-      return found == entry.values.end() ? std::string("any") : found->second.text;
-    };
-    in.fault(*at,
-             fmt::format("{} = \"{}\" is outside what {} offers: {} to {}", spec.key, at->text,
-                         entry.title, text("least"), text("most")),
-             "stay within this range, or give `kind` and the mill's own numbers instead of `model`",
-             "outside-mill-range");
-  } catch (const UnitError&) {
-    return;  // a range of ratios like "1:-2"; the catalogue's own tests check it
-  }
-}
+/// The range of a number that the maker of a mill of the catalogue offers; as far as it says.
+class OfferedRange {
+ public:
+  OfferedRange(const NumberSpec& spec, const CatalogueEntry& entry)
+      : spec_(spec), least_(text_of(entry, "least")), most_(text_of(entry, "most")) {}
 
-/// Warns of ranges of [sweep], [optimise] and [match] that go beyond those of the maker.
-void remark_on_ranges(SectionReader& in, const NumberSpec& spec, const CatalogueEntry& entry,
-                      const Case& c) {
-  const auto least = entry.values.find(fmt::format("{}_least", spec.key)),
-             most = entry.values.find(fmt::format("{}_most", spec.key));
-  const auto beyond = [&](const std::string& text) {
+  [[nodiscard]] bool excludes(double value) const {
     try {
-      const double value = compared(spec, parse_in(text, spec.unit));
-      return (least != entry.values.end() && value < parse_in(least->second.text, spec.unit)) ||
-             (most != entry.values.end() && value > parse_in(most->second.text, spec.unit));
+      const double size = compared(spec_, value);
+      return (!least_.empty() && size < parse_in(least_, spec_.unit)) ||
+             (!most_.empty() && size > parse_in(most_, spec_.unit));
+    } catch (const UnitError&) {
+      return false;  // a range of ratios like "1:-2"; the catalogue's own tests check it
+    }
+  }
+  [[nodiscard]] bool excludes(const std::string& value) const {
+    try {
+      return excludes(parse_in(value, spec_.unit));
     } catch (const UnitError&) {
       return false;  // reported where the value is used
     }
+  }
+  [[nodiscard]] std::string text() const {
+    return fmt::format("{} to {}", least_.empty() ? "any" : least_, most_.empty() ? "any" : most_);
+  }
+
+ private:
+  std::string text_of(const CatalogueEntry& entry, std::string_view end) const {
+    const auto found = entry.values.find(fmt::format("{}_{}", spec_.key, end));
+    return found == entry.values.end() ? std::string() : found->second.text;
+  }
+
+  const NumberSpec& spec_;
+  std::string least_, most_;
+};
+
+/// Warns of a given value, and of ranges of [sweep], [optimise] and [match], beyond what the maker
+/// of a mill of the catalogue offers.
+void remark_on_offer(SectionReader& in, const NumberSpec& spec, double value,
+                     const CatalogueEntry& entry, const Case& c) {
+  const OfferedRange offered(spec, entry);
+  const auto warn = [&](const std::string& what) {
+    in.findings().remarks.push_back(
+        warning("beyond-mill-range",
+                fmt::format("{}, which {} does not offer: its range is {}. The mill itself could "
+                            "not run so.",
+                            what, entry.title, offered.text())));
   };
+  if (const Node* at = in.find(spec.key);
+      at != nullptr && at->precedence != Precedence::catalogue && offered.excludes(value))
+    warn(fmt::format("mill.{} is {}", spec.key, at->text));
   const auto check = [&](std::string_view section, const std::vector<SweptKey>& keys) {
     for (const SweptKey& one : keys) {
-      const auto value = std::ranges::find_if(one.values, beyond);
-      if (one.key != fmt::format("mill.{}", spec.key) || value == one.values.end()) continue;
-      const auto text = [&](const auto& end, std::string_view none) {
-        return end == entry.values.end() ? std::string(none) : end->second.text;
-      };
-      in.findings().remarks.push_back(warning(
-          "beyond-mill-range",
-          fmt::format("[{}] varies {} to {}, which {} does not offer: its range is {} to {}. Such "
-                      "settings are refused.",
-                      section, one.key, *value, entry.title, text(least, "any"),
-                      text(most, "any"))));
+      if (one.key != fmt::format("mill.{}", spec.key)) continue;
+      const auto beyond = std::ranges::find_if(
+          one.values, [&](const std::string& text) { return offered.excludes(text); });
+      if (beyond != one.values.end())
+        warn(fmt::format("[{}] varies {} to {}", section, one.key, *beyond));
     }
   };
   check("sweep", c.sweep.keys);
@@ -185,10 +187,7 @@ void describe_motion(KeyVisitor& v, M& motion, const Mill& mill, const Case& c,
   for (const auto& field : M::fields()) {
     const NumberSpec spec(field);
     const double value = read_motion_number<M>(*in, spec, mill, c);
-    if (model.entry) {
-      check_offer(*in, spec, value, *model.entry);
-      remark_on_ranges(*in, spec, *model.entry, c);
-    }
+    if (model.entry) remark_on_offer(*in, spec, value, *model.entry, c);
     motion.*field.value = value;
   }
 }

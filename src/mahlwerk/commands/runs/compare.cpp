@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -21,6 +23,10 @@ namespace mahlwerk::commands {
 namespace {
 
 namespace fs = std::filesystem;
+
+struct CompareArguments : CaseArguments {
+  std::optional<double> checkpoint;  ///< [s]
+};
 
 constexpr std::array<const char*, 2> engines{"event", "soft"};
 
@@ -86,7 +92,7 @@ void print_summary(const report::Comparison& comparison, const fs::path& place, 
   fmt::print("computed in {} s\n", two_digits(seconds));
 }
 
-int compare(const CaseArguments& given) {
+int compare(const CompareArguments& given) {
   const Running& running = given.running;
   const fs::path file = one_case_file(given.target, "compare");
   const std::vector<cases::Case> cases = both(given.changes.overrides(), file);
@@ -95,14 +101,21 @@ int compare(const CaseArguments& given) {
   catch_ctrl_c();
   results::Folder folder(place, running.force);
   folder.reserve();
+  campaign::ResumableRuns kept(folder.target());
   campaign::Streams streams(version());
   for (std::size_t i = 0; i < cases.size(); ++i) streams.add(cases[i], folder, below(i));
-  const std::vector<results::Outcome> outcomes = compute(running, cases, streams);
+  const std::vector<results::Outcome> outcomes =
+      compute(running, cases, streams, kept, given.checkpoint);
+  if (stop_wanted() && !std::ranges::all_of(outcomes, results::complete))
+    return report_interrupted(running, fmt::format("the runs are kept in {}; run the same command "
+                                                   "again to resume",
+                                                   kept.folder().string()));
   const report::Comparison comparison = report::compare(outcomes[0], outcomes[1]);
   const std::vector<Fault> unwritten = write_result([&] {
     streams.close();
     write(folder, outcomes, comparison);
   });
+  if (unwritten.empty()) kept.remove();
   const auto print = [&] {
     if (running.json) print_json(comparison, folder.target());
     if (running.prints_text())
@@ -115,12 +128,12 @@ int compare(const CaseArguments& given) {
 }  // namespace
 
 Command compare_command() {
-  const auto given = std::make_shared<CaseArguments>();
+  const auto given = std::make_shared<CompareArguments>();
   return {"compare", "run a case with both engines and show the results side by side",
           joined({{one_case(given->target)},
                   options_of(given->changes),
                   options_of(given->running, ", with -compare"),
-                  {json(given->running.json)}}),
+                  {resumable_checkpoint(given->checkpoint), json(given->running.json)}}),
           [given] { return compare(*given); }};
 }
 
