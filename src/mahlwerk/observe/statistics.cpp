@@ -81,6 +81,7 @@ double student95(int freedom) {
 }
 
 Estimate estimate(const std::vector<double>& values) {
+  if (values.empty()) return {};
   const double mean = mean_of(values);
   if (values.size() < 2) return {mean, std::numeric_limits<double>::quiet_NaN()};
   const auto n = static_cast<double>(values.size());

@@ -3,17 +3,25 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace mahlwerk::observe {
 
-/// A mean and its 95 % confidence half-width.
+/// A mean, or a value that a model predicts, and its 95 % confidence half-width; NaN where unknown.
 struct Estimate {
-  double mean = 0;
-  double ci95 = 0;  ///< by Student's t; NaN for a single value
+  double mean = std::numeric_limits<double>::quiet_NaN();
+  double ci95 = std::numeric_limits<double>::quiet_NaN();  ///< by Student's t; NaN for one value
 };
 
-/// Mean and half-width of `values`, one per replicate, at least one (sta.1).
+/// A value and its 95 % confidence interval, which may be asymmetric; NaN where unknown.
+struct IntervalEstimate {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::quiet_NaN();
+  double high = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Mean and half-width of `values`, one per replicate (sta.1); unknown without any.
 Estimate estimate(const std::vector<double>& values);
 
 /// Mean of a stationary series of equidistant values, and its half-width by batch means: the batch

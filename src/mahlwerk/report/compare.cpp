@@ -67,7 +67,7 @@ struct Counted {
       for (int bin = first; bin < last; ++bin) count += (spectra[i].*part).count(bin);
       each.push_back(static_cast<double>(count) / times[i]);
     }
-    return each.empty() ? observe::Estimate{nothing, nothing} : observe::estimate(each);
+    return observe::estimate(each);
   }
   std::vector<observe::Spectra> spectra;
   std::vector<double> times;

@@ -18,19 +18,26 @@ namespace {
 
 using MatchRow = std::array<std::string, 4>;  // label, A, B, B/A
 
+/// "1.02 (0.97 to 1.07)"
+std::string ratio_text(const observe::IntervalEstimate& ratio) {
+  if (!std::isfinite(ratio.value)) return "-";
+  if (!std::isfinite(ratio.low)) return fmt::format("{:.3g}", ratio.value);
+  return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.value, ratio.low, ratio.high);
+}
+
 std::vector<MatchRow> match_rows(const MatchReport& found) {
-  const auto text = [](const ValueCi95& t, const char* unit, double size) {
-    return readable(t.value, t.ci95, unit, size).text();
+  const auto text = [](const observe::Estimate& t, const char* unit, double size) {
+    return readable(t.mean, t.ci95, unit, size).text();
   };
-  const double dose = std::fmax(found.dose_a.value, found.dose_b.value);
-  const double energy = std::fmax(found.energy_a.value, found.energy_b.value);
+  const double dose = std::fmax(found.dose_a.mean, found.dose_b.mean);
+  const double energy = std::fmax(found.energy_a.mean, found.energy_b.mean);
   const char* unit = found.by_powder ? "W/kg" : "W";
   return {{found.by_powder ? "dose rate" : "dissipated power", text(found.dose_a, unit, dose),
-           text(found.dose_b, unit, dose), found.dose.text()},
+           text(found.dose_b, unit, dose), ratio_text(found.dose)},
           {"mean energy lost per collision", text(found.energy_a, "J", energy),
            text(found.energy_b, "J", energy),
-           fmt::format("{:.3g}", found.energy_b.value / found.energy_a.value)},
-          {"energy below which half of the power lies", "", "", found.half_power.text()},
+           fmt::format("{:.3g}", found.energy_b.mean / found.energy_a.mean)},
+          {"energy below which half of the power lies", "", "", ratio_text(found.half_power)},
           {"overlap of the power spectra", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
           {"distance of the means", "", "", fmt::format("{:.3g}", found.distance)}};
 }
@@ -45,16 +52,10 @@ std::string about_distances(const MatchReport& found) {
       "replicates of B with the mean of A; their scatter increases their distance, to {1} at the "
       "best setting",
       found.by_powder ? "dose" : "power",
-      readable(best.model.value, best.model.ci95, found.search.unit).text());
+      readable(best.model.mean, best.model.ci95, found.search.unit).text());
 }
 
 }  // namespace
-
-std::string MatchedRatio::text() const {
-  if (!std::isfinite(value)) return "-";
-  if (!std::isfinite(low)) return fmt::format("{:.3g}", value);
-  return fmt::format("{:.3g} ({:.3g} to {:.3g})", value, low, high);
-}
 
 std::vector<std::string> sentences(const MatchReport& found) {
   std::vector<std::string> all;

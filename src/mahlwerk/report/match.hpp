@@ -7,18 +7,12 @@
 // Result of matching mill B to mill A: text for the terminal and page.
 namespace mahlwerk::report {
 
-/// Ratio of mill B to mill A with its 95 % interval; NaN if unknown.
-struct MatchedRatio {
-  double value = unknown, low = unknown, high = unknown;
-  std::string text() const;  ///< "1.02 (0.97 to 1.07)"
-};
-
 struct MatchReport {
   std::string title_a, title_b, file_a, file_b;
-  bool by_powder = false;                  ///< doses are per mass of powder, else powers
-  ValueCi95 dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
-  ValueCi95 energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
-  MatchedRatio dose = {}, half_power = {};
+  bool by_powder = false;                          ///< doses are per mass of powder, else powers
+  observe::Estimate dose_a = {}, dose_b = {};      ///< [W/kg], or [W]
+  observe::Estimate energy_a = {}, energy_b = {};  ///< [J] mean energy lost in a collision
+  observe::IntervalEstimate dose = {}, half_power = {};  ///< mill B over mill A
   double overlap = unknown, spectral = unknown, distance = unknown, p_value = unknown;  ///< [1]
   bool within_scatter = false;
   std::vector<double> edges = {};                    ///< [J] bin edges, one more than shares

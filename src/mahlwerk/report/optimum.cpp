@@ -17,8 +17,8 @@ namespace {
 
 using Lines = std::vector<std::vector<std::string>>;
 
-std::string text_of(const ValueCi95& t, const std::string& unit) {
-  return readable(t.value, t.ci95, unit).text();
+std::string text_of(const observe::Estimate& t, const std::string& unit) {
+  return readable(t.mean, t.ci95, unit).text();
 }
 
 constexpr double clearly_best = 0.995;  // probability of being the best setting tried
@@ -53,12 +53,12 @@ bool OptimumReport::certain() const {
 
 bool OptimumReport::disagrees() const {
   if (!best || !check || !check->failure.empty()) return false;
-  const ValueCi95 &found = settings[*best].observed, &other = check->value;
-  const double apart = std::abs(found.value - other.value);
+  const observe::Estimate &found = settings[*best].observed, &other = check->value;
+  const double apart = std::abs(found.mean - other.mean);
   if (std::isfinite(found.ci95) && std::isfinite(other.ci95))
     return apart > found.ci95 + other.ci95;
   constexpr double much = 0.1;  // of the value, if there is no interval
-  return apart > much * std::abs(other.value);
+  return apart > much * std::abs(other.mean);
 }
 
 std::string chance_sentence(const OptimumReport& found) {
@@ -177,11 +177,12 @@ std::string optimum_csv(const OptimumReport& found) {
                                    std::to_string(s.replicates)};
     for (const std::string& value : s.values)
       cells.push_back(results::csv_cell(std::string_view(value)));
-    for (const ValueCi95& t : {s.observed, s.model})
-      for (const double number : {t.value, t.ci95}) cells.push_back(results::csv_cell(number));
+    for (const observe::Estimate& t : {s.observed, s.model})
+      for (const double number : {t.mean, t.ci95}) cells.push_back(results::csv_cell(number));
     for (std::size_t k = 0; k < found.limits.size(); ++k) {
-      const ValueCi95 t = k < s.limit_values.size() ? s.limit_values[k] : ValueCi95{};
-      cells.push_back(results::csv_cell(t.value));
+      const observe::Estimate t =
+          k < s.limit_values.size() ? s.limit_values[k] : observe::Estimate{};
+      cells.push_back(results::csv_cell(t.mean));
       cells.push_back(results::csv_cell(t.ci95));
     }
     cells.push_back(results::csv_cell(s.probability_feasible));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
 
@@ -16,11 +17,6 @@
 namespace mahlwerk::report {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// A value with its 95 % half-width.
-struct ValueCi95 {
-  double value = unknown, ci95 = unknown;
-};
 
 /// A key that the search varied. Texts are as in a case: "412 rpm".
 struct OptimumKey {
@@ -32,7 +28,7 @@ struct OptimumKey {
   std::string good_low = {}, good_high = {};  ///< this key varied alone: value within 2 %
   bool flat = false, at_low_end = false, at_high_end = false;
   std::vector<double> x = {};  ///< slice of the model through its optimum along this key
-  std::vector<ValueCi95> model_at = {};
+  std::vector<observe::Estimate> model_at = {};
 
   /// Location of the optimum as text: "12 Hz to 13 Hz", "at the end of its range".
   std::string range_text() const;
@@ -48,9 +44,9 @@ struct OptimumSetting {
   std::vector<std::string> values = {};  ///< for each key
   std::vector<double> x = {};            ///< the same as numbers, in the keys' units
   int round = 0, replicates = 0;
-  ValueCi95 observed = {},
-            model = {};  ///< mean of its replicates; model prediction from all settings
-  std::vector<ValueCi95> limit_values = {};               ///< for each limit
+  observe::Estimate observed = {},
+                    model = {};  ///< mean of its replicates; model prediction from all settings
+  std::vector<observe::Estimate> limit_values = {};       ///< for each limit
   double probability_feasible = 1, probability_best = 0;  ///< [1]
   std::string failure = {};                               ///< reason of the failure; empty: none
   std::string warnings = {};                              ///< codes, separated by ";"
@@ -60,7 +56,7 @@ struct OptimumSetting {
 /// The best setting, run with the recommended engine.
 struct OptimumCheck {
   cases::EngineName engine = cases::EngineName::soft;
-  ValueCi95 value = {};  ///< of the optimised quantity, by that engine
+  observe::Estimate value = {};  ///< of the optimised quantity, by that engine
   int replicates = 0;
   std::string failure = {};  ///< reason why there is no value; empty: there is one
 };
@@ -72,7 +68,7 @@ struct OptimumReport {
   std::vector<OptimumLimit> limits = {};
   std::vector<OptimumSetting> settings = {};
   std::optional<std::size_t> best = std::nullopt;
-  ValueCi95 model_value = {};
+  observe::Estimate model_value = {};
   double expected_gain = 0, expected_loss = 0;  ///< in the quantity's unit
   int failed = 0;
   std::string stop_reason = {};                      ///< sentence: why the search ended

@@ -20,7 +20,7 @@ namespace {
 Multiple multiple_of(const OptimumReport& found) {
   double most = 0;
   for (const OptimumSetting& s : found.settings)
-    if (std::isfinite(s.observed.value)) most = std::fmax(most, std::abs(s.observed.value));
+    if (std::isfinite(s.observed.mean)) most = std::fmax(most, std::abs(s.observed.mean));
   return multiple(most, found.unit);
 }
 
@@ -35,16 +35,16 @@ Plot history(const OptimumReport& found) {
   best.mark = Mark::line;
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
-    if (!s.failure.empty() || !std::isfinite(s.observed.value)) continue;
+    if (!s.failure.empty() || !std::isfinite(s.observed.mean)) continue;
     tried.x.push_back(static_cast<double>(i + 1));
-    tried.y.push_back(s.observed.value / up.factor);
+    tried.y.push_back(s.observed.mean / up.factor);
     tried.error.push_back(std::isfinite(s.observed.ci95) ? s.observed.ci95 / up.factor : 0);
   }
   double until = NAN;
   for (std::size_t i = 0; i < found.settings.size(); ++i) {
     const OptimumSetting& s = found.settings[i];
     if (s.failure.empty() && s.probability_feasible >= 0.5) {
-      const double now = s.model.value / up.factor;
+      const double now = s.model.mean / up.factor;
       until = found.maximise ? std::fmax(until, now) : std::fmin(until, now);
     }
     if (std::isnan(until)) continue;  // none so far
@@ -67,14 +67,14 @@ Plot slice(const OptimumReport& found, std::size_t key) {
   tried.colour = 1;
   for (std::size_t i = 0; i < k.x.size(); ++i) {
     for (Series* s : {&mean, &low, &high}) s->x.push_back(k.x[i]);
-    mean.y.push_back(k.model_at[i].value / up.factor);
-    low.y.push_back((k.model_at[i].value - k.model_at[i].ci95) / up.factor);
-    high.y.push_back((k.model_at[i].value + k.model_at[i].ci95) / up.factor);
+    mean.y.push_back(k.model_at[i].mean / up.factor);
+    low.y.push_back((k.model_at[i].mean - k.model_at[i].ci95) / up.factor);
+    high.y.push_back((k.model_at[i].mean + k.model_at[i].ci95) / up.factor);
   }
   for (const OptimumSetting& s : found.settings) {
-    if (!s.failure.empty() || !std::isfinite(s.observed.value)) continue;
+    if (!s.failure.empty() || !std::isfinite(s.observed.mean)) continue;
     tried.x.push_back(s.x[key]);
-    tried.y.push_back(s.observed.value / up.factor);
+    tried.y.push_back(s.observed.mean / up.factor);
   }
   return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
           .x = {.label = with_unit(k.key, k.unit),
@@ -114,8 +114,8 @@ std::string key_table(const OptimumReport& found) {
       heads, key_rows(found));
 }
 
-std::string cell(const ValueCi95& t, const std::string& unit) {
-  return fmt::format("<td class=\"n\">{}</td>", escaped(readable(t.value, t.ci95, unit).text()));
+std::string cell(const observe::Estimate& t, const std::string& unit) {
+  return fmt::format("<td class=\"n\">{}</td>", escaped(readable(t.mean, t.ci95, unit).text()));
 }
 
 std::string setting_row(const OptimumReport& found, std::size_t number) {
@@ -130,7 +130,8 @@ std::string setting_row(const OptimumReport& found, std::size_t number) {
                              escaped(s.failure));
   row += cell(s.observed, found.unit) + cell(s.model, found.unit);
   for (std::size_t i = 0; i < found.limits.size(); ++i)
-    row += cell(i < s.limit_values.size() ? s.limit_values[i] : ValueCi95{}, found.limits[i].unit);
+    row += cell(i < s.limit_values.size() ? s.limit_values[i] : observe::Estimate{},
+                found.limits[i].unit);
   return row + fmt::format("<td class=\"n\">{:.0f} %</td><td class=\"n\">{}</td></tr>\n",
                            100 * s.probability_best, s.replicates);
 }
@@ -158,7 +159,7 @@ std::string lead(const OptimumReport& found) {
       found.case_file, found.runs(), label(found.quantity), found.maximise ? "large" : "small");
   if (found.best)
     text += fmt::format(": {} at the best setting",
-                        readable(found.settings[*found.best].model.value,
+                        readable(found.settings[*found.best].model.mean,
                                  found.settings[*found.best].model.ci95, found.unit)
                             .text());
   return text + ".";

@@ -31,7 +31,7 @@ inline Values outcomes(const DesignMatrix& rows, const Function& f) {
   return y;
 }
 
-inline double half_width(const IntervalEstimate& s) {
+inline double half_width(const observe::IntervalEstimate& s) {
   return std::max(s.high - s.value, s.value - s.low);
 }
 

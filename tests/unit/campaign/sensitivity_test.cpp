@@ -43,7 +43,7 @@ TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
     const DesignMatrix rows = morris_design(2, ways, seed);
     const auto found = elementary_effects(
         rows, outcomes(rows, [](const Values& x) { return (x[0] - 0.5) * x[1]; }), {});
-    const auto holds = [](const IntervalEstimate& s, double truth) {
+    const auto holds = [](const observe::IntervalEstimate& s, double truth) {
       return s.low <= truth && truth <= s.high;
     };
     held[0] += holds(found.keys[0].mean, 0.5);

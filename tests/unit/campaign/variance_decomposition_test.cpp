@@ -87,7 +87,7 @@ TEST(VarianceDecomposition, intervals_hold_the_truth_as_often_as_they_claim) {
       for (std::size_t i = 0; i < 3; ++i) (rows[g + 1 + i] = rows[g])[i] = rows[g + 4][i];
     }
     const VarianceDecomposition found = variance_decomposition(3, outcomes(rows, ishigami), {}, t);
-    const auto holds = [](const IntervalEstimate& s, double truth) {
+    const auto holds = [](const observe::IntervalEstimate& s, double truth) {
       return s.low <= truth && truth <= s.high;
     };
     held[0] += holds(found.keys[0].first, v.first / v.all());
@@ -138,7 +138,7 @@ TEST(VarianceDecomposition, are_free_of_the_share_of_errors) {
                               raw = variance_decomposition(2, y, {});
   states("variance", found.variance, 1, 0.05, "of a uniform number times sqrt(12)");
   states("share of errors", found.noise, 0.2, 0.02, "0.25/1.25");
-  const auto sure = [](const IntervalEstimate& s) { return half_width(s) * 3.3 / 1.96; };
+  const auto sure = [](const observe::IntervalEstimate& s) { return half_width(s) * 3.3 / 1.96; };
   states("total of the first", found.keys[0].total.value, 1, sure(found.keys[0].total), "1");
   states("total of the second", found.keys[1].total.value, 0, sure(found.keys[1].total), "0");
   states("without errors said", raw.keys[1].total.value, 0.2, sure(raw.keys[1].total), "0.25/1.25");

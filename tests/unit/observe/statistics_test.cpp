@@ -46,6 +46,11 @@ TEST(Estimate, of_one_replicate_knows_no_width) {
   EXPECT_TRUE(std::isnan(e.ci95));
 }
 
+TEST(Estimate, of_no_replicate_is_unknown) {
+  const Estimate e = estimate({});
+  EXPECT_TRUE(std::isnan(e.mean) && std::isnan(e.ci95));
+}
+
 TEST(Estimate, of_equal_values_is_sharp) {
   const Estimate e = estimate({0.5, 0.5, 0.5, 0.5});
   EXPECT_EQ(e.mean, 0.5);

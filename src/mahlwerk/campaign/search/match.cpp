@@ -50,11 +50,11 @@ double area(double a, double b) {
 
 /// Ratio of `of` between b and a, with the interval from the scatter of its logarithm.
 template <class Of>
-Ratio ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
+observe::IntervalEstimate ratio(const MillSpectra& a, const MillSpectra& b, const Of& of) {
   const auto logarithm = [&](const MillSpectra& mill) {
     std::vector<double> values;
     for (const DoseSpectrum& m : mill.replicates) values.push_back(math::log(of(m)));
-    return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
+    return observe::estimate(values);
   };
   const observe::Estimate first = logarithm(a), second = logarithm(b);
   const double mean = second.mean - first.mean, half = math::hypot(first.ci95, second.ci95);
@@ -90,7 +90,7 @@ double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double se
 observe::Estimate energies(const MillSpectra& mill) {
   std::vector<double> values;
   for (const DoseSpectrum& m : mill.replicates) values.push_back(m.mean_energy);
-  return values.empty() ? observe::Estimate{none, none} : observe::estimate(values);
+  return observe::estimate(values);
 }
 
 }  // namespace
@@ -158,13 +158,10 @@ double half_power_energy(const DoseSpectrum& m) {
 }
 
 Difference difference(const MillSpectra& a, const MillSpectra& b, std::uint64_t seed) {
-  const observe::Estimate in_a = energies(a), in_b = energies(b);
   Difference found{.dose = ratio(a, b, [](const DoseSpectrum& m) { return m.dose; }),
                    .half_power = ratio(a, b, half_power_energy),
-                   .energy_a = in_a.mean,
-                   .energy_b = in_b.mean,
-                   .energy_a_ci95 = in_a.ci95,
-                   .energy_b_ci95 = in_b.ci95,
+                   .energy_a = energies(a),
+                   .energy_b = energies(b),
                    .spectral = spectral_distance(a.mean, b.mean),
                    .overlap = overlap(a.mean, b.mean),
                    .distance = distance(a.mean, b.mean),

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 // Similarity of two mills in what they do to their powder (docs/theory/optimum.md, "Two mills that
@@ -40,17 +41,11 @@ double distance(const DoseSpectrum& a, const DoseSpectrum& b);
 /// [J] Energy below which half of the collision power is lost.
 double half_power_energy(const DoseSpectrum& m);
 
-/// A ratio with its 95 % interval.
-struct Ratio {
-  double value = 0, low = 0, high = 0;
-};
-
 /// Differences of mill b from mill a.
 struct Difference {
-  Ratio dose;                                   ///< b over a (opt.13)
-  Ratio half_power;                             ///< of the half-power energies, b over a
-  double energy_a = 0, energy_b = 0;            ///< [J] mean energies lost in a collision
-  double energy_a_ci95 = 0, energy_b_ci95 = 0;  ///< half-widths
+  observe::IntervalEstimate dose;        ///< b over a (opt.13)
+  observe::IntervalEstimate half_power;  ///< of the half-power energies, b over a
+  observe::Estimate energy_a, energy_b;  ///< [J] mean energies lost in a collision
   double spectral = 0, overlap = 0, distance = 0;
   /// p-value of a permutation test: replicates assigned to the two mills at random differ as much
   /// (opt.17). NaN with fewer than two replicates of either mill.

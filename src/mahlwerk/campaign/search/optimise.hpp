@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 
 // Bayesian optimisation of a noisy outcome over settings (docs/theory/optimum.md). A setting is a
 // point with coordinates 0 to 1, one for each key's range.
@@ -48,19 +49,15 @@ struct TrialResult {
 /// gives the same result.
 using Simulation = std::function<std::vector<TrialResult>(const std::vector<TrialRequest>&)>;
 
-struct MeanCi95 {
-  double mean = 0, ci95 = 0;
-};
-
 /// A setting that was tried.
 struct Trial {
   DesignPoint point;
   std::vector<std::vector<double>> replicates;
   std::string failure;
   int round = 0;  ///< of its first request; 0: initial design
-  std::vector<MeanCi95> observed =
-      {};               ///< means of its replicates, by outcome; half-widths need two (sta.1)
-  MeanCi95 model = {};  ///< posterior of the objective
+  std::vector<observe::Estimate> observed =
+      {};  ///< means of its replicates, by outcome; half-widths need two (sta.1)
+  observe::Estimate model = {};     ///< posterior of the objective
   double probability_feasible = 1;  ///< probability that it satisfies all bounds, by the model
   double probability_best = 0;      ///< probability that it is the best of those tried
   Notices notices = {};             ///< of its runs, each code once
@@ -75,7 +72,7 @@ struct KeyOptimum {
   double good_low = 0, good_high = 1;  ///< within 2 % of the best, only this key varied
   bool flat = false;                   ///< the good range is more than half of the key's range
   bool at_low_end = false, at_high_end = false;  ///< position of the model's optimum
-  std::vector<MeanCi95> slice;  ///< through the model's optimum, this key at 0, 1/40 ... 1
+  std::vector<observe::Estimate> slice;  ///< through the model's optimum, this key at 0, 1/40 ... 1
 };
 
 enum class StopReason {
@@ -88,7 +85,7 @@ struct Optimum {
   std::vector<Trial> trials;
   std::optional<std::size_t> best;  ///< index of the best, likely feasible trial; empty: none
   DesignPoint model_point;          ///< optimum of the model
-  MeanCi95 model_value;             ///< a prediction: it was not run
+  observe::Estimate model_value;    ///< a prediction: it was not run
   std::vector<KeyOptimum> keys;
   std::vector<bool> binds;   ///< by bound: the model's optimum without bounds violates it
   double expected_gain = 0;  ///< acquisition of one more setting, at the end (opt.5, opt.6)

@@ -17,18 +17,15 @@ namespace {
 constexpr double normal95 = 1.959963984540054;
 constexpr int slice_steps = 40;
 
-MeanCi95 observed_mean(const Trial& setting, std::size_t outcome) {
+observe::Estimate observed_mean(const Trial& setting, std::size_t outcome) {
   std::vector<double> values;
   for (const auto& replicate : setting.replicates)
     if (std::isfinite(replicate[outcome])) values.push_back(replicate[outcome]);
-  if (values.empty())
-    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  const observe::Estimate e = observe::estimate(values);
-  return {e.mean, e.ci95};
+  return observe::estimate(values);
 }
 
 /// The model's prediction, in the sign of the outcome itself.
-MeanCi95 prediction(const Goal& goal, const Surrogate& model, const DesignPoint& point) {
+observe::Estimate prediction(const Goal& goal, const Surrogate& model, const DesignPoint& point) {
   const Posterior b = model.objective_at(point);
   return {goal.maximise ? b.mean : -b.mean, normal95 * b.deviation};
 }

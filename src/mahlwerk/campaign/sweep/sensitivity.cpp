@@ -25,11 +25,11 @@ int count_failed(const std::vector<double>& outcomes) {
       std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
 }
 
-IntervalEstimate around(double value, double half) {
+observe::IntervalEstimate around(double value, double half) {
   return {value, value - half, value + half};
 }
 
-IntervalEstimate mean_of(const std::vector<double>& values) {
+observe::IntervalEstimate mean_of(const std::vector<double>& values) {
   if (values.empty()) return {unknown, unknown, unknown};
   const observe::Estimate e = observe::estimate(values);
   return around(e.mean, e.ci95);
@@ -41,7 +41,7 @@ double deviation(double sum, double squares, double count) {
 }
 
 /// Standard deviation with a jackknife interval (Quenouille 1956).
-IntervalEstimate deviation_of(const std::vector<double>& values) {
+observe::IntervalEstimate deviation_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return {unknown, unknown, unknown};
   double mean = 0, squares = 0;
@@ -67,7 +67,7 @@ std::optional<bool> either(std::optional<bool> one, std::optional<bool> other) {
 
 /// Whether mu* exceeds the effect of errors; empty: not known. Without an interval, mu* may be
 /// larger by chance.
-std::optional<bool> is_significant(double noise, const IntervalEstimate& mean_absolute) {
+std::optional<bool> is_significant(double noise, const observe::IntervalEstimate& mean_absolute) {
   if (mean_absolute.value <= (std::isfinite(noise) ? noise : 0)) return false;
   if (!std::isfinite(mean_absolute.low)) return std::nullopt;
   if (std::isfinite(noise)) return mean_absolute.low > noise;

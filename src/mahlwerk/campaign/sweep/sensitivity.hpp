@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/points/designs.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 
 // Sensitivity of an outcome to each key, from the points of a design (docs/theory/sensitivity.md).
 // Outcomes are given by row of the design, NaN where a run failed; effects that need a failed run
@@ -25,20 +26,15 @@ std::vector<double> standard_errors(const std::vector<double>& outcomes,
                                     const std::vector<double>& ci95,
                                     const std::vector<double>& replicates);
 
-/// A number with its 95 % interval; NaN where there is none.
-struct IntervalEstimate {
-  double value = 0, low = 0, high = 0;
-};
-
 /// Effect of one key alone, in units of the outcome.
 struct Swing {
-  IntervalEstimate at_low, at_high;  ///< the outcome with the key at 0 and at 1
+  observe::IntervalEstimate at_low, at_high;  ///< the outcome with the key at 0 and at 1
   std::optional<bool>
       significant;  ///< an end differs from the base by more than the joint half-width
   bool inactive = false;
 };
 struct Swings {
-  IntervalEstimate base;
+  observe::IntervalEstimate base;
   std::vector<Swing> keys;
   int failed = 0;  ///< rows
 };
@@ -48,9 +44,10 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
 /// Elementary effects of a key: changes of an outcome over its whole range, at several points in
 /// the ranges of the other keys.
 struct KeyEffects {
-  IntervalEstimate mean_absolute;   ///< mu* (sen.3)
-  IntervalEstimate mean;            ///< mu (sen.3)
-  IntervalEstimate deviation;       ///< sigma (sen.4): nonlinearity, or interaction with other keys
+  observe::IntervalEstimate mean_absolute;  ///< mu* (sen.3)
+  observe::IntervalEstimate mean;           ///< mu (sen.3)
+  observe::IntervalEstimate
+      deviation;                    ///< sigma (sen.4): nonlinearity, or interaction with other keys
   double of_noise = 0;              ///< mu* that errors alone would give (sen.5); NaN: not known
   std::size_t count = 0;            ///< of steps with outcomes at both ends
   std::optional<bool> significant;  ///< the interval of mu* lies above of_noise
@@ -68,8 +65,8 @@ ElementaryEffects elementary_effects(const DesignMatrix& design,
 /// Sobol' indices of a key: its shares of the variance of an outcome over all ranges. Estimates may
 /// be slightly below 0.
 struct SobolIndices {
-  IntervalEstimate first;           ///< first-order index (sen.8)
-  IntervalEstimate total;           ///< total index (sen.9)
+  observe::IntervalEstimate first;  ///< first-order index (sen.8)
+  observe::IntervalEstimate total;  ///< total index (sen.9)
   std::size_t count = 0;            ///< of groups used
   std::optional<bool> significant;  ///< the interval of `total` lies above 0, and errors are known
   bool inactive = false;

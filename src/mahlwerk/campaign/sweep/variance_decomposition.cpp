@@ -86,7 +86,7 @@ IndexPair indices_of(const std::vector<Group>& groups, const std::vector<std::si
 
 /// The 95 % percentile interval. NaN values come from samples without variance: if there are more
 /// than one tail holds, the index is unbounded, and there is no interval.
-IntervalEstimate percentile_interval(double value, std::vector<double> values) {
+observe::IntervalEstimate percentile_interval(double value, std::vector<double> values) {
   constexpr double beyond = 0.025;
   const auto drawn = static_cast<double>(values.size());
   std::erase_if(values, [](double v) { return !std::isfinite(v); });

@@ -15,7 +15,7 @@ using report::Effect;
 using report::Sensitivity;
 
 /// Half the width of an interval, which may be asymmetric about its value.
-double half(const campaign::IntervalEstimate& sure) {
+double half(const observe::IntervalEstimate& sure) {
   return 0.5 * (sure.high - sure.low);
 }
 

@@ -58,9 +58,7 @@ void take(const campaign::TrialResult& result, report::OptimumCheck& check) {
     if (std::isfinite(replicate.front())) values.push_back(replicate.front());
   check.failure = result.failure;
   if (values.empty() && check.failure.empty()) check.failure = "its runs gave no value";
-  if (values.empty()) return;
-  const observe::Estimate e = observe::estimate(values);
-  check.value = {e.mean, e.ci95};
+  check.value = observe::estimate(values);
 }
 
 }  // namespace

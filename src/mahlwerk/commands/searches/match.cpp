@@ -92,12 +92,10 @@ campaign::SearchJob search_job(const MatchJob& job) {
   return made;
 }
 
-report::ValueCi95 dose_of(const campaign::MillSpectra& spectra) {
+observe::Estimate dose_of(const campaign::MillSpectra& spectra) {
   std::vector<double> values;
   for (const campaign::DoseSpectrum& m : spectra.replicates) values.push_back(m.dose);
-  if (values.empty()) return {};
-  const observe::Estimate e = observe::estimate(values);
-  return {e.mean, e.ci95};
+  return observe::estimate(values);
 }
 
 void compare_mills(const MatchJob& job, const campaign::MillSpectra& b, report::MatchReport& made) {
@@ -105,10 +103,10 @@ void compare_mills(const MatchJob& job, const campaign::MillSpectra& b, report::
   made.by_powder = job.by_powder;
   made.dose_a = dose_of(job.spectra);
   made.dose_b = dose_of(b);
-  made.energy_a = {d.energy_a, d.energy_a_ci95};
-  made.energy_b = {d.energy_b, d.energy_b_ci95};
-  made.dose = {d.dose.value, d.dose.low, d.dose.high};
-  made.half_power = {d.half_power.value, d.half_power.low, d.half_power.high};
+  made.energy_a = d.energy_a;
+  made.energy_b = d.energy_b;
+  made.dose = d.dose;
+  made.half_power = d.half_power;
   made.overlap = d.overlap;
   made.spectral = d.spectral;
   made.distance = d.distance;
@@ -122,10 +120,10 @@ void compare_mills(const MatchJob& job, const campaign::MillSpectra& b, report::
 
 results::Json match_json(const report::MatchReport& found) {
   using results::Json;
-  const auto told = [](const report::ValueCi95& t) {
-    return Json::object({{"value", t.value}, {"ci95", t.ci95}});
+  const auto told = [](const observe::Estimate& t) {
+    return Json::object({{"value", t.mean}, {"ci95", t.ci95}});
   };
-  const auto ratio = [](const report::MatchedRatio& r) {
+  const auto ratio = [](const observe::IntervalEstimate& r) {
     return Json::object({{"value", r.value}, {"low", r.low}, {"high", r.high}});
   };
   return Json::object({{"a", found.file_a},

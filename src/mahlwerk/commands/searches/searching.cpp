@@ -24,10 +24,6 @@ namespace {
 using campaign::DesignPoint;
 using results::Json;
 
-report::ValueCi95 value_ci95(const campaign::MeanCi95& guess) {
-  return {guess.mean, guess.ci95};
-}
-
 double number_of(const std::string& text, const std::string& unit) {
   const double one = unit.empty() ? 1 : parse_quantity("1 " + unit).value;
   return parse_quantity(text).value / one;
@@ -54,6 +50,7 @@ report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimu
     made.good_high = text(k.good_high);
   }
   if (found.best) made.best = job.runs->values(found.trials[*found.best].point)[key];
+  made.model_at = k.slice;
   made.flat = k.flat;
   made.at_low_end = k.at_low_end;
   made.at_high_end = k.at_high_end;
@@ -63,7 +60,6 @@ report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimu
     const double to = number_of(range.values[1], made.unit);
     made.x.push_back(range.logarithmic ? from * math::pow(to / from, position)
                                        : std::lerp(from, to, position));
-    made.model_at.push_back(value_ci95(k.slice[i]));
   }
   return made;
 }
@@ -72,7 +68,7 @@ report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign
   report::OptimumSetting made{.values = job.runs->values(tried.point),
                               .round = tried.round,
                               .replicates = static_cast<int>(tried.replicates.size()),
-                              .model = value_ci95(tried.model),
+                              .model = tried.model,
                               .probability_feasible = tried.probability_feasible,
                               .probability_best = tried.probability_best,
                               .failure = tried.failure};
@@ -82,9 +78,9 @@ report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign
   made.invalid = tried.invalid();
   for (std::size_t i = 0; i < tried.observed.size(); ++i)
     if (i == 0)
-      made.observed = value_ci95(tried.observed[i]);
+      made.observed = tried.observed[i];
     else
-      made.limit_values.push_back(value_ci95(tried.observed[i]));
+      made.limit_values.push_back(tried.observed[i]);
   return made;
 }
 
@@ -110,7 +106,7 @@ Json check_json(const report::OptimumReport& found) {
   if (!check.failure.empty())
     return Json::object({{"engine", name_of(check.engine)}, {"not_checked", check.failure}});
   return Json::object({{"engine", name_of(check.engine)},
-                       {"value", check.value.value},
+                       {"value", check.value.mean},
                        {"ci95", check.value.ci95},
                        {"replicates", check.replicates},
                        {"disagrees", found.disagrees()}});
@@ -191,7 +187,7 @@ report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::
                              .about = best.about,
                              .maximise = job.goal.maximise,
                              .best = found.best,
-                             .model_value = value_ci95(found.model_value),
+                             .model_value = found.model_value,
                              .expected_gain = found.expected_gain,
                              .expected_loss = found.expected_loss,
                              .failed = found.failed,
@@ -213,8 +209,8 @@ report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::
 }
 
 results::Json optimum_json(const report::OptimumReport& found, std::string_view version) {
-  const auto pair = [](const report::ValueCi95& t) {
-    return Json::object({{"value", t.value}, {"ci95", t.ci95}});
+  const auto pair = [](const observe::Estimate& t) {
+    return Json::object({{"value", t.mean}, {"ci95", t.ci95}});
   };
   Json keys = Json::object(), limits = Json::array();
   for (const report::OptimumKey& k : found.keys)
