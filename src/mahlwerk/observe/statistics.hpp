@@ -19,6 +19,12 @@ struct IntervalEstimate {
   double value = std::numeric_limits<double>::quiet_NaN();
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
+
+  static constexpr IntervalEstimate around(double value, double half_width) {
+    return {value, value - half_width, value + half_width};
+  }
+  /// Half the width of the interval, whether or not it is symmetric.
+  [[nodiscard]] constexpr double half_width() const { return 0.5 * (high - low); }
 };
 
 /// Mean and half-width of `values`, one per replicate (sta.1); unknown without any.

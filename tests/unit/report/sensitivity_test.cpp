@@ -34,23 +34,18 @@ double place_of(const std::string& picture, const std::string& text) {
 Sensitivity one_at_a_time() {
   return {.quantity = "dissipated_power",
           .unit = "W",
-          .base = 12,
-          .base_ci95 = 0.3,
+          .base = observe::IntervalEstimate::around(12, 0.3),
           .effects = {{.key = "contact.friction",
                        .low_end = "0.2",
                        .high_end = "0.8",
-                       .low = 11.8,
-                       .low_ci95 = 0.3,
-                       .high = 12.1,
-                       .high_ci95 = 0.3,
+                       .low = observe::IntervalEstimate::around(11.8, 0.3),
+                       .high = observe::IntervalEstimate::around(12.1, 0.3),
                        .significant = false},
                       {.key = "mill.speed",
                        .low_end = "200 rpm",
                        .high_end = "400 rpm",
-                       .low = 4,
-                       .low_ci95 = 0.1,
-                       .high = 28,
-                       .high_ci95 = 0.6,
+                       .low = observe::IntervalEstimate::around(4, 0.1),
+                       .high = observe::IntervalEstimate::around(28, 0.6),
                        .significant = true}}};
 }
 
@@ -123,8 +118,8 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
 
 TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
   Sensitivity s = one_at_a_time();
-  s.effects[0].low = 20;
-  s.effects[0].high = 30;
+  s.effects[0].low.value = 20;
+  s.effects[0].high.value = 30;
   const std::string svg = sensitivity_pictures(s)[0].svg;
   const auto drawn = bars(svg);
   ASSERT_EQ(drawn.size(), 4U);
@@ -142,7 +137,7 @@ TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
   EXPECT_FALSE(has(idle, ">0.2<"));
   EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
   // The case is at the low end of the range.
-  s.effects[0].high = 14;
+  s.effects[0].high.value = 14;
   s.effects[0].inactive = false;
   const std::string one_end = sensitivity_pictures(s)[0].svg;
   EXPECT_TRUE(in_order(one_end, {">0.2<", ">0.8<"}));
@@ -152,21 +147,16 @@ TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
 TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::morris};
   s.effects.push_back({.key = "contact.friction",
-                       .mean_absolute = 5e-7,
-                       .mean_absolute_ci95 = 6e-7,
-                       .mean = 1e-7,
-                       .mean_ci95 = 6e-7,
-                       .deviation = 6e-7,
+                       .mean_absolute = observe::IntervalEstimate::around(5e-7, 6e-7),
+                       .mean = observe::IntervalEstimate::around(1e-7, 6e-7),
+                       .deviation = {.value = 6e-7},
                        .of_noise = 4e-7,
                        .count = 1,
                        .significant = false});
   s.effects.push_back({.key = "mill.speed",
-                       .mean_absolute = 8e-6,
-                       .mean_absolute_ci95 = 6e-7,
-                       .mean = -8e-6,
-                       .mean_ci95 = 6e-7,
-                       .deviation = 1e-6,
-                       .deviation_ci95 = 4e-7,
+                       .mean_absolute = observe::IntervalEstimate::around(8e-6, 6e-7),
+                       .mean = observe::IntervalEstimate::around(-8e-6, 6e-7),
+                       .deviation = observe::IntervalEstimate::around(1e-6, 4e-7),
                        .of_noise = 5e-7,
                        .count = 12,
                        .significant = true});
@@ -189,19 +179,13 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
 TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
   s.effects.push_back({.key = "mill.speed",
-                       .first_order = 0.5,
-                       .first_order_ci95 = 0.04,
-                       .total = 0.75,
-                       .total_ci95 = 0.03,
-                       .total_low = 0.73,
-                       .total_high = 0.79,
+                       .first_order = observe::IntervalEstimate::around(0.5, 0.04),
+                       .total = {0.75, 0.73, 0.79},
                        .count = 64,
                        .significant = true});
   s.effects.push_back({.key = "contact.friction",
-                       .first_order = -0.01,
-                       .first_order_ci95 = 0.04,
-                       .total = 0.02,
-                       .total_ci95 = 0.03,
+                       .first_order = observe::IntervalEstimate::around(-0.01, 0.04),
+                       .total = observe::IntervalEstimate::around(0.02, 0.03),
                        .count = 63,
                        .significant = false});
   s.effects.push_back({.key = "jar.material"});  // with unknown effects
@@ -224,8 +208,8 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
 
 TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
-  s.effects = {{.key = "mill.speed", .total = 0.75, .count = 64},
-               {.key = "contact.friction", .total = 0.02, .count = 64}};
+  s.effects = {{.key = "mill.speed", .total = {.value = 0.75}, .count = 64},
+               {.key = "contact.friction", .total = {.value = 0.02}, .count = 64}};
   const std::string below = sensitivity_pictures(s)[0].caption;
   EXPECT_TRUE(has(below, "<p>Groups of runs: 64. Noise is")) << below;
   EXPECT_FALSE(has(below, ">groups<"));
@@ -233,9 +217,7 @@ TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
 
 TEST(Tornado, draws_an_interval_that_lies_unevenly) {
   Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
-  s.effects = {{.key = "mill.speed", .total = 0.5, .total_ci95 = 0.5}};
-  s.effects[0].total_low = 0.25;
-  s.effects[0].total_high = 1.25;
+  s.effects = {{.key = "mill.speed", .total = {0.5, 0.25, 1.25}}};
   const std::string svg = sensitivity_pictures(s)[0].svg;
   const auto drawn = bars(svg);
   ASSERT_EQ(drawn.size(), 1U);
@@ -267,7 +249,8 @@ TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
 
 TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
   Sensitivity s{.quantity = "dissipated_power", .unit = "W", .method = Method::morris};
-  s.effects = {{.key = "mill.speed", .mean_absolute = 24, .mean = -24, .count = 1}};
+  s.effects = {
+      {.key = "mill.speed", .mean_absolute = {.value = 24}, .mean = {.value = -24}, .count = 1}};
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   EXPECT_FALSE(has(pictures[0].caption, "±"));
   EXPECT_EQ(sensitivity_words(s),

@@ -25,14 +25,9 @@ int count_failed(const std::vector<double>& outcomes) {
       std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
 }
 
-observe::IntervalEstimate around(double value, double half) {
-  return {value, value - half, value + half};
-}
-
 observe::IntervalEstimate mean_of(const std::vector<double>& values) {
-  if (values.empty()) return {unknown, unknown, unknown};
   const observe::Estimate e = observe::estimate(values);
-  return around(e.mean, e.ci95);
+  return observe::IntervalEstimate::around(e.mean, e.ci95);
 }
 
 /// Standard deviation from the sums of values and of their squares.
@@ -43,7 +38,7 @@ double deviation(double sum, double squares, double count) {
 /// Standard deviation with a jackknife interval (Quenouille 1956).
 observe::IntervalEstimate deviation_of(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
-  if (n < 2) return {unknown, unknown, unknown};
+  if (n < 2) return {};
   double mean = 0, squares = 0;
   for (const double v : values) mean += v / n;
   for (const double v : values) squares += (v - mean) * (v - mean);
@@ -56,7 +51,8 @@ observe::IntervalEstimate deviation_of(const std::vector<double>& values) {
     square_sum += left * left;
   }
   const double error = (n - 1) / std::sqrt(n) * deviation(sum, square_sum, n);
-  return around(whole, observe::student95(static_cast<int>(n) - 1) * error);
+  return observe::IntervalEstimate::around(whole,
+                                           observe::student95(static_cast<int>(n) - 1) * error);
 }
 
 /// True if either is, false if both are known not to be.
@@ -129,7 +125,7 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
   const std::size_t keys = outcomes.size() / 2;
   check(2 * keys + 1, outcomes, ci95);
   const auto at = [&](std::size_t row) {
-    return around(outcomes[row], ci95.empty() ? unknown : ci95[row]);
+    return observe::IntervalEstimate::around(outcomes[row], ci95.empty() ? unknown : ci95[row]);
   };
   const auto differs = [&](std::size_t row) -> std::optional<bool> {
     const double change = std::abs(outcomes[row] - outcomes[0]);

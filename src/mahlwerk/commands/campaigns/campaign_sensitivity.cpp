@@ -14,11 +14,6 @@ namespace {
 using report::Effect;
 using report::Sensitivity;
 
-/// Half the width of an interval, which may be asymmetric about its value.
-double half(const observe::IntervalEstimate& sure) {
-  return 0.5 * (sure.high - sure.low);
-}
-
 /// Values or half-widths of a column at all points; NaN for missing ones.
 std::vector<double> of_points(const report::Campaign& campaign, std::size_t column,
                               std::vector<double> report::Point::*list) {
@@ -64,14 +59,11 @@ class SensitivityAnalysis {
   void one_at_a_time() {
     const campaign::Swings found = campaign::swings(outcomes_, widths_);
     result_.method = report::Method::one_at_a_time;
-    result_.base = found.base.value;
-    result_.base_ci95 = half(found.base);
+    result_.base = found.base;
     for (std::size_t k = 0; k < result_.effects.size(); ++k) {
       Effect& effect = result_.effects[k];
-      effect.low = found.keys[k].at_low.value;
-      effect.low_ci95 = half(found.keys[k].at_low);
-      effect.high = found.keys[k].at_high.value;
-      effect.high_ci95 = half(found.keys[k].at_high);
+      effect.low = found.keys[k].at_low;
+      effect.high = found.keys[k].at_high;
       effect.significant = found.keys[k].significant;
       effect.inactive = found.keys[k].inactive;
     }
@@ -84,12 +76,9 @@ class SensitivityAnalysis {
     for (std::size_t k = 0; k < result_.effects.size(); ++k) {
       Effect& effect = result_.effects[k];
       const campaign::KeyEffects& of = found.keys[k];
-      effect.mean_absolute = of.mean_absolute.value;
-      effect.mean_absolute_ci95 = half(of.mean_absolute);
-      effect.mean = of.mean.value;
-      effect.mean_ci95 = half(of.mean);
-      effect.deviation = of.deviation.value;
-      effect.deviation_ci95 = half(of.deviation);
+      effect.mean_absolute = of.mean_absolute;
+      effect.mean = of.mean;
+      effect.deviation = of.deviation;
       effect.of_noise = of.of_noise;
       effect.count = of.count;
       effect.significant = of.significant;
@@ -106,12 +95,8 @@ class SensitivityAnalysis {
     for (std::size_t k = 0; k < result_.effects.size(); ++k) {
       Effect& effect = result_.effects[k];
       const campaign::SobolIndices& of = found.keys[k];
-      effect.first_order = of.first.value;
-      effect.first_order_ci95 = half(of.first);
-      effect.total = of.total.value;
-      effect.total_ci95 = half(of.total);
-      effect.total_low = of.total.low;
-      effect.total_high = of.total.high;
+      effect.first_order = of.first;
+      effect.total = of.total;
       effect.count = of.count;
       effect.significant = of.significant;
       effect.inactive = of.inactive;
@@ -124,8 +109,7 @@ class SensitivityAnalysis {
       results::combine(q, outcomes_, results::Interval::of_mean);
       return q;
     }();
-    result_.base = mean.value;
-    result_.base_ci95 = mean.ci95;
+    result_.base = observe::IntervalEstimate::around(mean.value, mean.ci95);
   }
   std::vector<double> errors() const {
     return campaign::standard_errors(outcomes_, widths_, replicates_);

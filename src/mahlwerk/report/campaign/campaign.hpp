@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
 #include "mahlwerk/results/summary.hpp"
 
@@ -54,17 +55,15 @@ enum class Method {
 /// whole range of the key.
 struct Effect {
   std::string key;
-  std::string low_end = {}, high_end = {};  ///< ends of its range: "200 rpm", "400 rpm"
-  double low = NAN, low_ci95 = NAN;         ///< one at a time: value at the low end
-  double high = NAN, high_ci95 = NAN;       ///< and at the high end
-  double mean_absolute = NAN, mean_absolute_ci95 = NAN;  ///< Morris: mu*, mean absolute effect
-  double mean = NAN, mean_ci95 = NAN;                    ///< mu, mean effect
-  double deviation = NAN, deviation_ci95 = NAN;      ///< sigma, standard deviation of the effects
-  double of_noise = NAN;                             ///< mu* expected from errors alone
-  double first_order = NAN, first_order_ci95 = NAN;  ///< Sobol: S1, first-order index
-  double total = NAN, total_ci95 = NAN;              ///< ST, total index, with interactions
-  double total_low = NAN, total_high = NAN;          ///< its interval, which may be asymmetric
-  std::size_t count = 0;                             ///< Morris: effects used; Sobol: groups
+  std::string low_end = {}, high_end = {};        ///< ends of its range: "200 rpm", "400 rpm"
+  observe::IntervalEstimate low = {}, high = {};  ///< one at a time: value at the ends
+  observe::IntervalEstimate mean_absolute = {};   ///< Morris: mu*, mean absolute effect
+  observe::IntervalEstimate mean = {};            ///< mu, mean effect
+  observe::IntervalEstimate deviation = {};       ///< sigma, standard deviation of the effects
+  double of_noise = NAN;                          ///< mu* expected from errors alone
+  observe::IntervalEstimate first_order = {};     ///< Sobol: S1, first-order index
+  observe::IntervalEstimate total = {};           ///< ST, total index, with interactions
+  std::size_t count = 0;                          ///< Morris: effects used; Sobol: groups
   /// Whether the effect differs significantly from zero; nullopt: unknown.
   std::optional<bool> significant = std::nullopt;
   bool inactive = false;  ///< no result changes if only this key changes
@@ -74,10 +73,10 @@ struct Effect {
 struct Sensitivity {
   std::string quantity, unit;  ///< of summary.json, in SI
   Method method = Method::one_at_a_time;
-  double base = NAN, base_ci95 = NAN;  ///< of the base case, or the mean over all points
-  double variance = NAN;               ///< Sobol: variance without that of errors
-  double noise = NAN;                  ///< Sobol: share of errors in the observed variance
-  std::vector<Effect> effects = {};    ///< in any order
+  observe::IntervalEstimate base = {};  ///< of the base case, or the mean over all points
+  double variance = NAN;                ///< Sobol: variance without that of errors
+  double noise = NAN;                   ///< Sobol: share of errors in the observed variance
+  std::vector<Effect> effects = {};     ///< in any order
 };
 
 struct Campaign {

@@ -13,9 +13,11 @@ namespace {
 
 Multiple multiple_of(const Sensitivity& s) {
   if (s.method == Method::sobol) return {1, "1"};
-  double most = std::isfinite(s.base) && s.method == Method::one_at_a_time ? std::abs(s.base) : 0;
+  double most = 0;
+  if (std::isfinite(s.base.value) && s.method == Method::one_at_a_time)
+    most = std::abs(s.base.value);
   for (const Effect& e : s.effects)
-    for (const double v : {e.low, e.high, e.mean_absolute})
+    for (const double v : {e.low.value, e.high.value, e.mean_absolute.value})
       if (std::isfinite(v)) most = std::max(most, std::abs(v));
   return multiple(most, s.unit);
 }
@@ -26,8 +28,9 @@ std::string with_unit(const std::string& words, const Multiple& m) {
 }
 
 /// A bar to a value of the quantity, its interval cut at the quantity's range.
-Bar bar_within(double value, double ci95, std::size_t colour, std::string note,
+Bar bar_within(const observe::IntervalEstimate& end, std::size_t colour, std::string note,
                const Sensitivity& s, const Multiple& m) {
+  const double value = end.value, ci95 = end.half_width();
   const results::Range range = results::range_of(s.quantity);
   Bar bar{value / m.factor, ci95 / m.factor, colour, std::move(note)};
   if (!std::isfinite(value) || !std::isfinite(ci95)) return bar;
@@ -38,17 +41,18 @@ Bar bar_within(double value, double ci95, std::size_t colour, std::string note,
 
 BarPlot one_at_a_time(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit(label(s.quantity), m)};
-  plot.base = s.base / m.factor;
+  plot.base = s.base.value / m.factor;
   plot.legend = {"key at its low end", "at its high end"};
   for (const Effect& e : largest_first(s)) {
     BarGroup group{.name = e.key, .bars = {}};
     // Both ends of a key without effect coincide.
     const std::string low = e.inactive ? "" : e.low_end,
                       high = e.inactive ? e.low_end + ", " + e.high_end : e.high_end;
-    group.bars.push_back(bar_within(e.low, e.low_ci95, 0, low, s, m));
-    group.bars.push_back(bar_within(e.high, e.high_ci95, 1, high, s, m));
+    group.bars.push_back(bar_within(e.low, 0, low, s, m));
+    group.bars.push_back(bar_within(e.high, 1, high, s, m));
     // Two bars on the same side of the base would overlap.
-    const bool one_side = !e.inactive && (e.low - s.base) * (e.high - s.base) >= 0;
+    const bool one_side =
+        !e.inactive && (e.low.value - s.base.value) * (e.high.value - s.base.value) >= 0;
     plot.side_by_side = plot.side_by_side || one_side;
     plot.groups.push_back(std::move(group));
   }
@@ -59,7 +63,8 @@ BarPlot morris(const Sensitivity& s, const Multiple& m) {
   BarPlot plot{.title = label(s.quantity), .label = with_unit("mean absolute effect, µ*", m)};
   for (const Effect& e : largest_first(s))
     plot.groups.push_back(
-        {e.key, {{e.mean_absolute / m.factor, e.mean_absolute_ci95 / m.factor, 0, ""}}});
+        {e.key,
+         {{e.mean_absolute.value / m.factor, e.mean_absolute.half_width() / m.factor, 0, ""}}});
   return plot;
 }
 
@@ -68,9 +73,10 @@ BarPlot sobol(const Sensitivity& s) {
   plot.side_by_side = true;
   plot.legend = {"first order, S1", "total, ST"};
   for (const Effect& e : largest_first(s))
-    plot.groups.push_back({e.key,
-                           {{e.first_order, e.first_order_ci95, 0, ""},
-                            {e.total, e.total_ci95, 1, "", e.total_low, e.total_high}}});
+    plot.groups.push_back(
+        {e.key,
+         {{e.first_order.value, e.first_order.half_width(), 0, ""},
+          {e.total.value, e.total.half_width(), 1, "", e.total.low, e.total.high}}});
   return plot;
 }
 
@@ -85,9 +91,9 @@ Plot scatter_of(const Sensitivity& s, const Multiple& m) {
             .height = 320};
   for (const Effect& e : largest_first(s)) {
     Series series{.name = e.key, .mark = Mark::dots};
-    series.x = {e.mean_absolute / m.factor};
-    series.y = {e.deviation / m.factor};
-    series.error = {e.deviation_ci95 / m.factor};
+    series.x = {e.mean_absolute.value / m.factor};
+    series.y = {e.deviation.value / m.factor};
+    series.error = {e.deviation.half_width() / m.factor};
     plot.series.push_back(std::move(series));
     const double row = 56;  // letters
     plot.height += 18 * static_cast<double>(width(e.key) + 7) / row;
@@ -100,20 +106,20 @@ std::string number_cell(double value, std::string_view text) {
                      std::isfinite(value) ? fmt::format("{}", value) : "", escaped(text));
 }
 
-std::string cell(double value, double ci95, const Multiple& m, std::string_view unit) {
-  return number_cell(value, readable(value, ci95, unit, m.factor).number);
+std::string cell(const observe::IntervalEstimate& e, const Multiple& m, std::string_view unit) {
+  return number_cell(e.value, readable(e.value, e.half_width(), unit, m.factor).number);
 }
 
 /// A total index and its interval, which may be asymmetric.
-std::string total_cell(const Effect& e) {
-  if (!(e.total_low < e.total_high)) return number_cell(e.total, readable(e.total, NAN, "").number);
-  return number_cell(e.total,
-                     fmt::format("{:.2g} ({:.2g} to {:.2g})", e.total, e.total_low, e.total_high));
+std::string total_cell(const observe::IntervalEstimate& total) {
+  const auto [value, low, high] = total;
+  if (!(low < high)) return number_cell(value, readable(value, NAN, "").number);
+  return number_cell(value, fmt::format("{:.2g} ({:.2g} to {:.2g})", value, low, high));
 }
 
-std::string end_cells(std::string_view end, double value, double ci95, const Sensitivity& s,
-                      const Multiple& m) {
-  return fmt::format("<td class=\"n\">{}</td>", escaped(end)) + cell(value, ci95, m, s.unit);
+std::string end_cells(std::string_view end, const observe::IntervalEstimate& at_end,
+                      const Sensitivity& s, const Multiple& m) {
+  return fmt::format("<td class=\"n\">{}</td>", escaped(end)) + cell(at_end, m, s.unit);
 }
 
 /// Whether the same number of effects, or groups, was used for each key.
@@ -125,7 +131,8 @@ bool counts_agree(const Sensitivity& s) {
 /// A sentence above the table: information common to all its numbers.
 std::string lead(const Sensitivity& s, const Multiple& m) {
   if (s.method == Method::one_at_a_time)
-    return fmt::format("Base case: {}.", readable(s.base, s.base_ci95, s.unit, m.factor).text());
+    return fmt::format("Base case: {}.",
+                       readable(s.base.value, s.base.half_width(), s.unit, m.factor).text());
   const bool shares = s.method == Method::sobol;
   std::string text = counts_agree(s)
                          ? fmt::format("{}: {}.", shares ? "Groups of runs" : "Effects of each key",
@@ -151,15 +158,12 @@ std::vector<std::string> heads(const Sensitivity& s) {
 
 std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
   if (s.method == Method::one_at_a_time)
-    return end_cells(e.low_end, e.low, e.low_ci95, s, m) +
-           end_cells(e.high_end, e.high, e.high_ci95, s, m);
+    return end_cells(e.low_end, e.low, s, m) + end_cells(e.high_end, e.high, s, m);
   const std::string count =
       counts_agree(s) ? "" : number_cell(static_cast<double>(e.count), fmt::format("{}", e.count));
-  if (s.method == Method::sobol)
-    return cell(e.first_order, e.first_order_ci95, m, "") + total_cell(e) + count;
-  return cell(e.mean_absolute, e.mean_absolute_ci95, m, s.unit) + cell(e.of_noise, NAN, m, s.unit) +
-         cell(e.mean, e.mean_ci95, m, s.unit) + cell(e.deviation, e.deviation_ci95, m, s.unit) +
-         count;
+  if (s.method == Method::sobol) return cell(e.first_order, m, "") + total_cell(e.total) + count;
+  return cell(e.mean_absolute, m, s.unit) + cell({.value = e.of_noise}, m, s.unit) +
+         cell(e.mean, m, s.unit) + cell(e.deviation, m, s.unit) + count;
 }
 
 /// Table of the numbers of the bars and further ones.
@@ -179,12 +183,13 @@ std::string numbers(const Sensitivity& s, const Multiple& m) {
 }  // namespace
 
 double magnitude(const Effect& e, const Sensitivity& s) {
-  if (s.method == Method::morris) return e.mean_absolute;
-  if (s.method == Method::sobol) return std::isfinite(e.total) ? e.total : e.first_order;
+  if (s.method == Method::morris) return e.mean_absolute.value;
+  if (s.method == Method::sobol)
+    return std::isfinite(e.total.value) ? e.total.value : e.first_order.value;
   double least = INFINITY, most = -INFINITY;
-  for (const double v : {e.low, e.high, s.base})
+  for (const double v : {e.low.value, e.high.value, s.base.value})
     if (std::isfinite(v)) least = std::min(least, v), most = std::max(most, v);
-  return std::isfinite(e.low) || std::isfinite(e.high) ? most - least : NAN;
+  return std::isfinite(e.low.value) || std::isfinite(e.high.value) ? most - least : NAN;
 }
 
 std::vector<Effect> largest_first(const Sensitivity& s) {
@@ -210,7 +215,7 @@ std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
     case Method::one_at_a_time:
       break;
   }
-  if (!std::isfinite(s.base)) return {};  // no base for the bars
+  if (!std::isfinite(s.base.value)) return {};  // no base for the bars
   return {{name, svg(one_at_a_time(s, m)), below}};
 }
 

@@ -23,10 +23,10 @@ std::string how_much(const Effect& e, const Sensitivity& s) {
   const double size = magnitude(e, s);
   if (s.method == Method::sobol)
     return fmt::format("{} of the variance, with interactions",
-                       readable(size, e.total_ci95, "").text());
+                       readable(size, e.total.half_width(), "").text());
   if (s.method == Method::morris)
     return fmt::format("on average {} over its range",
-                       readable(size, e.mean_absolute_ci95, s.unit).text());
+                       readable(size, e.mean_absolute.half_width(), s.unit).text());
   return fmt::format("changes it by {} over its range", readable(size, NAN, s.unit).text());
 }
 
