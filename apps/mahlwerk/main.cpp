@@ -158,8 +158,14 @@ class CommandLine {
     if (!option.type.empty()) made->type_name(option.type);
     if (option.range[1] > 0) made->check(CLI::Range(option.range[0], option.range[1]));
     if (!option.values.empty()) made->check(CLI::IsMember(option.values));
-    if (!option.excludes.empty()) made->excludes(sub.get_option(option.excludes));
-    if (!option.needs.empty()) made->needs(sub.get_option(option.needs));
+    if (!option.excludes.empty()) made->excludes(named(sub, option.excludes));
+    if (!option.needs.empty()) made->needs(named(sub, option.needs));
+  }
+
+  /// App::get_option() ends the process where memory is short: it allocates, and is noexcept.
+  static CLI::Option* named(CLI::App& sub, const std::string& name) {
+    const std::vector<CLI::Option*> all = sub.get_options();
+    return *std::ranges::find_if(all, [&](const CLI::Option* o) { return o->check_name(name); });
   }
 
   CLI::Option* add(CLI::App& sub, const Option& option, bool* flag) {

@@ -83,12 +83,12 @@ Plot predictions(const CalibrationReport& found, const std::string& what) {
     measured.y.push_back(p.measured / up.factor);
     measured.error.push_back(1.96 * p.error / up.factor);
   }
-  return {
-      .title = fmt::format("{}: measured and calibrated", what),
-      .x = {found.condition_values.empty() ? "number of the condition"
-                                           : axis_text(found.condition_key, found.condition_unit)},
-      .y = {axis_text(what, up.unit)},
-      .series = {band, runs, measured}};
+  return {.title = fmt::format("{}: measured and calibrated", what),
+          .x = Axis{found.condition_values.empty()
+                        ? "number of the condition"
+                        : axis_text(found.condition_key, found.condition_unit)},
+          .y = Axis{axis_text(what, up.unit)},
+          .series = {band, runs, measured}};
 }
 
 /// Histogram of a key's posterior over its range.
@@ -106,8 +106,8 @@ Plot marginal(const CalibratedKey& k) {
   Series prior{.name = "before the measurements", .x = {from, to}, .y = {1, 1}, .colour = 6};
   series.name = "with the measurements";
   return {.title = fmt::format("Probability of {}", k.key),
-          .x = {axis_text(k.key, k.unit), false, from, to},
-          .y = {"density, by that of the range"},
+          .x = Axis{axis_text(k.key, k.unit), false, from, to},
+          .y = Axis{"density, by that of the range"},
           .series = {series, prior},
           .height = 260};
 }
@@ -122,8 +122,8 @@ Plot pair_plot(const CalibratedKey& a, const CalibratedKey& b) {
     dots.y.push_back(b.posterior[i]);
   }
   return {.title = fmt::format("{} and {}", a.key, b.key),
-          .x = {axis_text(a.key, a.unit)},
-          .y = {axis_text(b.key, b.unit)},
+          .x = Axis{axis_text(a.key, a.unit)},
+          .y = Axis{axis_text(b.key, b.unit)},
           .series = {dots},
           .height = 320};
 }

@@ -123,8 +123,8 @@ Plot ratios(const std::vector<ComparedBin>& bins) {
   if (!bins.empty()) one.x = {std::max(bins.front().low, bins.front().high / 2), bins.back().high};
   one.y = {1, 1};
   return {.title = "Rate of the soft engine over that of the event engine",
-          .x = {"normal speed of impact (m/s)", true},
-          .y = {"ratio", true},
+          .x = Axis{"normal speed of impact (m/s)", true},
+          .y = Axis{"ratio", true},
           .series = {ratio, one},
           .height = 280};
 }

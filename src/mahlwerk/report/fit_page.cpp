@@ -105,8 +105,8 @@ Plot curves(const FitReport& fit, const DrawnQuantity& d) {
   const Multiple up = multiple_of(fit, d.what, false);
   std::map<std::pair<std::size_t, double>, std::size_t> colours;
   Plot plot{.title = fmt::format("{}: measured and fitted", d.what),
-            .x = {axis_of(d.over_size ? "size" : "time of milling", across), d.over_size},
-            .y = {axis_of(d.what, up)},
+            .x = Axis{axis_of(d.over_size ? "size" : "time of milling", across), d.over_size},
+            .y = Axis{axis_of(d.what, up)},
             .series = {}};
   const auto colour = [&](std::size_t condition, double time) {
     return colours.try_emplace({condition, d.over_size ? time : 0}, colours.size()).first->second;
@@ -147,15 +147,15 @@ Plot beside(const FitReport& fit, const DrawnQuantity& d) {
     fitted.y.push_back(p.fitted / up.factor);
   }
   return {.title = fmt::format("{}: measured and fitted", d.what),
-          .x = {"number of the condition"},
-          .y = {axis_of(d.what, up)},
+          .x = Axis{"number of the condition"},
+          .y = Axis{axis_of(d.what, up)},
           .series = {fitted, measured}};
 }
 
 Plot residuals(const FitReport& fit) {
   Plot plot{.title = "Residuals",
-            .x = {"line of the table of measurements"},
-            .y = {fit.errors_known ? "residual (measurement errors)" : "residual"},
+            .x = Axis{"line of the table of measurements"},
+            .y = Axis{fit.errors_known ? "residual (measurement errors)" : "residual"},
             .series = {},
             .height = 280};
   for (const DrawnQuantity& d : drawn_quantities(fit)) {

@@ -124,8 +124,8 @@ Plot match_plot(const MatchReport& found) {
     b.x.push_back(found.edges[i] / across.factor);
   }
   return {.title = "Power by energy lost per collision",
-          .x = {fmt::format("energy lost per collision ({})", across.unit), true},
-          .y = {"share of the power per bin (%)"},
+          .x = Axis{fmt::format("energy lost per collision ({})", across.unit), true},
+          .y = Axis{"share of the power per bin (%)"},
           .series = {a, b}};
 }
 

@@ -52,8 +52,8 @@ Plot history(const OptimumReport& found) {
     best.y.push_back(until);
   }
   return {.title = "Settings tried",
-          .x = {"setting number"},
-          .y = {with_unit(label(found.quantity), up.unit)},
+          .x = Axis{"setting number"},
+          .y = Axis{with_unit(label(found.quantity), up.unit)},
           .series = {tried, best}};
 }
 
@@ -77,10 +77,10 @@ Plot slice(const OptimumReport& found, std::size_t key) {
     tried.y.push_back(s.observed.mean / up.factor);
   }
   return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
-          .x = {.label = with_unit(k.key, k.unit),
-                .logarithmic = k.logarithmic,
-                .least = k.x.front(),
-                .most = k.x.back()},
+          .x = Axis{.label = with_unit(k.key, k.unit),
+                    .logarithmic = k.logarithmic,
+                    .least = k.x.front(),
+                    .most = k.x.back()},
           .y = {with_unit(label(found.quantity), up.unit)},
           .series = {low, high, mean, tried}};
 }

@@ -68,8 +68,8 @@ Plot angle_plot(const results::Outcome& outcome) {
   std::vector<double> edges = column(table, "angle_low");
   edges.push_back(90);
   return {.title = "Impact angle of collisions above the threshold",
-          .x = {.label = "angle (°), 0 head-on, 90 grazing", .least = 0, .most = 90},
-          .y = {.label = "collisions per second and degree"},
+          .x = Axis{.label = "angle (°), 0 head-on, 90 grazing", .least = 0, .most = 90},
+          .y = Axis{.label = "collisions per second and degree"},
           .series = {{"", edges, column(table, "rate_above_threshold"), {}, Mark::steps}},
           .height = 260};
 }
@@ -78,8 +78,8 @@ Plot rate_plot(const results::Outcome& outcome) {
   const Table table = results::time_series(outcome);
   const std::string threshold = threshold_text(outcome.mill_case.observe.threshold);
   return {.title = "Collisions with a normal speed of at least " + threshold,
-          .x = {.label = "time (s)", .least = 0},
-          .y = {.label = "collisions per second"},
+          .x = Axis{.label = "time (s)", .least = 0},
+          .y = Axis{.label = "collisions per second"},
           .series = {{"",
                       column(table, "time"),
                       column(table, "collision_rate_above_threshold"),
@@ -94,8 +94,8 @@ Plot power_plot(const results::Outcome& outcome) {
   const Multiple unit = multiple(largest(dissipated), "W");
   const auto time = column(table, "time");
   return {.title = "Power",
-          .x = {.label = "time (s)", .least = 0},
-          .y = {.label = fmt::format("power ({})", unit.unit)},
+          .x = Axis{.label = "time (s)", .least = 0},
+          .y = Axis{.label = fmt::format("power ({})", unit.unit)},
           .series =
               {{"dissipated", time, column(table, "dissipated_power", unit.factor), {}, Mark::line},
                {"power input by the jar",

@@ -154,7 +154,8 @@ TEST(CampaignPage, does_not_take_words_for_markup) {
     p.folder = bad;
   }
   fail(c.points[5], bad);
-  c.sensitivities = {{.quantity = bad, .unit = bad, .base = {.value = 1}, .effects = {{.key = bad}}}};
+  c.sensitivities = {
+      {.quantity = bad, .unit = bad, .base = {.value = 1}, .effects = {{.key = bad}}}};
   c.sensitivities[0].effects[0].low.value = 2;
   c.sensitivities[0].effects[0].low_end = bad;
   const std::string html = campaign_page(c, bad);

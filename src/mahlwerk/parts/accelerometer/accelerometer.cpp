@@ -246,8 +246,8 @@ report::Plot plot_of(const Outcome& outcome) {
   const std::vector<double> time = report::column(table, "time", milli);
   return {
       .title = "Acceleration of the jar",
-      .x = {.label = "time (ms)", .least = 0},
-      .y = {.label = "acceleration (m/s²)"},
+      .x = report::Axis{.label = "time (ms)", .least = 0},
+      .y = report::Axis{.label = "acceleration (m/s²)"},
       .series = {{"signal", time, report::column(table, "acceleration"), {}, report::Mark::line},
                  {"motion of the mill",
                   time,

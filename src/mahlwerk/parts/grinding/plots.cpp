@@ -69,12 +69,12 @@ Plot by_energy(const results::Outcome& outcome, std::string_view name, double fa
   const Table table = results::capture(outcome);
   const double most = largest(column(table, "energy"));
   const Multiple unit = multiple(most, "J");
-  Plot plot{
-      .title = "",
-      .x = {.label = fmt::format("energy of one collision ({})", unit.unit), .logarithmic = true},
-      .y = {.label = "", .logarithmic = true},
-      .series = {},
-      .height = 300};
+  Plot plot{.title = "",
+            .x = Axis{.label = fmt::format("energy of one collision ({})", unit.unit),
+                      .logarithmic = true},
+            .y = Axis{.label = "", .logarithmic = true},
+            .series = {},
+            .height = 300};
   for (Kind& kind : kinds(table)) {
     std::erase_if(kind.rows.rows,
                   [&](const auto& row) { return row[2] < most / decades; });  // the energy
@@ -97,8 +97,8 @@ Plot over_log_time(const results::Outcome& outcome) {
   if (finest.empty()) finest = column(table, "sample_d10");
   const Multiple unit = time_unit(largest(times));
   Plot plot{.title = "",
-            .x = {.label = fmt::format("time of milling ({})", unit.unit), .logarithmic = true},
-            .y = {.label = "", .logarithmic = true},
+            .x = Axis{.label = fmt::format("time of milling ({})", unit.unit), .logarithmic = true},
+            .y = Axis{.label = "", .logarithmic = true},
             .series = {}};
   constexpr double still = 0.98, before = 0.5;
   for (std::size_t i = 1; i < times.size(); ++i)
@@ -189,8 +189,8 @@ Plot captured_grains_plot(const results::Outcome& outcome) {
     }
   }
   return {.title = "Collisions by number of captured grains",
-          .x = {.label = "captured grains", .logarithmic = true},
-          .y = {.label = "share in a bin (%)"},
+          .x = Axis{.label = "captured grains", .logarithmic = true},
+          .y = Axis{.label = "share in a bin (%)"},
           .series = {{"of their energy", edges, hard, {}, Mark::steps},
                      {"of the collisions", edges, often, {}, Mark::steps}},
           .height = 280};
@@ -225,8 +225,8 @@ Plot sizes_plot(const results::Outcome& outcome) {
 Plot passing_plot(const results::Outcome& outcome) {
   const Table table = results::size_distribution(outcome);
   Plot plot{.title = "Share of the mass finer than a size",
-            .x = {.label = "size (µm)", .logarithmic = true},
-            .y = {.label = "finer (%)", .least = 0, .most = 100},
+            .x = Axis{.label = "size (µm)", .logarithmic = true},
+            .y = Axis{.label = "finer (%)", .least = 0, .most = 100},
             .series = {}};
   limit_axis_to_data(table, plot.x);
   for (const std::string_view method : method_prefixes) {
@@ -254,8 +254,8 @@ Plot passing_plot(const results::Outcome& outcome) {
 Plot density_plot(const results::Outcome& outcome) {
   const Table table = results::size_distribution(outcome);
   Plot plot{.title = "Share of the mass by size",
-            .x = {.label = "size (µm)", .logarithmic = true},
-            .y = {.label = "share per unit of ln(size)", .least = 0},
+            .x = Axis{.label = "size (µm)", .logarithmic = true},
+            .y = Axis{.label = "share per unit of ln(size)", .least = 0},
             .series = {}};
   limit_axis_to_data(table, plot.x);
   double feed = 0, milled = 0;

@@ -152,8 +152,8 @@ report::Plot temperature_plot(const Outcome& outcome) {
   const Table table = temperatures(outcome);
   constexpr double minute = 60;
   return {.title = "Temperature over milling and pauses",
-          .x = {.label = "time (min)", .least = 0},
-          .y = {.label = "temperature (°C)"},
+          .x = report::Axis{.label = "time (min)", .least = 0},
+          .y = report::Axis{.label = "temperature (°C)"},
           .series = {{"balls",
                       report::column(table, "time", minute),
                       report::column(table, "balls"),

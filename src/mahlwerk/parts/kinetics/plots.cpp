@@ -25,8 +25,8 @@ Plot over_time(const results::Outcome& outcome, std::string_view name, double fa
   const Multiple unit = time_unit(largest(column(table, "time")));
   return {
       .title = "",
-      .x = {.label = fmt::format("time of milling ({})", unit.unit), .least = 0},
-      .y = {.label = ""},
+      .x = report::Axis{.label = fmt::format("time of milling ({})", unit.unit), .least = 0},
+      .y = report::Axis{.label = ""},
       .series =
           {{"", column(table, "time", unit.factor), column(table, name, factor), {}, Mark::line}},
       .height = 280};

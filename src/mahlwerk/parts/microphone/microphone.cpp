@@ -131,8 +131,9 @@ report::Plot plot_of(const Outcome& outcome) {
   const report::Multiple unit = report::multiple(report::largest(energy), "J");
   report::Plot plot{
       .title = "Hits that the microphone hears",
-      .x = {.label = fmt::format("normal energy of a hit ({})", unit.unit), .logarithmic = true},
-      .y = {.label = "hits per second with at least this energy", .logarithmic = true},
+      .x = report::Axis{.label = fmt::format("normal energy of a hit ({})", unit.unit),
+                        .logarithmic = true},
+      .y = report::Axis{.label = "hits per second with at least this energy", .logarithmic = true},
       .series =
           {{"", report::column(table, "energy_low", unit.factor), rate, {}, report::Mark::line}},
       .height = 300};

@@ -197,8 +197,8 @@ report::Plot readings_plot(const Outcome& outcome, std::string title, std::strin
   const report::Multiple unit =
       report::multiple(report::largest(report::column(table, name)), unit_name);
   return {.title = std::move(title),
-          .x = {.label = "time (s)", .least = 0},
-          .y = {.label = fmt::format("{} ({})", words, unit.unit)},
+          .x = report::Axis{.label = "time (s)", .least = 0},
+          .y = report::Axis{.label = fmt::format("{} ({})", words, unit.unit)},
           .series = {{"",
                       report::column(table, "time"),
                       report::column(table, name, unit.factor),

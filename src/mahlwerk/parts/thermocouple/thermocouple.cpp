@@ -126,8 +126,8 @@ report::Plot plot_of(const Outcome& outcome) {
   const std::vector<double> time = report::column(table, "time", minute);
   return {
       .title = "Thermocouple",
-      .x = {.label = "time (min)", .least = 0},
-      .y = {.label = "temperature (°C)"},
+      .x = report::Axis{.label = "time (min)", .least = 0},
+      .y = report::Axis{.label = "temperature (°C)"},
       .series =
           {{"reading", time, report::column(table, "reading"), {}, report::Mark::line},
            {"where it is", time, report::column(table, "surroundings"), {}, report::Mark::line}},

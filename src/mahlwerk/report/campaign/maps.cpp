@@ -151,8 +151,8 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
 std::string regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
                         const std::vector<std::string>& words) {
   Plot plot{.title = "Regime",
-            .x = {.label = axis_label(sheet.campaign.keys[x])},
-            .y = {.label = axis_label(sheet.campaign.keys[y])},
+            .x = Axis{.label = axis_label(sheet.campaign.keys[x])},
+            .y = Axis{.label = axis_label(sheet.campaign.keys[y])},
             .series = {},
             .width = 480,
             .height = 340};

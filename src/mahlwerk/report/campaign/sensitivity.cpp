@@ -84,8 +84,8 @@ BarPlot sobol(const Sensitivity& s) {
 /// keys.
 Plot scatter_of(const Sensitivity& s, const Multiple& m) {
   Plot plot{.title = label(s.quantity),
-            .x = {.label = with_unit("mean absolute effect, µ*", m), .least = 0},
-            .y = {.label = with_unit("standard deviation, σ", m), .least = 0},
+            .x = Axis{.label = with_unit("mean absolute effect, µ*", m), .least = 0},
+            .y = Axis{.label = with_unit("standard deviation, σ", m), .least = 0},
             .series = {},
             .width = 480,
             .height = 320};

@@ -237,14 +237,14 @@ FigurePlot figure_plot(const PaperFigure& figure, const Campaign& campaign) {
                   {.label = "", .range_least = range.least, .range_most = range.most}};
   c.multiple = multiple(largest(all_series(c)), c.y_unit);
   std::vector<FigureSeries> list = all_series(c);  // again: laws name the multiple of the unit
-  FigurePlot made{.plot = {.title = "",
-                           .x = {key_axis(figure.against, c.x_unit)},
-                           .y = {.label = quantity_axis(figure.quantity, c.multiple),
-                                 .range_least = range.least / c.multiple.factor,
-                                 .range_most = range.most / c.multiple.factor},
-                           .series = {},
-                           .width = column_width,
-                           .font = figure_font},
+  FigurePlot made{.plot = Plot{.title = "",
+                               .x = Axis{key_axis(figure.against, c.x_unit)},
+                               .y = Axis{.label = quantity_axis(figure.quantity, c.multiple),
+                                         .range_least = range.least / c.multiple.factor,
+                                         .range_most = range.most / c.multiple.factor},
+                               .series = {},
+                               .width = column_width,
+                               .font = figure_font},
                   .csv = table(list, c)};
   for (auto& [s, name] : list) {
     for (std::vector<double>* values : {&s.y, &s.error, &s.low, &s.high})

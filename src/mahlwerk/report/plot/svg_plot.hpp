@@ -40,6 +40,8 @@ struct Series {
   std::vector<double> low = {}, high = {};
 };
 
+/// Write its type where it is initialised inside a Plot, `.x = Axis{...}`: if a later member
+/// throws, g++ 12 destroys an axis without type twice.
 struct Axis {
   /// With its unit, "impact energy (mJ)", and marks as in rich_text.hpp.
   std::string label;
