@@ -28,8 +28,8 @@ Plot spectrum_plot(const results::Outcome& outcome) {
   const auto normal = column(table, "rate_normal");
   const auto point = column(table, "rate_contact_point");
   Plot plot{"Spectrum of impact energies",
-            {fmt::format("energy of one collision ({})", unit.unit), true},
-            {"collisions per second and bin", true},
+            Axis{fmt::format("energy of one collision ({})", unit.unit), true},
+            Axis{"collisions per second and bin", true},
             {{"normal motion", edges, normal, {}, Mark::steps},
              {"contact point (normal and slip)", edges, point, {}, Mark::steps}}};
   const double most = largest(edges), often = std::max(largest(normal), largest(point));
@@ -53,8 +53,8 @@ Plot energy_weighted_plot(const results::Outcome& outcome) {
   for (double& e : edges) e /= energy.factor;
   const Multiple power = multiple(largest(column(table, "power_normal")), "W");
   Plot plot{"Power by impact energy",
-            {fmt::format("energy of one collision ({})", energy.unit), true},
-            {fmt::format("power per bin ({})", power.unit)},
+            Axis{fmt::format("energy of one collision ({})", energy.unit), true},
+            Axis{fmt::format("power per bin ({})", power.unit)},
             {{"normal motion", edges, column(table, "power_normal", power.factor), {}, Mark::steps},
              {"dissipated", edges, column(table, "power_lost", power.factor), {}, Mark::steps}},
             720,

@@ -179,9 +179,9 @@ void Folder::write(std::string_view name, std::string_view text) const {
 
 void Folder::commit() {
   done_ = true;  // from here on the result is kept even on failure: it may have taken hours
-  std::error_code none;
-  fs::remove(staging_ / reserved, none);
   try {
+    std::error_code none;
+    fs::remove(staging_ / reserved, none);
     list_all_files(staging_);
     put_in_place();
     if (lock_->state() == FileLock::State::held) remove_leftovers(target_, Leftovers::all);
