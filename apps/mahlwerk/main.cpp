@@ -164,8 +164,9 @@ class CommandLine {
 
   /// App::get_option() ends the process where memory is short: it allocates, and is noexcept.
   static CLI::Option* named(CLI::App& sub, const std::string& name) {
-    const std::vector<CLI::Option*> all = sub.get_options();
-    return *std::ranges::find_if(all, [&](const CLI::Option* o) { return o->check_name(name); });
+    for (CLI::Option* option : sub.get_options())
+      if (option->check_name(name)) return option;
+    throw CLI::OptionNotFound(name);
   }
 
   CLI::Option* add(CLI::App& sub, const Option& option, bool* flag) {
