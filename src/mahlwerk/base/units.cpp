@@ -162,39 +162,6 @@ double parse_in(std::string_view text, std::string_view unit) {
   return finite_or_fault(converted(p.number, found.scale, wanted.scale), text);
 }
 
-double largest_admitted(std::string_view unit) {
-  constexpr std::pair<std::string_view, double> limits[] = {
-      {"m", 1e6},  {"s", 1e12},    {"m/s", 1e5},   {"m/s2", 1e8}, {"rad/s", 1e7},
-      {"Hz", 1e9}, {"kg/m3", 1e6}, {"kg", 1e15},   {"m3", 1e12},  {"Pa", 1e18},
-      {"K", 1e9},  {"J", 1e18},    {"J/kg", 1e15}, {"N/m", 1e20}, {"rad", 1e6}};
-  const auto found = std::ranges::find(limits, unit, [](const auto& one) { return one.first; });
-  return found == std::end(limits) ? 1e30 : found->second;
-}
-
-bool admitted(double value, std::string_view unit) {
-  return std::abs(value) <= largest_admitted(unit);
-}
-
-std::array<double, 2> plausible_magnitude(std::string_view unit,
-                                          const PlausibleMagnitude& written) {
-  struct Magnitude {
-    std::string_view unit;
-    double least, most;
-  };
-  constexpr Magnitude plausible[] = {
-      {"m", 1e-9, 20},       {"m3", 1e-12, 5000},    {"kg", 1e-9, 1e6},    {"m/s", 1e-7, 300},
-      {"m/s2", 1e-3, 1e3},   {"rad/s", 1e-5, 3000},  {"Pa", 1, 2e12},      {"K", 1, 5000},
-      {"Pa s", 1e-6, 1e4},   {"N/m", 1e-4, 1e12},    {"J/m2", 1e-6, 100},  {"W/m/K", 1e-3, 5000},
-      {"J/kg/K", 10, 3e4},   {"W/m2/K", 1e-3, 1e5},  {"J/kg", 1e-6, 1e9},  {"J/mol", 1, 1e7},
-      {"kg/m3", 500, 25000}, {"kg/mol", 5e-4, 1000}, {"m3/mol", 1e-9, 0.1}};
-  std::array<double, 2> ends{0, std::numeric_limits<double>::infinity()};
-  for (const Magnitude& one : plausible)
-    if (one.unit == unit) ends = {one.least, one.most};
-  if (!written.least.empty()) ends[0] = parse_in(written.least, unit);
-  if (!written.most.empty()) ends[1] = parse_in(written.most, unit);
-  return ends;
-}
-
 std::string example_of(std::string_view unit) {
   constexpr std::pair<std::string_view, std::string_view> examples[] = {{"m", "12 mm"},
                                                                         {"kg", "10 g"},

@@ -51,16 +51,6 @@ std::string show_rounded(double value, std::string_view unit, int digits = 4);
 /// "950000".
 std::string two_digits(double value);
 
-/// The largest magnitude in `unit` that is admitted: nothing in or about a mill is larger. Beyond
-/// it sizes of grids and numbers of steps overflow. For units without an entry, 1e30.
-double largest_admitted(std::string_view unit);
-/// Whether a number is finite and within that magnitude.
-bool admitted(double value, std::string_view unit);
-/// The least and largest plausible magnitude of a value of a case in `unit`: as written, or that of
-/// the unit whatever the key; 0 and infinity if there is neither. Beyond them a unit or a digit is
-/// probably wrong.
-std::array<double, 2> plausible_magnitude(std::string_view unit, const PlausibleMagnitude& written);
-
 /// An example of a quantity in input that expects `unit`: "12 mm" for "m", "400 rpm" for "rad/s".
 std::string example_of(std::string_view unit);
 

@@ -146,12 +146,13 @@ TEST(Measurements, cells_that_are_no_numbers_are_named) {
 }
 
 TEST(Measurements, numbers_out_of_range_are_named) {
-  expect_fault("D90 (um)\n-9\n", "data.csv:2", "D90 = -9 must be above 0", "out-of-range");
+  expect_fault("D90 (um)\n-9\n", "data.csv:2", "D90 = -9 is out of range: it must be above 0 m",
+               "out-of-range");
   expect_fault("D90 (um),D90_error (um)\n9,0\n", "data.csv:2", "D90_error = 0", "out-of-range");
   expect_fault("time (s),D90 (um)\n-1,9\n", "data.csv:2", "time = -1", "out-of-range");
   expect_fault("size (um),passing\n0,0.5\n", "data.csv:2", "size = 0", "out-of-range");
-  expect_fault("size (um),passing\n9,35\n", "data.csv:2", "passing = 35 must be from 0 to 1",
-               "out-of-range");
+  expect_fault("size (um),passing\n9,35\n", "data.csv:2",
+               "passing = 35 is out of range: it must be at least 0 and at most 1", "out-of-range");
   expect_fault("conversion\n1.2\n", "data.csv:2", "conversion = 1.2", "out-of-range");
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/fit/measurement_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -10,6 +12,35 @@
 
 namespace mahlwerk::campaign {
 namespace {
+
+constexpr Range share{.least = 0, .most = 1};
+
+/// Columns with fixed names.
+struct FixedColumn {
+  FileColumn of;
+  Role role = Role::measured;
+  MeasuredQuantity what = MeasuredQuantity::quantile;  ///< of measured values
+};
+constexpr FixedColumn fixed_columns[] = {
+    {{"time", "s", not_negative}, Role::time},
+    {{"size", "m", positive}, Role::size},
+    {{"fall_height", "m", positive}, Role::fall},
+    {{"passing", "", share}, Role::measured, MeasuredQuantity::passing},
+    {{"specific_surface", "m2/kg", positive}, Role::measured, MeasuredQuantity::specific_surface},
+    {{"conversion", "", share}, Role::measured, MeasuredQuantity::conversion},
+    {{"yield", "", share}, Role::measured, MeasuredQuantity::yield},
+    {{"second_yield", "", share}, Role::measured, MeasuredQuantity::second_yield},
+    {{"ignition_time", "s", positive}, Role::measured, MeasuredQuantity::ignition_time},
+    {{"rebound_height", "m", positive}, Role::measured, MeasuredQuantity::rebound_height}};
+/// "D1" to "D99".
+constexpr FileColumn quantiles{"D90", "m", positive};
+
+/// The record of a measured quantity but that of a run, which has its own.
+const FileColumn& record_of(MeasuredQuantity what) {
+  for (const FixedColumn& one : fixed_columns)
+    if (one.role == Role::measured && one.what == what) return one.of;
+  return quantiles;
+}
 
 /// 90 from "D90"; empty if the word is not such a quantile.
 std::optional<int> percent_of(std::string_view word) {
@@ -29,30 +60,32 @@ std::optional<Column> column_called(std::string_view name, const RunQuantities& 
     std::optional<Column> of = column_called(name.substr(0, name.size() - ending.size()), known);
     if (!of || of->role != Role::measured) return std::nullopt;
     of->role = Role::error;
+    of->range = positive;
     return of;
   }
-  Column column{.role = Role::measured, .name = std::string(name), .unit = {}, .error_in = {}};
+  Column column{.role = Role::measured,
+                .name = std::string(name),
+                .unit = {},
+                .stored_unit = std::string(quantiles.unit),
+                .range = quantiles.range,
+                .error_in = {}};
   if (const auto percent = percent_of(name)) {
     column.percent = *percent;
     return column;
   }
-  for (const auto& [word, role] :
-       {std::pair{"time", Role::time}, {"size", Role::size}, {"fall_height", Role::fall}})
-    if (name == word) {
-      column.role = role;
-      return column;
-    }
-  for (const MeasuredQuantity what :
-       {MeasuredQuantity::passing, MeasuredQuantity::specific_surface, MeasuredQuantity::conversion,
-        MeasuredQuantity::yield, MeasuredQuantity::second_yield, MeasuredQuantity::ignition_time,
-        MeasuredQuantity::rebound_height})
-    if (name == name_of(what, 0)) {
-      column.what = what;
+  for (const FixedColumn& fixed : fixed_columns)
+    if (name == fixed.of.name) {
+      column.role = fixed.role;
+      column.what = fixed.what;
+      column.stored_unit = fixed.of.unit;
+      column.range = fixed.of.range;
       return column;
     }
   if (const auto of = std::ranges::find(known, name, &RunQuantity::name); of != known.end()) {
     column.what = MeasuredQuantity::of_run;
     column.quantity = *of;
+    column.stored_unit = of->unit;
+    column.range = any_number;  // an angle may be negative
     return column;
   }
   column.role = Role::condition;
@@ -70,10 +103,13 @@ std::string unit_from(std::string text) {
 
 }  // namespace
 
-std::string_view Column::stored_unit() const {
-  if (role == Role::time) return "s";
-  if (role == Role::size || role == Role::fall) return "m";
-  return what == MeasuredQuantity::of_run ? std::string_view(quantity.unit) : unit_of(what);
+std::string name_of(MeasuredQuantity what, int percent) {
+  if (what == MeasuredQuantity::quantile) return fmt::format("D{}", percent);
+  return what == MeasuredQuantity::of_run ? "" : std::string(record_of(what).name);
+}
+
+std::string_view unit_of(MeasuredQuantity what) {
+  return what == MeasuredQuantity::of_run ? "" : record_of(what).unit;
 }
 
 std::optional<Column> column_of(const std::string& heading, const RunQuantities& known) {
@@ -97,9 +133,8 @@ std::optional<Column> column_of(const std::string& heading, const RunQuantities&
 
 std::string heading_near(const std::string& heading, const RunQuantities& known) {
   const auto end = std::min(heading.find_first_of(" (["), heading.size());
-  std::vector<std::string> names{
-      "time",         "D10",           "D50",  "D90",     "specific_surface", "conversion", "yield",
-      "second_yield", "ignition_time", "size", "passing", "rebound_height",   "fall_height"};
+  std::vector<std::string> names{"D10", "D50", "D90"};
+  for (const FixedColumn& one : fixed_columns) names.emplace_back(one.of.name);
   for (const RunQuantity& one : known) names.push_back(one.name);
   std::vector<std::string> words;
   for (const std::string& word : names)

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/campaign/fit/measurements.hpp"
 
 // Columns of a table of measurements.
@@ -17,14 +18,14 @@ enum class Role { time, size, fall, measured, error, condition };
 
 struct Column {
   Role role = Role::condition;
-  std::string name;  ///< "D90", also for its errors; the key of a condition
-  std::string unit;  ///< as written
+  std::string name;         ///< "D90", also for its errors; the key of a condition
+  std::string unit;         ///< as written
+  std::string stored_unit;  ///< in which its numbers are stored
+  Range range;              ///< of its numbers, in that unit
   MeasuredQuantity what = MeasuredQuantity::quantile;  ///< for measured values and their errors
   int percent = 0;                                     ///< of a quantile
   RunQuantity quantity = {};                           ///< of a run
   std::optional<std::size_t> error_in;  ///< for measured values: the column of their errors
-
-  std::string_view stored_unit() const;  ///< unit in which its numbers are stored
 };
 
 /// The column of a heading: "D90 (um)", "D90 [um]", "D90_um" or "D90"; empty if it is unknown.

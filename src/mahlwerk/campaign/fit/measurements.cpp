@@ -11,6 +11,7 @@
 #include <optional>
 #include <sstream>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/fit/measurement_columns.hpp"
@@ -87,9 +88,9 @@ class Reader {
   }
   void check_unit(const Column& column, const std::string& heading) {
     try {
-      parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.stored_unit());
+      parse_in(column.unit.empty() ? "1" : "1 " + column.unit, column.stored_unit);
     } catch (const UnitError& error) {
-      const std::string unit(column.stored_unit());
+      const std::string unit(column.stored_unit);
       fault(
           fmt::format("column \"{}\": {}", heading,
                       column.unit.empty() ? "the unit is missing" : error.what()),
@@ -138,16 +139,21 @@ class Reader {
     if (separator_ == ';') std::ranges::replace(text, ',', '.');  // decimal comma
     try {
       const double value =
-          parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit());
-      if (admitted(value, column.stored_unit())) return value;
-      out_of_range(column.name, cell,
-                   show(largest_admitted(column.stored_unit()), column.stored_unit()) + " at most");
-      return no_value;
+          parse_in(column.unit.empty() ? text : text + " " + column.unit, column.stored_unit);
+      const std::string refused = refusal(value, column.range, column.stored_unit);
+      if (refused.empty()) return value;
+      fault(
+          fmt::format("{}{} = {} is {}", column.name, column.role == Role::error ? "_error" : "",
+                      text, refused),
+          column.stored_unit.empty() && column.what != MeasuredQuantity::of_run
+              ? fmt::format("give a share from 0 to 1, or name the column \"{} (%)\"", column.name)
+              : "correct the number or its unit",
+          "out-of-range");
     } catch (const UnitError&) {
       fault(fmt::format("\"{}\" in column \"{}\" is not a number", cell, column.name),
             "write a number without its unit, or leave the cell empty", "bad-quantity");
-      return no_value;
     }
+    return no_value;
   }
 
   void read_row(const std::vector<std::string>& cells) {
@@ -162,9 +168,9 @@ class Reader {
     for (std::size_t i = 0; i < columns_.size(); ++i)
       numbers.push_back(columns_[i].role == Role::condition ? no_value
                                                             : number(cells[i], columns_[i]));
+    if (faults_.size() > before) return;
     Measurement shared{.condition = condition(cells), .line = line_};
     if (const auto at = find(Role::time, "time")) shared.time = numbers[*at];
-    if (shared.time < 0) out_of_range("time", cells[*find(Role::time, "time")], "at least 0");
     if (const auto at = find(Role::size, "size")) shared.size = numbers[*at];
     if (const auto at = find(Role::fall, "fall_height")) shared.fall = numbers[*at];
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -172,11 +178,6 @@ class Reader {
     if (faults_.size() == before && had == made_.values.size())
       fault("the row holds no measured value", "fill it, or remove it");
     check_order(had);
-  }
-
-  void out_of_range(const std::string& column, const std::string& cell, const std::string& range) {
-    fault(fmt::format("{} = {} must be {}", column, cell, range), "correct the number or its unit",
-          "out-of-range");
   }
 
   std::size_t condition(const std::vector<std::string>& cells) {
@@ -206,12 +207,7 @@ class Reader {
     m.value = numbers[i];
     if (column.error_in) m.error = numbers[*column.error_in];
     const std::size_t before = faults_.size();
-    const bool of_run = m.what == MeasuredQuantity::of_run;  // an angle may be negative
-    const bool share = !of_run && unit_of(m.what).empty();
-    if (share ? m.value < 0 || m.value > 1 : m.value <= 0 && !of_run)
-      out_of_range(column.name, cells[i], share ? "from 0 to 1 (or 0 to 100 %)" : "above 0");
-    if (m.error <= 0) out_of_range(column.name + "_error", cells[*column.error_in], "above 0");
-    if (m.what == MeasuredQuantity::passing) check_size(m, cells[i].empty(), cells);
+    if (m.what == MeasuredQuantity::passing) check_size(cells[i].empty(), cells);
     if (m.what == MeasuredQuantity::rebound_height && !cells[i].empty() && !(m.fall > m.value))
       fault("a ball rebounds to less than the height of its fall",
             "give fall_height and rebound_height in this row, the larger first");
@@ -222,9 +218,8 @@ class Reader {
       fault(fmt::format("an error of {}, but no value", column.name), "give both, or none");
     if (faults_.size() == before && !std::isnan(m.value)) made_.values.push_back(m);
   }
-  void check_size(const Measurement& m, bool empty, const std::vector<std::string>& cells) {
+  void check_size(bool empty, const std::vector<std::string>& cells) {
     const std::string& size = cells[*find(Role::size, "size")];
-    if (m.size <= 0) out_of_range("size", size, "above 0");
     if (size.empty() != empty)
       fault(empty ? "a size, but no share passing" : "a share passing, but no size",
             "give both, or none");
@@ -276,36 +271,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string name_of(MeasuredQuantity what, int percent) {
-  switch (what) {
-    case MeasuredQuantity::quantile:
-      return fmt::format("D{}", percent);
-    case MeasuredQuantity::passing:
-      return "passing";
-    case MeasuredQuantity::specific_surface:
-      return "specific_surface";
-    case MeasuredQuantity::conversion:
-      return "conversion";
-    case MeasuredQuantity::yield:
-      return "yield";
-    case MeasuredQuantity::second_yield:
-      return "second_yield";
-    case MeasuredQuantity::ignition_time:
-      return "ignition_time";
-    case MeasuredQuantity::rebound_height:
-      return "rebound_height";
-    case MeasuredQuantity::of_run:
-      break;
-  }
-  return "";
-}
-
-std::string_view unit_of(MeasuredQuantity what) {
-  if (what == MeasuredQuantity::quantile || what == MeasuredQuantity::rebound_height) return "m";
-  if (what == MeasuredQuantity::ignition_time) return "s";
-  return what == MeasuredQuantity::specific_surface ? "m2/kg" : "";
-}
 
 bool of_powder(MeasuredQuantity what) {
   return what != MeasuredQuantity::of_run && what != MeasuredQuantity::rebound_height;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/faults/inconsistencies.hpp"
@@ -25,7 +26,7 @@ class ValueCheck : public CaseVisitor {
     prefix_ = number > 0 ? fmt::format("{}.{}.", name, number) : fmt::format("{}.", name);
   }
   void number(const NumberSpec& spec, double& value) override {
-    if (!spec.range.holds(value) || !admitted(value, spec.unit))
+    if (!refusal(value, spec.range, spec.unit).empty())
       fault(spec.key, "{} = {} is out of range", show(value, spec.unit));
   }
   void optional_number(const NumberSpec& spec, std::optional<double>& value) override {

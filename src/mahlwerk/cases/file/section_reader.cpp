@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/text.hpp"
 #include "mahlwerk/base/units.hpp"
@@ -33,18 +34,6 @@ std::string respelt(std::string word, const std::vector<std::string>& words) {
 }
 
 }  // namespace
-
-std::string range_text(const Range& range, std::string_view unit) {
-  if (range.without_zero) return "other than 0";
-  const auto end = [&](double v) { return show(v, unit); };
-  const bool low = std::isfinite(range.least), high = std::isfinite(range.most);
-  if (low && high)
-    return fmt::format("{} {} and {} {}", range.without_least ? "above" : "at least",
-                       end(range.least), range.without_most ? "below" : "at most", end(range.most));
-  if (low)
-    return fmt::format("{} {}", range.without_least ? "above" : "at least", end(range.least));
-  return fmt::format("{} {}", range.without_most ? "below" : "at most", end(range.most));
-}
 
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string line;
@@ -164,13 +153,9 @@ double SectionReader::quantity(const Node& at, const NumberSpec& spec) {
   }
   try {
     const double v = parse_in(at.text, spec.unit);
-    const bool in_range = spec.range.holds(v);
-    if (in_range && admitted(v, spec.unit)) return v;
-    fault(at,
-          fmt::format("{} is {}", as_written(spec.key, at),
-                      in_range ? fmt::format("beyond all that a mill has: {} at most",
-                                             show(largest_admitted(spec.unit), spec.unit))
-                               : "out of range: it must be " + range_text(spec.range, spec.unit)),
+    const std::string refused = refusal(v, spec.range, spec.unit);
+    if (refused.empty()) return v;
+    fault(at, fmt::format("{} is {}", as_written(spec.key, at), refused),
           fmt::format("{} is: {}", spec.key, spec.about), "out-of-range");
   } catch (const UnitError& error) {
     fault(at, fmt::format("{}: {}", as_written(spec.key, at), error.what()),

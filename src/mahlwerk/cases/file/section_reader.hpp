@@ -118,8 +118,6 @@ class SectionReader : public KeyVisitor {
   bool unknown_keys_ignored_ = false;
 };
 
-/// "above 0 mm and at most 1 m".
-std::string range_text(const Range& range, std::string_view unit);
 /// "a", "b" or "c".
 std::string quoted_list(const std::vector<std::string>& words);
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/units.hpp"
 
 namespace mahlwerk::cases {
@@ -137,10 +138,10 @@ namespace {
 void refuse_far_corners(const std::vector<geometry::Corners>& all) {
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const Vec3& corner : all[i])
-      if (!admitted(corner.x, "m") || !admitted(corner.y, "m") || !admitted(corner.z, "m"))
-        throw StlError(
-            fmt::format("triangle {} has a corner farther than {}: is it in the stated unit?",
-                        i + 1, show(largest_admitted("m"), "m")));
+      for (const double coordinate : {corner.x, corner.y, corner.z})
+        if (const std::string refused = refusal(coordinate, any_number, "m"); !refused.empty())
+          throw StlError(fmt::format("a corner of triangle {} is {}: is it in the stated unit?",
+                                     i + 1, refused));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/grinding.hpp"

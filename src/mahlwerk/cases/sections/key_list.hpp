@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"

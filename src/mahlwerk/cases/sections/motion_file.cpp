@@ -9,8 +9,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/text.hpp"
-#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
+constexpr FileColumn motion_columns[] = {
+    {"time_s", "s"}, {"x_m", "m"}, {"y_m", "m"}, {"z_m", "m"}, {"angle_rad", "rad"}};
 constexpr std::size_t max_faults = 10;  // one wrong column would give a fault for every row
 
 /// The numbers of a row; no value if a cell is not a finite number.
@@ -51,11 +53,7 @@ class MotionFile {
       } else if (const auto cells = numbers(row); cells && cells->size() == columns_) {
         const auto& c = *cells;
         samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
-        if (!admitted(c[0], "s") || !admitted(c[1], "m") || !admitted(c[2], "m") ||
-            !admitted(c[3], "m"))
-          fault(fmt::format("\"{}\" is beyond all that a mill has", row.substr(0, 60)),
-                fmt::format("give times in seconds and positions in metres, {} at most",
-                            show(largest_admitted("m"), "m")));
+        check_numbers(c);
         if (samples.size() > 1 && !(c[0] > samples[samples.size() - 2].time))
           fault("the time does not increase", "sort the rows by time, each time once");
       } else {
@@ -74,6 +72,12 @@ class MotionFile {
       fault("the first line does not name the columns",
             fmt::format("write {} or {}", header, header_with_angle));
     return columns_ != 0;
+  }
+  void check_numbers(const std::vector<double>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (const std::string refused = refusal(cells[i], motion_columns[i]); !refused.empty())
+        fault(fmt::format("{} = {} is {}", motion_columns[i].name, cells[i], refused),
+              "give times in seconds, positions in metres and angles in radians");
   }
   void fault(std::string what, std::string remedy) {
     ++faults_;

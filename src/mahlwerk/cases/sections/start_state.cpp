@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/text.hpp"
-#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {
@@ -19,17 +19,20 @@ namespace {
 
 constexpr std::string_view code = "bad-start-state";
 /// Columns of a state, among others (docs/formats.md, final-1.csv).
-constexpr std::array<std::string_view, 11> state_columns{"kind",
-                                                         "radius_m",
-                                                         "x_m",
-                                                         "y_m",
-                                                         "z_m",
-                                                         "velocity_x_m_per_s",
-                                                         "velocity_y_m_per_s",
-                                                         "velocity_z_m_per_s",
-                                                         "spin_x_rad_per_s",
-                                                         "spin_y_rad_per_s",
-                                                         "spin_z_rad_per_s"};
+constexpr Range kinds{.least = 1, .most = 1e6, .without_most = true};
+constexpr std::array state_columns{
+    FileColumn{"kind", "", kinds},
+    FileColumn{"radius_m", "m", positive},
+    FileColumn{"x_m", "m"},
+    FileColumn{"y_m", "m"},
+    FileColumn{"z_m", "m"},
+    FileColumn{"velocity_x_m_per_s", "m/s"},
+    FileColumn{"velocity_y_m_per_s", "m/s"},
+    FileColumn{"velocity_z_m_per_s", "m/s"},
+    FileColumn{"spin_x_rad_per_s", "rad/s"},
+    FileColumn{"spin_y_rad_per_s", "rad/s"},
+    FileColumn{"spin_z_rad_per_s", "rad/s"},
+};
 
 std::vector<std::string_view> cells_of(std::string_view row) {
   std::vector<std::string_view> cells;
@@ -72,9 +75,9 @@ class StateFile {
   bool read_header(const std::vector<std::string_view>& cells) {
     width_ = cells.size();
     for (std::size_t i = 0; i < state_columns.size(); ++i) {
-      const auto at = std::ranges::find(cells, state_columns[i]);
+      const auto at = std::ranges::find(cells, state_columns[i].name);
       if (at == cells.end()) {
-        fault(fmt::format("the first line has no column {}", state_columns[i]),
+        fault(fmt::format("the first line has no column {}", state_columns[i].name),
               "take a final-1.csv of a run with observe.final_state = true");
         return false;
       }
@@ -88,11 +91,10 @@ class StateFile {
     for (std::size_t i = 0; i < v.size(); ++i) {
       const std::string_view cell = cells[column_[i]];
       const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), v[i]);
-      const std::string_view unit = i == 0 ? "" : i < 5 ? "m" : i < 8 ? "m/s" : "rad/s";
-      if (error != std::errc{} || end != cell.data() + cell.size() || !admitted(v[i], unit))
+      if (error != std::errc{} || end != cell.data() + cell.size() ||
+          !refusal(v[i], state_columns[i]).empty())
         return std::nullopt;
     }
-    if (!(v[0] >= 1 && v[0] < 1e6 && v[1] > 0)) return std::nullopt;
     return BallState{v[1],
                      static_cast<std::int32_t>(v[0]) - 1,
                      {v[2], v[3], v[4]},

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"

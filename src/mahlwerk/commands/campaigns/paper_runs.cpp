@@ -71,28 +71,33 @@ struct PointPlace {
   std::size_t point = 0;
 };
 
-/// Writes the results of points as they end and frees their statistics, unless a table of the paper
-/// needs them. Once a file cannot be written, no further one is; the runs go on.
+/// Writes the results of points as they end and frees their statistics and films, unless a table or
+/// a picture of the paper needs them. Once a file cannot be written, no further one is; the runs go on.
 class PointWriter {
  public:
   PointWriter(const PaperJob& job, std::vector<std::vector<PointPlace>> places)
       : job_(job), places_(std::move(places)) {
     for (const report::PaperTable& table : job.paper.tables)
       if (table.kind == report::PaperTable::Kind::captured) in_tables_.insert(table.campaign);
+    for (const report::PaperFigure& figure : job.paper.figures)
+      if (figure.drawn != report::PaperFigure::Drawn::quantity) in_pictures_.insert(figure.campaign);
   }
   void operator()(std::size_t k, results::Outcome& ended) {
     if (ended.interrupted) return;  // nothing of the paper will be written
     const std::lock_guard<std::mutex> one_at_a_time(mutex_);
-    bool needed = false;
+    bool in_table = false, in_picture = false;
     for (const PointPlace& place : places_[k]) {
       ended.mill_case = job_.points.at(place.campaign)[place.point];
       if (unwritten.empty())
         unwritten = write_result([&] {
           report::write(*job_.folder, ended, version(), below(place.campaign, place.point), false);
         });
-      needed = needed || in_tables_.contains(place.campaign);
+      in_table = in_table || in_tables_.contains(place.campaign);
+      in_picture = in_picture || in_pictures_.contains(place.campaign);
     }
-    if (!needed) results::release_statistics(ended);
+    if (!in_table) results::release_statistics(ended);
+    if (in_picture) return;
+    for (results::Replicate& r : ended.replicates) r.replay = {};
   }
 
   std::vector<Fault> unwritten;  ///< why the first file that failed was not written
@@ -100,7 +105,7 @@ class PointWriter {
  private:
   const PaperJob& job_;
   std::vector<std::vector<PointPlace>> places_;
-  std::set<std::string> in_tables_;
+  std::set<std::string> in_tables_, in_pictures_;  // campaigns
   std::mutex mutex_;
 };
 

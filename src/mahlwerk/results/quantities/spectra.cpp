@@ -89,13 +89,17 @@ Table single(const Outcome& outcome, HistogramMember part, std::vector<Column> c
 }  // namespace
 
 MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates) {
-  for (const Replicate* r : replicates)
-    replicates_.push_back({r->tally.total_spectra(), r->time()});
+  for (const Replicate* r : replicates) add(r->tally.total_spectra(), r->time());
 }
 
 MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates, int pair) {
-  for (const Replicate* r : replicates)
-    replicates_.push_back({r->tally.by_pair[pair].spectra, r->time()});
+  for (const Replicate* r : replicates) add(r->tally.by_pair[pair].spectra, r->time());
+}
+
+/// Packed, because there may be thousands of replicates.
+void MeanSpectra::add(observe::Spectra spectra, double time) {
+  spectra.pack();
+  replicates_.push_back({std::move(spectra), time});
 }
 
 template <class Of>

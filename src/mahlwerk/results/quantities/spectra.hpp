@@ -35,6 +35,7 @@ class MeanSpectra {
     observe::Spectra spectra;
     double time;
   };
+  void add(observe::Spectra spectra, double time);
   template <class Of>
   double mean(const Of& of) const;
   std::vector<ReplicateSpectra> replicates_;
