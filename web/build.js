@@ -4,7 +4,10 @@
 // Writes the page into a folder:
 //
 //   node build.js [FOLDER] [--engine wasm|mock] [--bin FOLDER] [--command FILE]
+//   node build.js --plots
 //
+// The second form writes dist/plots.js, which draws the plots of reports. It is committed, so that Mahlwerk builds
+// without Node.
 // The engine `wasm` is src/engine.js with mahlwerk.js and mahlwerk.wasm of the folder `bin` (default
 // ../build/web/bin); `mock` is test/mock_engine.js, for tests of the page alone. `command`: where
 // test/command.js is written for Node; left out, it is not.
@@ -81,10 +84,23 @@ function writeServiceWorker(folder) {
   writeFileSync(join(folder, "sw.js"), source);
 }
 
+/// Writes the script of reports. It stands inside a <script> element.
+async function writePlots() {
+  const { outputFiles, metafile } = await build({ ...options("src/report.js", []), loader: { ".css": "text" },
+    charset: "ascii" });
+  const code = outputFiles[0].text;
+  if (/<\/script|<!--/i.test(code)) throw new Error("dist/plots.js would end its <script> element");
+  mkdirSync(join(here, "dist"), { recursive: true });
+  writeFileSync(join(here, "dist/plots.js"), `/*!\n${licences(metafile).replace(/viridis.*\n/, "")}*/\n${code}`);
+  console.log(`dist/plots.js: ${Math.ceil(code.length / 1000)} kB`);
+}
+
 async function main() {
   const { values, positionals } = parseArgs({ allowPositionals: true, options: {
+    plots: { type: "boolean", default: false },
     engine: { type: "string", default: "wasm" },
     bin: { type: "string", default: join(here, "../build/web/bin") }, command: { type: "string" } } });
+  if (values.plots) return writePlots();
   const folder = resolve(positionals[0] ?? join(here, "../build/web/site"));
   const mock = values.engine === "mock";
   const engine = join(here, mock ? "test/mock_engine.js" : "src/engine.js");

@@ -135,11 +135,60 @@ def check(browser, folder, states):
         states.say(f"the_replay_is_not_blank_in_a_{theme}_theme", f"{seen} colours", "> 100",
                    seen > 100)
     maps = browser.ask("document.querySelectorAll('figure > svg').length")
-    states.say("plots_and_maps_are_drawn", maps, ">= 18", maps >= 18)
+    states.say("maps_are_drawn", maps, ">= 3", maps >= 3)
+    check_plots(browser, folder, states)
     states.say("the_browser_has_no_complaint", browser.faults or "none", "none",
                not browser.faults)
     size = (folder / "report.html").stat().st_size
     states.say("the_page_is_below_3_MB", f"{size / 1e6:.2f} MB", "< 3 MB", size < 3e6)
+
+
+INK = """[...document.querySelectorAll('.chart canvas')].map(canvas => {
+           const of = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+           let seen = 0;
+           for (let i = 3; i < of.length; i += 4) seen += of[i] > 0;
+           return seen / (of.length / 4); })"""
+MARKS = "document.querySelector('.chart .chart-tools [aria-pressed]').getAttribute('aria-pressed')"
+WHOLE = "document.querySelector('.chart-tools button').hidden"
+OVER = """(r => [r.x, r.y, r.width, r.height])
+          (document.querySelector('.chart .u-over').getBoundingClientRect())"""
+
+
+def check_plots(browser, folder, states):
+    """The first plot is the spectrum."""
+    inked = browser.ask(INK)
+    states.say("every_plot_is_drawn", f"{len(inked)}, least ink {min(inked):.3f}",
+               ">= 15, more than 1 % of the pixels", len(inked) >= 15 and min(inked) > 0.01)
+    browser.ask("document.querySelector('.chart .u-over').scrollIntoView({block: 'center'})")
+    x, y, width, height = browser.ask(OVER)
+    browser.mouse("mouseMoved", x + 0.5 * width, y + 0.5 * height)
+    browser.wait_for("!document.querySelector('.chart-tip').hidden", 10)
+    told = browser.ask("document.querySelector('.chart-tip').innerText")
+    states.say("the_pointer_tells_the_bin_and_both_series", told.split("\n"),
+               "A to B, normal motion, contact point",
+               " to " in told and "normal motion" in told and "contact point" in told)
+    button = {"button": "left", "buttons": 1, "clickCount": 1}
+    browser.mouse("mousePressed", x + 0.5 * width, y + 0.3 * height, **button)
+    browser.mouse("mouseMoved", x + 0.8 * width, y + 0.6 * height, button="left", buttons=1)
+    browser.mouse("mouseReleased", x + 0.8 * width, y + 0.6 * height, **button)
+    zoomed = browser.wait_for(f"!{WHOLE}", 10)
+    browser.ask("document.querySelector('.chart-tools button').click()")
+    states.say("a_drag_zooms_and_a_button_shows_the_whole_again", [zoomed, browser.ask(WHOLE)],
+               [True, True], zoomed and browser.ask(WHOLE))
+    before = browser.ask(MARKS)
+    browser.ask("document.querySelector('.chart .chart-tools [aria-pressed]').click()")
+    states.say("an_axis_may_become_linear", [before, browser.ask(MARKS)], ["true", "false"],
+               [before, browser.ask(MARKS)] == ["true", "false"])
+    browser.ask("[...document.querySelectorAll('.chart-tools button')]"
+                ".find(b => b.textContent === 'CSV').click()")
+    saved = (browser.downloaded(".csv") or b"").decode().splitlines()
+    heads = (folder / "spectrum.csv").read_text().splitlines()
+    column = heads[0].split(",").index("rate_normal_per_s")
+    rates = [float(line.split(",")[column]) for line in heads[1:]]
+    found = [float(line.rsplit(",", 1)[1]) for line in saved if line.startswith("normal")]
+    states.say("saved_numbers_are_those_of_spectrum_csv", f"{len(found)} bins, sum {sum(found):.6g}",
+               f"{len(rates)} bins, sum {sum(rates):.6g}",
+               len(found) == len(rates) > 0 and abs(sum(found) / sum(rates) - 1) < 1e-6)
 
 
 def main(program):

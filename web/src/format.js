@@ -11,7 +11,7 @@ const signs = { 1: "", "1/s": "/s", deg: "°", degC: "°C", "ug/g/h": "µg/g/h",
   "m2/kg": "m²/kg" };
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-const powerOfTen = (power) => (power < 0 ? "10⁻" : "10") +
+export const powerOfTen = (power) => (power < 0 ? "10⁻" : "10") +
   String(Math.abs(power)).replace(/\d/g, (digit) => superscripts[digit]);
 
 const decade = (size) => Math.floor(Math.log10(size));

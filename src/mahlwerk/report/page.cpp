@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/scripts.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
@@ -53,8 +55,11 @@ std::string page(std::string_view title, std::string_view body, std::string_view
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
       "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}"
-      "<footer>{3}</footer>\n</main>\n</body>\n</html>\n",
-      escaped(title), style, body, footer);
+      "<footer>{3}</footer>\n</main>\n{4}</body>\n</html>\n",
+      escaped(title), style, body, footer,
+      body.find("class=\"plot\"") == std::string_view::npos
+          ? ""
+          : fmt::format("<script>{}</script>\n", plots_script()));
 }
 
 std::string note_box(const std::string& words, bool warns) {
@@ -62,8 +67,8 @@ std::string note_box(const std::string& words, bool warns) {
 }
 
 std::string figure(const Plot& plot, std::string_view caption) {
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", svg(plot),
-                     escaped(caption));
+  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                     drawing(svg(plot), plot_json(plot)), escaped(caption));
 }
 
 }  // namespace mahlwerk::report

@@ -19,6 +19,8 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/scripts.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 
 namespace mahlwerk::report {
@@ -29,20 +31,6 @@ static_assert(std::endian::native == std::endian::little, "the page reads little
 template <class T>
 std::string packed(const std::vector<T>& list) {
   return base64({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
-}
-
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      out += fmt::format("\\{}", c);
-    else if (byte < 0x20 || c == '<' || c == '>' || c == '&')
-      out += fmt::format("\\u{:04x}", byte);
-    else
-      out += c;
-  }
-  return out + "\"";
 }
 
 /// Quaternion (x, y, z, w) of a rotation.

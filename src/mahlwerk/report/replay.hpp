@@ -17,7 +17,4 @@ std::string replay_section(const results::Outcome& outcome);
 /// which there is at least one.
 std::string replay_data(const cases::Case& mill_case, const observe::Replay& film);
 
-/// The contents of viewer/dist/replay.js, embedded in the program.
-std::string_view replay_script();
-
 }  // namespace mahlwerk::report

@@ -13,8 +13,17 @@ inline bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Every tag that is opened is closed, in order.
-inline bool well_formed(const std::string& html) {
+/// A page without the scripts that the program brings.
+inline std::string without_scripts(std::string html) {
+  for (std::size_t at = html.find("<script>"); at != std::string::npos;
+       at = html.find("<script>", at))
+    html.erase(at, html.find("</script>", at) + 9 - at);
+  return html;
+}
+
+/// Every tag that is opened is closed, in order. The content of scripts is no markup.
+inline bool well_formed(const std::string& page) {
+  const std::string html = without_scripts(page);
   std::vector<std::string> open;
   for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
     const std::size_t end = html.find('>', at);

@@ -72,7 +72,8 @@ struct PointPlace {
 };
 
 /// Writes the results of points as they end and frees their statistics and films, unless a table or
-/// a picture of the paper needs them. Once a file cannot be written, no further one is; the runs go on.
+/// a picture of the paper needs them. Once a file cannot be written, no further one is; the runs go
+/// on.
 class PointWriter {
  public:
   PointWriter(const PaperJob& job, std::vector<std::vector<PointPlace>> places)
@@ -80,7 +81,8 @@ class PointWriter {
     for (const report::PaperTable& table : job.paper.tables)
       if (table.kind == report::PaperTable::Kind::captured) in_tables_.insert(table.campaign);
     for (const report::PaperFigure& figure : job.paper.figures)
-      if (figure.drawn != report::PaperFigure::Drawn::quantity) in_pictures_.insert(figure.campaign);
+      if (figure.drawn != report::PaperFigure::Drawn::quantity)
+        in_pictures_.insert(figure.campaign);
   }
   void operator()(std::size_t k, results::Outcome& ended) {
     if (ended.interrupted) return;  // nothing of the paper will be written

@@ -9,6 +9,7 @@
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/plot/plot_json.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -19,7 +20,7 @@ std::string panels(const std::vector<Picture>& pictures) {
   for (const Picture& p : pictures) {
     const std::string below =
         p.caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.caption);
-    text += fmt::format("<figure>\n{}{}</figure>\n", p.svg, below);
+    text += fmt::format("<figure>\n{}{}</figure>\n", drawing(p.svg, p.json), below);
   }
   return text.empty() ? "" : fmt::format("<div class=\"panels\">\n{}</div>\n", text);
 }

@@ -148,8 +148,8 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
   return svg(map);
 }
 
-std::string regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
-                        const std::vector<std::string>& words) {
+Plot regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
+                 const std::vector<std::string>& words) {
   Plot plot{.title = "Regime",
             .x = Axis{.label = axis_label(sheet.campaign.keys[x])},
             .y = Axis{.label = axis_label(sheet.campaign.keys[y])},
@@ -167,7 +167,7 @@ std::string regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
   }
   plot.x.logarithmic = over_decades(sheet.keys[x].numbers);
   plot.y.logarithmic = over_decades(sheet.keys[y].numbers);
-  return svg(plot);
+  return plot;
 }
 
 }  // namespace
@@ -179,7 +179,7 @@ std::vector<Picture> regime_map(const Sheet& sheet) {
   if (sheet.axis() == y) std::swap(x, y);  // the key with more values on the x axis
   if (sheet.grid) return {{"regimes", regime_cells(sheet, x, y, words), ""}};
   if (!sheet.keys[x].numeric() || !sheet.keys[y].numeric()) return {};
-  return {{"regimes", regime_dots(sheet, x, y, words), ""}};
+  return {picture_of("regimes", regime_dots(sheet, x, y, words))};
 }
 
 }  // namespace mahlwerk::report

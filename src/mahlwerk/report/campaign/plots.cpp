@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/report/plot/axis_labels.hpp"
+#include "mahlwerk/report/plot/plot_json.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -85,8 +86,8 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
   for (Series& series : plot.series) drawn += thin(series, max_marks / plot.series.size());
   for (Series& curve : fitted.curves) plot.series.push_back(std::move(curve));
   make_room(plot);
-  return {sheet.campaign.columns[column].name, svg(plot),
-          drawn_of(drawn, sheet.campaign.points.size()) + fitted.table};
+  return picture_of(sheet.campaign.columns[column].name, plot,
+                    drawn_of(drawn, sheet.campaign.points.size()) + fitted.table);
 }
 
 /// Limits the axis to the range of the levels: it does not start at zero.
@@ -116,7 +117,7 @@ Picture ray_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   plot.series[0].band = true;
   settle_axes(plot);
   close_in(plot.x, sheet.keys[key]);
-  return {sheet.campaign.columns[column].name, svg(plot), ""};
+  return picture_of(sheet.campaign.columns[column].name, plot);
 }
 
 /// Index of a key with few words, by which dots are coloured; the number of keys if there is none.
@@ -142,7 +143,8 @@ Picture dot_plot(const Sheet& sheet, std::size_t key, std::size_t column, std::s
   settle_axes(plot);
   close_in(plot.x, sheet.keys[key]);
   make_room(plot);
-  return {sheet.campaign.columns[column].name, svg(plot), drawn_of(std::min(points, most), points)};
+  return picture_of(sheet.campaign.columns[column].name, plot,
+                    drawn_of(std::min(points, most), points));
 }
 
 std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::size_t column) {
@@ -205,6 +207,10 @@ Series series_of(const Sheet& sheet, const std::vector<std::size_t>& points, std
     series.error.push_back(half_width_at(p, column) / factor);
   }
   return series;
+}
+
+Picture picture_of(std::string name, const Plot& plot, std::string caption) {
+  return {std::move(name), svg(plot), std::move(caption), plot_json(plot)};
 }
 
 std::vector<Picture> quantity_pictures(const Sheet& sheet, const Layout& layout,

@@ -11,10 +11,13 @@
 // Pictures of a campaign's page.
 namespace mahlwerk::report {
 
-/// A picture, its file name without "figures/" and ".svg", and its caption (HTML).
+/// A picture: its file name without "figures/" and ".svg", its caption (HTML), and its data for the
+/// script of the page, if it is a plot.
 struct Picture {
-  std::string name, svg, caption;
+  std::string name, svg, caption, json = {};
 };
+/// The picture of a plot.
+Picture picture_of(std::string name, const Plot& plot, std::string caption = "");
 
 /// How the quantities of a campaign are drawn: lines over the key with the most values if there are
 /// few lines; maps if two keys have at least three values each; else dots over each key, joined if

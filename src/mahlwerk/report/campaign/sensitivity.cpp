@@ -209,7 +209,7 @@ std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
   const std::string below = numbers(s, m);
   switch (s.method) {
     case Method::morris:
-      return {{name, svg(morris(s, m)), below}, {name + "-scatter", svg(scatter_of(s, m)), ""}};
+      return {{name, svg(morris(s, m)), below}, picture_of(name + "-scatter", scatter_of(s, m))};
     case Method::sobol:
       return {{name, svg(sobol(s)), below}};
     case Method::one_at_a_time:

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A plot: axes and zoom by uPlot, series by draw.js, values under the pointer, and what can be saved.
+
+import uPlot from "uplot";
+import { powerOfTen, short } from "../format.js";
+import { colourOf, dashOf, drawSeries } from "./draw.js";
+import { nearest } from "./nearest.js";
+import { csv, fileName, picture, save } from "./save.js";
+import { limits, logarithmicMarks, mayBeLog } from "./scales.js";
+import { at, plain, rich, valueText } from "./words.js";
+
+const font = "12px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
+
+function element(name, properties = {}, ...children) {
+  const made = document.createElement(name);
+  for (const [key, value] of Object.entries(properties))
+    key.includes("-") || key === "role" ? made.setAttribute(key, value) : (made[key] = value);
+  made.append(...children.flat());
+  return made;
+}
+const button = (textContent, onclick, title) => element("button", { type: "button", textContent, onclick, title });
+
+function axis(colours, log, size, space) {
+  const made = { stroke: colours.soft, font, grid: { stroke: colours.grid, width: 1 },
+    ticks: { stroke: colours.grid, width: 1, size: 4 }, size, gap: 4, space,
+    values: (_, splits) => splits.map((each) => (each === null ? "" : short(each))) };
+  if (!log) return made;
+  const far = (each) => each >= 1e4 || each < 0.9e-3; // "10⁻⁵" instead of "1.0 × 10⁻⁵"
+  made.values = (_, splits) => splits.map((each) => far(each) && /^1e/.test(each.toExponential(6).replace(".000000", ""))
+    ? powerOfTen(Math.round(Math.log10(each))) : short(each));
+  return { ...made, filter: (_, splits) => splits, splits: (plot, number, least, most) =>
+    logarithmicMarks(least, most, number === 0 ? plot.width / 64 : plot.height / 30) };
+}
+
+const legendEntry = (series, isDark) => element("li", {},
+  series.mark === "note" ? [] : element("span", { className: `swatch ${dashOf(series).length ? "dashed" : ""}`,
+    style: `color:${colourOf(series, isDark)}` }), ...rich(series.name));
+
+/// Buttons above a picture: [text, what it does, words].
+export const toolbar = (title, buttons) => element("span", { className: "chart-tools", role: "group",
+  "aria-label": `Plot: ${title}` }, buttons.map((each) => button(...each)));
+
+export class Chart {
+  /// `plot`: as the program describes it (web/README.md, "Plots"). `colours()`: ink, soft, grid, and isDark.
+  /// `print`: the picture for print as SVG, or nothing.
+  constructor(plot, { colours, print }) {
+    this.plot = plot;
+    this.colours = colours;
+    this.canvas = element("div", { className: "chart-canvas", role: "img", "aria-label": this.description() });
+    this.tip = element("div", { className: "chart-tip", hidden: true });
+    this.legend = element("ul", { className: "chart-legend" });
+    this.whole = button("Whole", () => this.reset(), "Show the whole range again");
+    this.root = element("div", { className: "chart" },
+      element("div", { className: "chart-head" }, element("strong", {}, rich(plot.title)), this.tools(print)),
+      this.legend, element("div", { className: "chart-label" }, rich(plot.y.label)), this.canvas,
+      element("div", { className: "chart-label below" }, rich(plot.x.label)));
+    this.canvas.append(this.tip);
+    this.canvas.addEventListener("dblclick", () => this.reset());
+    new ResizeObserver(() => this.fit()).observe(this.canvas);
+  }
+
+  description() {
+    const [x, y] = ["x", "y"].map((key) => `${plain(this.plot[key].label)} from ${limits(this.plot, key).map(short).join(" to ")}`);
+    const names = this.plot.series.map(({ name }) => plain(name)).filter(Boolean);
+    return `${plain(this.plot.title)}: ${y} over ${x}. ${names.length > 0 ? `Series: ${names.join(", ")}.` : ""}`;
+  }
+
+  tools(print) {
+    const name = fileName(this.plot.title);
+    const blob = (text, type) => new Blob([text], { type });
+    const logs = ["x", "y"].filter((key) => mayBeLog(this.plot, key)).map((key) => {
+      const made = button(`log ${key}`, () => {
+        this.plot[key].log = !this.plot[key].log;
+        made.setAttribute("aria-pressed", this.plot[key].log);
+        this.reset();
+      }, `Logarithmic ${key} axis`);
+      made.setAttribute("aria-pressed", this.plot[key].log);
+      return made;
+    });
+    const made = toolbar(plain(this.plot.title), [
+      ["CSV", () => save(`${name}.csv`, blob(csv(this.plot), "text/csv")), "Save the numbers"],
+      ["PNG", () => picture(this.plot, this.chart.ctx.canvas, this.colours().isDark, devicePixelRatio)
+        .toBlob((drawn) => save(`${name}.png`, drawn)), "Save the picture as shown"],
+      ...(print ? [["SVG", () => save(`${name}.svg`, blob(print, "image/svg+xml")), "Save the whole plot for print"]] : [])]);
+    made.prepend(this.whole, ...logs);
+    return made;
+  }
+
+  reset() {
+    this.view = null;
+    this.make();
+  }
+
+  fit() {
+    const width = this.canvas.clientWidth;
+    if (width === 0 || this.chart?.width === width) return;
+    if (this.chart) this.chart.setSize({ width, height: this.height(width) });
+    else this.make();
+  }
+
+  height(width) {
+    return Math.round(Math.min(Math.max(width * (this.plot.shape ?? 0.5), 230), 420));
+  }
+
+  /// Draws the plot anew: at the start, in other colours, with another axis.
+  make() {
+    const width = this.canvas.clientWidth;
+    if (width === 0) return;
+    const { x, y } = this.plot, colours = this.colours();
+    this.view ??= { x: limits(this.plot, "x"), y: limits(this.plot, "y") };
+    const [left, ...right] = this.view.x;
+    this.chart?.destroy();
+    const scale = ({ log }, key) => ({ time: false, distr: log ? 3 : 1, range: (_, least, most) =>
+      least === null ? this.view[key] : [least, most], min: this.view[key][0], max: this.view[key][1], auto: false });
+    this.chart = new uPlot({ width, height: this.height(width), padding: [8, 18, 0, 0],
+      axes: [axis(colours, x.log, 30, 64), axis(colours, y.log, 58, 30)],
+      scales: { x: scale(x, "x"), y: scale(y, "y") }, series: [{}, { show: false }],
+      hooks: { draw: [(chart) => this.draw(chart)], setCursor: [(chart) => this.tell(chart)],
+        setScale: [(chart) => this.zoomed(chart)] },
+      cursor: { y: false, points: { show: false }, bind: { dblclick: () => null }, drag: { x: true, y: true, uni: 30, dist: 6 } },
+      legend: { show: false } }, [[left, ...right], [null, null]], this.canvas);
+    this.canvas.append(this.tip);
+    this.legend.replaceChildren(...this.plot.series.filter(({ name }) => name)
+      .map((series) => legendEntry(series, colours.isDark)));
+    this.whole.hidden = this.isWhole(this.chart);
+  }
+
+  isWhole({ scales }) {
+    const whole = { x: limits(this.plot, "x"), y: limits(this.plot, "y") };
+    return ["x", "y"].every((key) => Math.abs(scales[key].min - whole[key][0]) + Math.abs(scales[key].max - whole[key][1])
+      <= 1e-9 * (Math.abs(whole[key][0]) + Math.abs(whole[key][1])));
+  }
+
+  zoomed(chart) {
+    const { x, y } = chart.scales;
+    if (!Number.isFinite(x.min) || !Number.isFinite(y.min)) return;
+    this.view = { x: [x.min, x.max], y: [y.min, y.max] };
+    this.whole.hidden = this.isWhole(chart);
+  }
+
+  draw(chart) {
+    const { ctx: pen, bbox: box } = chart;
+    const place = (x, y) => [chart.valToPos(x, "x", true), chart.valToPos(y, "y", true)];
+    pen.save();
+    pen.beginPath();
+    pen.rect(box.left, box.top - 4, box.width, box.height + 8);
+    pen.clip();
+    for (const series of this.plot.series)
+      drawSeries(pen, series, { place, box, scale: devicePixelRatio, isDark: this.colours().isDark });
+    pen.restore();
+  }
+
+  tell(chart) {
+    const { left, top } = chart.cursor;
+    const place = (x, y) => [chart.valToPos(x, "x"), chart.valToPos(y, "y")];
+    const found = left >= 0 && left <= chart.over.clientWidth
+      ? nearest(this.plot, place, { x: left, y: top }, chart.posToVal(left, "x")) : [];
+    this.tip.hidden = found.length === 0;
+    if (this.tip.hidden) return;
+    const [{ series, i }] = found, { isDark } = this.colours();
+    this.tip.replaceChildren(element("div", { className: "at" }, at(series, i)),
+      ...found.map(({ series: one, i: k }) => element("div", {},
+        element("span", { className: "swatch", style: `color:${colourOf(one, isDark)}` }),
+        valueText(one, k), one.name ? element("span", { className: "of" }, rich(` ${one.name}`)) : [])));
+    this.moveTip(chart, chart.over.offsetLeft + left, top);
+  }
+
+  /// Beside the pointer, in the other half of the height.
+  moveTip({ over }, x, y) {
+    const { offsetWidth: width, offsetHeight: height } = this.tip;
+    const left = x + width + 16 < this.canvas.clientWidth ? x + 12 : x - width - 12;
+    const top = y > over.clientHeight / 2 ? 8 : over.clientHeight - height;
+    this.tip.style.translate = `${Math.max(0, left)}px ${top}px`;
+  }
+}
