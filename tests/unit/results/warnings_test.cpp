@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -165,6 +166,21 @@ TEST(TwoStates, are_named_with_their_shares_and_values) {
   EXPECT_EQ(notices[0].code, "two-states");
   EXPECT_NE(notices[0].text.find("6 of 8 replicates (75 %) dissipate 10 mW"), std::string::npos)
       << notices[0].text;
+}
+
+/// The ball of replicate 1 is in contact for 0.6 of the 10 s more than that of replicate 0: told.
+TEST(FlightAndRolling, is_told_where_replicates_differ_by_more_than_half_of_the_time) {
+  Outcome o = fake_outcome({100, 101});
+  const double balls = static_cast<double>(cases::balls_count(o.mill_case.balls));
+  const auto told = [&](double share) {
+    o.replicates[1].energy_balance.contact_time =
+        o.replicates[0].energy_balance.contact_time + share * balls * o.replicates[1].time();
+    const Notices all = warnings(ended(o));
+    return std::ranges::any_of(all, [](const Notice& n) { return n.code == "flight-and-rolling"; });
+  };
+  EXPECT_FALSE(told(0));
+  EXPECT_FALSE(told(0.49));
+  EXPECT_TRUE(told(0.51));
 }
 
 TEST(TwoStates, that_hardly_differ_are_one) {

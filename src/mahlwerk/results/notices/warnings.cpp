@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
@@ -71,6 +72,28 @@ void drawn_parameters(const Outcome& outcome, Notices& list) {
                     "or unknown. Write run.replicates = {} or more.",
                     count, count == 1 ? " holds" : "s hold", outcome.mill_case.uncertainty->count(),
                     std::min<std::size_t>(16, outcome.mill_case.uncertainty->count()))));
+}
+
+/// Warns of replicates of which some fly and others roll on the wall: the means are those of a
+/// change between two motions, which their power need not show.
+void flight_and_rolling(const Outcome& outcome, Notices& list) {
+  constexpr double much = 0.5;  // of the time
+  double least = 1, most = 0;
+  const double balls = static_cast<double>(cases::balls_count(outcome.mill_case.balls));
+  for (const Replicate* r : averaged_replicates(outcome)) {
+    const double share =
+        (r->energy_balance.contact_time - r->at_settled.contact_time) / (r->time() * balls);
+    least = std::min(least, share);
+    most = std::max(most, share);
+  }
+  if (!(most - least > much)) return;
+  list.push_back(warning(
+      "flight-and-rolling",
+      fmt::format("The balls are in sustained contact from {:.0f} % of the time in one replicate to "
+                  "{:.0f} % in another: they fly, or roll and slide on the wall, or change from one "
+                  "to the other. Rates and energies of hits are means over both. A longer run.settle "
+                  "counts the motion that lasts; replicates.csv has each.",
+                  100 * least, 100 * most)));
 }
 
 /// Whether energy was gained, rather than lost, in the run with the largest residual.
@@ -172,6 +195,7 @@ Notices warnings(const Outcome& outcome) {
   overlaps(outcome, list);
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
+  flight_and_rolling(outcome, list);
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));
   append(list, settling_warnings(outcome));
