@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +8,7 @@
 #include <cmath>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "unit/results/fake.hpp"
 

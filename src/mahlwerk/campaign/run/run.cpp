@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/further_starts.hpp"
+#include "mahlwerk/campaign/run/later_motion.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -40,8 +41,9 @@ Load load_of(const std::vector<cases::Case>& points) {
 }
 
 /// Adds what only a single run computes: many points would take twice as long.
-void conclude_single(results::Outcome& outcome, const std::atomic<bool>* stop) {
-  append(outcome.notices, further_start_notices(outcome, stop));
+void conclude_single(results::Outcome& outcome, const RunOptions& options) {
+  append(outcome.notices, further_start_notices(outcome, options.stop));
+  append(outcome.notices, later_motion_notices(outcome, options));
   std::ranges::stable_sort(outcome.notices, std::ranges::greater(), &Notice::severity);
 }
 
@@ -81,7 +83,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
   queue.threads_per_replicate = std::max(1, own.threads / std::max(1, static_cast<int>(load.jobs)));
   queue.total = load.total;
   run_queue(queue, own);
-  if (points.size() == 1 && ended[0]) conclude_single(*ended[0], options.stop);
+  if (points.size() == 1 && ended[0]) conclude_single(*ended[0], options);
   const double took =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   std::vector<results::Outcome> outcomes;

@@ -15,6 +15,7 @@
 #include "mahlwerk/campaign/run/assumed_values.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/forecast.hpp"
+#include "mahlwerk/campaign/run/later_motion.hpp"
 #include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
@@ -106,11 +107,12 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   add(cases::ignored_keys(first, choice.engine), c.notes);
   if (cases::in_time_steps(choice.engine)) add_time_steps(decided, c);
   const campaign::Forecast ahead = campaign::forecast(decided);
-  const double assumed = campaign::assumed_values_cost(decided, ahead.settling);
+  const double further = campaign::assumed_values_cost(decided, ahead.settling) +
+                         campaign::later_motion_cost(first, ahead.settling);
   const double seconds =
       sweeps ? ahead.each * static_cast<double>(first.run.replicates) *
                    static_cast<double>(points.size()) / cores
-             : ahead.each * static_cast<double>(ahead.share) * (1 + assumed) + around_a_run;
+             : ahead.each * static_cast<double>(ahead.share) * (1 + further) + around_a_run;
   const std::vector<Fault> disk = campaign::disk_faults(
       points.good(), ahead.collisions, campaign::disk_available(std::filesystem::current_path()));
   c.engine.insert(c.engine.end(), disk.begin(), disk.end());

@@ -89,11 +89,12 @@ void flight_and_rolling(const Outcome& outcome, Notices& list) {
   if (!(most - least > much)) return;
   list.push_back(warning(
       "flight-and-rolling",
-      fmt::format("The balls are in sustained contact from {:.0f} % of the time in one replicate to "
-                  "{:.0f} % in another: they fly, or roll and slide on the wall, or change from one "
-                  "to the other. Rates and energies of hits are means over both. A longer run.settle "
-                  "counts the motion that lasts; replicates.csv has each.",
-                  100 * least, 100 * most)));
+      fmt::format(
+          "The balls are in sustained contact from {:.0f} % of the time in one replicate to "
+          "{:.0f} % in another: they fly, or roll and slide on the wall, or change from one "
+          "to the other. Rates and energies of hits are means over both. A longer run.settle "
+          "counts the motion that lasts; replicates.csv has each.",
+          100 * least, 100 * most)));
 }
 
 /// Whether energy was gained, rather than lost, in the run with the largest residual.
