@@ -43,6 +43,12 @@ function multiple(size, unit) {
   return { factor: 1, unit };
 }
 
+/// The same with the sign of the unit, for axes.
+export function multipleOf(size, unit) {
+  const { factor, unit: made } = multiple(size, unit);
+  return { factor, unit: signs[made] ?? made };
+}
+
 /// Decimals such that the half-width has two digits, or without one the value four.
 function places(value, half) {
   const size = half > 0 ? half : Math.abs(value);

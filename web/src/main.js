@@ -8,6 +8,7 @@ import "../../viewer/src/replay.css";
 import "./style/page.css";
 import "./style/case.css";
 import "./style/result.css";
+import "./style/plot.css";
 import { caseOf } from "./case/share.js";
 import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";

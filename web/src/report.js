@@ -19,8 +19,9 @@ function colours() {
 document.head.append(Object.assign(document.createElement("style"), { textContent: plotStyle + style }));
 const charts = [...document.querySelectorAll("script.plot")].map((data) => {
   const print = data.previousElementSibling?.localName === "noscript" ? data.previousElementSibling.textContent : "";
-  const chart = new Chart(JSON.parse(data.textContent), { colours, print: print.trim() });
+  const chart = new Chart({ colours });
   data.replaceWith(chart.root);
+  chart.show(JSON.parse(data.textContent), print.trim());
   return chart;
 });
 dark.addEventListener("change", () => charts.forEach((chart) => chart.make()));

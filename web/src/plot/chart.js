@@ -43,22 +43,50 @@ export const toolbar = (title, buttons) => element("span", { className: "chart-t
   "aria-label": `Plot: ${title}` }, buttons.map((each) => button(...each)));
 
 export class Chart {
-  /// `plot`: as the program describes it (web/README.md, "Plots"). `colours()`: ink, soft, grid, and isDark.
-  /// `print`: the picture for print as SVG, or nothing.
-  constructor(plot, { colours, print }) {
-    this.plot = plot;
-    this.colours = colours;
-    this.canvas = element("div", { className: "chart-canvas", role: "img", "aria-label": this.description() });
+  /// `colours()`: soft, grid and isDark. `words`: of a place without a plot. `more`: an element among the buttons.
+  constructor({ colours, title = "", words = "", more = null }) {
+    Object.assign(this, { colours, title, more, plot: null, chart: null, view: null });
+    this.canvas = element("div", { className: "chart-canvas", role: "img" });
     this.tip = element("div", { className: "chart-tip", hidden: true });
     this.legend = element("ul", { className: "chart-legend" });
+    this.none = element("p", { className: "note", textContent: words });
     this.whole = button("Whole", () => this.reset(), "Show the whole range again");
-    this.root = element("div", { className: "chart" },
-      element("div", { className: "chart-head" }, element("strong", {}, rich(plot.title)), this.tools(print)),
-      this.legend, element("div", { className: "chart-label" }, rich(plot.y.label)), this.canvas,
-      element("div", { className: "chart-label below" }, rich(plot.x.label)));
-    this.canvas.append(this.tip);
+    this.head = element("div", { className: "chart-head" });
+    [this.above, this.below] = ["", " below"].map((kind) => element("div", { className: `chart-label${kind}` }));
+    this.root = element("div", { className: "chart" }, this.head, this.legend, this.above, this.canvas, this.below, this.none);
     this.canvas.addEventListener("dblclick", () => this.reset());
     new ResizeObserver(() => this.fit()).observe(this.canvas);
+    this.clear();
+  }
+
+  /// Shows a plot as the program describes it (web/README.md, "Plots"); the zoom stays if the axes do. `print`: the
+  /// picture for print as SVG, or nothing.
+  show(plot, print = "") {
+    const axes = JSON.stringify([plot.title, plot.x.label, plot.x.log, plot.y.label, plot.y.log]);
+    const same = this.plot && axes === this.axes;
+    if (same) for (const key of ["x", "y"]) plot[key].log = this.plot[key].log; // as chosen
+    const stays = same && !this.whole.hidden;
+    Object.assign(this, { plot, axes });
+    this.canvas.setAttribute("aria-label", this.description());
+    this.above.replaceChildren(...rich(plot.y.label));
+    this.below.replaceChildren(...rich(plot.x.label));
+    this.present(true);
+    if (!same) this.head.replaceChildren(element("strong", {}, rich(plot.title)), this.tools(print));
+    if (stays) this.chart?.redraw();
+    else this.reset();
+  }
+
+  /// There is nothing to draw.
+  clear() {
+    this.chart?.destroy();
+    Object.assign(this, { plot: null, chart: null, view: null, axes: null });
+    this.head.replaceChildren(element("strong", {}, rich(this.title)));
+    this.present(false);
+  }
+
+  present(some) {
+    for (const each of [this.canvas, this.legend, this.above, this.below]) each.hidden = !some;
+    this.none.hidden = some;
   }
 
   description() {
@@ -84,7 +112,7 @@ export class Chart {
       ["PNG", () => picture(this.plot, this.chart.ctx.canvas, this.colours().isDark, devicePixelRatio)
         .toBlob((drawn) => save(`${name}.png`, drawn)), "Save the picture as shown"],
       ...(print ? [["SVG", () => save(`${name}.svg`, blob(print, "image/svg+xml")), "Save the whole plot for print"]] : [])]);
-    made.prepend(this.whole, ...logs);
+    made.prepend(...[this.more, this.whole].filter(Boolean), ...logs);
     return made;
   }
 
@@ -95,7 +123,7 @@ export class Chart {
 
   fit() {
     const width = this.canvas.clientWidth;
-    if (width === 0 || this.chart?.width === width) return;
+    if (width === 0 || !this.plot || this.chart?.width === width) return;
     if (this.chart) this.chart.setSize({ width, height: this.height(width) });
     else this.make();
   }
@@ -107,7 +135,7 @@ export class Chart {
   /// Draws the plot anew: at the start, in other colours, with another axis.
   make() {
     const width = this.canvas.clientWidth;
-    if (width === 0) return;
+    if (width === 0 || !this.plot) return;
     const { x, y } = this.plot, colours = this.colours();
     this.view ??= { x: limits(this.plot, "x"), y: limits(this.plot, "y") };
     const [left, ...right] = this.view.x;

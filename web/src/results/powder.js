@@ -5,11 +5,9 @@
 
 import { element } from "../dom.js";
 import { columnOf } from "../csv.js";
-import { scaledText, short } from "../format.js";
+import { short } from "../format.js";
 import { text } from "../text/en.js";
-import { Plot } from "./plot.js";
-
-const colours = ["faint", "kept", "soft", "go"];
+import { line, pageChart } from "./page_chart.js";
 
 /// The times of the table nearest to the start, the middle and the end.
 function timesToShow(times) {
@@ -25,9 +23,9 @@ export const clock = (seconds) => seconds >= 3600 ? `${short(seconds / 3600)} h`
 export class Powder {
   constructor(root) {
     this.hint = element("p", { className: "note", textContent: text.powderHint });
-    this.passing = new Plot(text.passing);
-    this.sizes = new Plot(text.sizesOverTime);
-    this.plots = element("div", { className: "plots" }, this.passing.root, this.sizes.root);
+    this.passing = pageChart(text.passing);
+    this.sizes = pageChart(text.sizesOverTime);
+    this.plots = element("div", { className: "plots" }, this.passing.figure, this.sizes.figure);
     root.append(this.hint, this.plots);
     this.show(null, null);
   }
@@ -39,7 +37,7 @@ export class Powder {
     this.plots.hidden = !some;
     if (!some) return;
     this.showPassing(distribution);
-    this.sizes.root.hidden = !grinding?.rows.length;
+    this.sizes.figure.hidden = !grinding?.rows.length;
     if (grinding?.rows.length) this.showSizes(grinding);
   }
 
@@ -49,26 +47,20 @@ export class Powder {
     const passing = columnOf(table, "passing");
     const shown = timesToShow(times);
     const xs = [...new Set(sizes)].sort((a, b) => a - b);
-    const columns = shown.map((time) => {
-      const at = new Map();
-      times.forEach((each, i) => each === time && at.set(sizes[i], 100 * passing[i]));
-      return xs.map((x) => at.get(x) ?? null);
-    });
-    this.passing.show({ data: [xs, ...columns],
-      x: { label: text.grainSize, log: true, values: (at) => scaledText(at, "m") },
-      y: { label: text.passingAxis, range: [0, 100], values: (at) => `${short(at)} %` },
-      series: shown.map((time, i) => ({ label: clock(time),
-        colour: colours[colours.length - shown.length + i] })),
-      about: text.passingAbout(shown.map(clock)) });
+    this.passing.show({ title: text.passing, shape: 0.64, x: { label: `${text.grainSize} (µm)`, log: true },
+      y: { label: `${text.passingAxis} (%)`, log: false, least: 0, most: 100 },
+      series: shown.map((time, i) => {
+        const at = new Map();
+        times.forEach((each, k) => each === time && at.set(sizes[k], 100 * passing[k]));
+        return line(clock(time), xs.map((x) => 1e6 * x), xs.map((x) => at.get(x) ?? null), { colour: i });
+      }) });
   }
 
   showSizes(table) {
-    const column = (name) => columnOf(table, name).map((size) => (size > 0 ? size : null));
-    this.sizes.show({ data: [columnOf(table, "time_s").map((time) => time / 60), column("d10_m"),
-      column("d50_m"), column("d90_m")],
-      x: { label: text.millingTime, values: short },
-      y: { label: text.grainSize, log: true, values: (at) => scaledText(at, "m"), wide: 64 },
-      series: [{ label: "D10", colour: "kept", dash: [5, 4] }, { label: "D50", colour: "go" },
-        { label: "D90", colour: "soft", dash: [2, 3] }], about: text.sizesAbout });
+    const minutes = columnOf(table, "time_s").map((time) => time / 60);
+    const series = ["d10", "d50", "d90"].map((name, i) => line(name.toUpperCase(), minutes,
+      columnOf(table, `${name}_m`).map((size) => (size > 0 ? 1e6 * size : null)), { colour: i }));
+    this.sizes.show({ title: text.sizesOverTime, shape: 0.64, x: { label: text.millingTime, log: false },
+      y: { label: `${text.grainSize} (µm)`, log: true }, series });
   }
 }

@@ -4,9 +4,9 @@
 // Dissipated power over simulated time, and its mean so far, which settles while the run goes on.
 
 import { columnOf } from "../csv.js";
-import { scaledText, short } from "../format.js";
+import { multipleOf } from "../format.js";
 import { text } from "../text/en.js";
-import { Plot } from "./plot.js";
+import { line, pageChart } from "./page_chart.js";
 
 /// Mean from the start to each time; each value holds since the time before.
 function meansSoFar(times, values) {
@@ -20,20 +20,20 @@ function meansSoFar(times, values) {
 
 export class SeriesPlot {
   constructor() {
-    this.plot = new Plot(text.powerOverTime);
-    this.root = this.plot.root;
+    this.chart = pageChart(text.powerOverTime);
+    this.root = this.chart.figure;
   }
 
   /// `table`: timeseries, or null.
   show(table) {
     const times = table && columnOf(table, "time_s");
-    if (!times || times.length < 2) return this.plot.clear();
+    if (!times || times.length < 2) return this.chart.clear();
     const dissipated = columnOf(table, "dissipated_power_W");
-    this.plot.show({ data: [times, dissipated, meansSoFar(times, dissipated)],
-      x: { label: text.timeAxis, values: short },
-      y: { label: text.powerAxis, wide: 64, values: (at) => scaledText(at, "W") },
-      series: [{ label: text.dissipated, colour: "faint", width: 1 },
-        { label: text.meanSoFar, colour: "go", width: 2.2 }],
-      about: text.seriesAbout(times.length) });
+    const { factor, unit } = multipleOf(Math.max(...dissipated), "W");
+    const scaled = (values) => values.map((value) => value / factor);
+    this.chart.show({ title: text.powerOverTime, shape: 0.64, x: { label: text.timeAxis, log: false },
+      y: { label: `${text.powerAxis} (${unit})`, log: false }, series: [
+        line(text.dissipated, times, scaled(dissipated), { colour: 5 }),
+        line(text.meanSoFar, times, scaled(meansSoFar(times, dissipated)))] });
   }
 }

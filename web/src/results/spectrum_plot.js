@@ -5,9 +5,9 @@
 
 import { choice } from "../dom.js";
 import { columnOf } from "../csv.js";
-import { scaledText, short } from "../format.js";
+import { multipleOf, scaledText } from "../format.js";
 import { text } from "../text/en.js";
-import { Plot } from "./plot.js";
+import { pageChart } from "./page_chart.js";
 
 const kinds = { rate: "rate_normal_per_s", power: "power_normal_W" };
 const octaves = 0.5; // width of a bin of the plot
@@ -36,18 +36,21 @@ function span(all) {
   return Array.from({ length: high - low + 3 }, (_, i) => low - 1 + i);
 }
 
+const histogram = (name, bins, curve, colour, scale) => ({ name, mark: "steps", colour, band: false,
+  x: [...bins, bins.at(-1) + 1].map((bin) => 2 ** (bin * octaves) / scale.x),
+  y: bins.map((bin) => (curve.get(bin) ?? 0) / scale.y) });
+
 export class SpectrumPlot {
   constructor() {
-    this.plot = new Plot(text.spectrum);
     this.kind = "rate";
-    this.plot.tools.append(choice(text.spectrumOf, [
+    this.chart = pageChart(text.spectrum, choice(text.spectrumOf, [
       { key: "rate", name: text.rate, about: text.spectrumRateAbout },
       { key: "power", name: text.power, about: text.spectrumPowerAbout },
     ], "rate", (kind) => {
       this.kind = kind;
       this.draw();
     }));
-    this.root = this.plot.root;
+    this.root = this.chart.figure;
   }
 
   /// `kept`: the spectrum of the kept result, or null.
@@ -58,23 +61,25 @@ export class SpectrumPlot {
 
   draw() {
     const [table, kept] = this.tables ?? [];
-    if (!table) return this.plot.clear();
-    const tables = kept ? [table, kept] : [table];
-    const curves = tables.map((each) => binned(each, kinds[this.kind]));
-    if (curves[0].size === 0) return this.plot.clear();
+    if (!table) return this.chart.clear();
+    const curves = (kept ? [table, kept] : [table]).map((each) => binned(each, kinds[this.kind]));
+    if (curves[0].size === 0) return this.chart.clear();
     const bins = span(curves.filter((curve) => curve.size > 0));
-    const xs = bins.map((bin) => 2 ** (bin * octaves));
     const rate = this.kind === "rate";
-    const data = [xs, ...curves.map((curve) => bins.map((bin) => curve.get(bin) ?? (rate ? null : 0)))];
     const most = Math.max(...curves.flatMap((curve) => [...curve.values()]));
-    const peak = xs[data[1].indexOf(Math.max(...data[1]))];
-    this.plot.show({ data,
-      x: { label: text.impactEnergy, log: true, values: (at) => scaledText(at, "J") },
-      y: { label: rate ? text.rateAxis : text.powerPerOctave, wide: 64, log: rate,
-        range: rate ? [10 ** Math.floor(Math.log10(2e-4 * most)), 2 ** Math.ceil(Math.log2(1.2 * most))] : null,
-        values: (at) => (rate ? short(at) : scaledText(at, "W")) },
-      series: [{ label: kept ? "B" : text.thisRun, colour: "go", steps: true, fill: true },
-        ...(kept ? [{ label: "A", colour: "kept", steps: true, dash: [5, 4] }] : [])],
-      about: text.spectrumAbout(scaledText(peak, "J")) });
+    const energy = multipleOf(2 ** (bins.at(-1) * octaves), "J"), power = rate ? { factor: 1 } : multipleOf(most, "W");
+    const scale = { x: energy.factor, y: power.factor };
+    this.chart.show({ title: text.spectrum, shape: 0.64,
+      x: { label: `${text.impactEnergy} (${energy.unit})`, log: true },
+      y: rate ? { label: text.rateAxis, log: true, least: 2e-4 * most }
+        : { label: `${text.powerPerOctave} (${power.unit})`, log: false },
+      series: curves.map((curve, i) => histogram(kept ? "BA"[i] : text.thisRun, bins, curve, i, scale)) });
+    this.chart.canvas.title = text.spectrumAbout(scaledText(this.peak(curves[0]), "J"));
+  }
+
+  /// [J] The energy of the largest bin.
+  peak(curve) {
+    const [bin] = [...curve].reduce((a, b) => (b[1] > a[1] ? b : a));
+    return 2 ** (bin * octaves);
   }
 }

@@ -5,14 +5,14 @@
 
 import { button, download, element, freshId } from "../dom.js";
 import { writeCsv } from "../csv.js";
-import { quantityText, scaledText, short } from "../format.js";
+import { multipleOf, quantityText } from "../format.js";
 import { fieldsOf, kindOf, millOf } from "../case/field_list.js";
 import { join } from "../case/quantity.js";
 import { rangeOf } from "../case/ranges.js";
 import { Sweep } from "../run/sweep.js";
 import { valuesBetween } from "../run/sweep_values.js";
 import { text } from "../text/en.js";
-import { Plot } from "./plot.js";
+import { line, pageChart } from "./page_chart.js";
 import { keysIn, labelOf } from "./quantities.js";
 
 const labelled = (label, input) => {
@@ -38,11 +38,11 @@ export class SweepPanel {
     this.save = button(text.saveSweep, () => this.download(), { className: "quiet", hidden: true });
     this.progress = element("progress", { max: 1, value: 0, hidden: true, "aria-label": text.sweep });
     this.status = element("p", { className: "note", "aria-live": "polite" });
-    this.plot = new Plot(text.sweepCurve);
+    this.chart = pageChart(text.sweepCurve);
     this.table = element("div", { className: "scroll", tabIndex: 0, role: "region",
       "aria-label": text.sweepCurve });
     this.results = element("div", { hidden: true }, labelled(text.sweepQuantity, this.quantity),
-      this.plot.root, this.table);
+      this.chart.figure, this.table);
     root.append(element("p", { className: "note", textContent: text.sweepAbout }),
       element("div", { className: "fields" }, labelled(text.sweepKey, this.key),
         labelled(text.sweepFrom, this.from), labelled(text.sweepTo, this.to),
@@ -142,7 +142,7 @@ export class SweepPanel {
   draw() {
     const points = this.sweep?.points.filter(({ summary }) => summary) ?? [];
     this.results.hidden = !this.sweep?.points.some(({ summary, fault }) => summary || fault);
-    this.save.hidden = this.plot.root.hidden = this.quantity.parentElement.hidden = points.length === 0;
+    this.save.hidden = this.chart.figure.hidden = this.quantity.parentElement.hidden = points.length === 0;
     if (points.length === 0) {
       if (!this.results.hidden) this.table.replaceChildren(this.rows(null));
       return;
@@ -153,14 +153,13 @@ export class SweepPanel {
         element("option", { value: key, textContent: labelOf(points[0].summary[key]) })));
     const key = this.quantity.value, label = labelOf(points[0].summary[key]);
     const values = points.map(({ summary }) => summary[key] ?? { value: null });
-    const unit = values[0].unit;
-    this.plot.show({ data: [points.map((point) => point.number), values.map(({ value }) => value)],
-      halves: values.map(({ ci95 }) => ci95 ?? 0),
-      x: { label: this.axis, log: this.spacing.value === "log", values: short },
-      y: { label, values: (at) => scaledText(at, unit), wide: 70,
-        range: padded(values) },
-      series: [{ label, colour: "go", points: true }],
-      about: points.map((point, i) => `${point.value}: ${quantityText(values[i])}`).join("; ") });
+    const largest = Math.max(...values.map(({ value }) => Math.abs(value ?? 0)));
+    const { factor, unit } = multipleOf(largest, values[0].unit ?? "1");
+    const ends = (sign) => values.map(({ value, ci95 }) => (ci95 > 0 ? (value + sign * ci95) / factor : null));
+    this.chart.show({ title: text.sweepCurve, shape: 0.5, x: { label: this.axis, log: this.spacing.value === "log" },
+      y: { label: unit ? `${label} (${unit})` : label, log: false },
+      series: [line("", points.map((point) => point.number), values.map(({ value }) => (value === null ? null : value / factor)),
+        { mark: "points", low: ends(-1), high: ends(1) })] });
     this.table.replaceChildren(this.rows(key, label));
   }
 
@@ -182,13 +181,4 @@ export class SweepPanel {
     download("sweep.csv", writeCsv([this.sweep.key, ...names], points.map(({ value, summary }) =>
       [value, ...keys.flatMap((key) => [summary[key]?.value, summary[key]?.ci95])])), "text/csv");
   }
-}
-
-/// A range of the axis that contains the intervals.
-function padded(values) {
-  const ends = values.filter(({ value }) => Number.isFinite(value))
-    .flatMap(({ value, ci95 }) => [value - (ci95 ?? 0), value + (ci95 ?? 0)]);
-  const [low, high] = [Math.min(...ends), Math.max(...ends)];
-  const pad = 0.08 * (high - low || Math.abs(high) || 1);
-  return [low >= 0 ? Math.max(0, low - pad) : low - pad, high + pad];
 }

@@ -110,8 +110,6 @@ export const text = {
   timeAxis: "Simulated time, s",
   dissipated: "dissipated",
   meanSoFar: "mean so far",
-  at: "at",
-  seriesAbout: (count) => `${count} points; the numbers are in timeseries.csv.`,
 
   details: "Details of the result",
   quantities: "Quantities",
@@ -158,10 +156,8 @@ export const text = {
     "the case: see the example \"How fine quartz gets\".",
   passing: "Mass finer than a size",
   passingAxis: "Mass that is finer",
-  passingAbout: (times) => `One curve each after ${times.join(", ")} of milling.`,
   grainSize: "Grain size",
   sizesOverTime: "Sizes over milling time",
-  sizesAbout: "D10, D50 and D90: 10, 50 and 90 % of the mass are finer.",
   millingTime: "Milling time, min",
 
   about: "About these numbers",
