@@ -23,7 +23,7 @@ import { vocabulary } from "./test/vocabulary.js";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const target = ["chrome103", "firefox113", "safari16.4"];
-const order = ["vibrating-vial", "mixer-mill", "planetary-mill", "tumbling-drum", "shaker-mill", "quartz"];
+const order = ["planetary-mill", "tumbling-drum", "mixer-mill", "shaker-mill", "vibrating-vial", "quartz"];
 
 /// Modules that are made here: "worker-source", "example-cases", "test-vocabulary", and the engine.
 function made(modules) {

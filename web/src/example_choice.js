@@ -12,10 +12,7 @@ export class ExampleChoice {
   constructor(root, cases, choose) {
     this.cases = cases;
     const id = freshId("example");
-    this.select = element("select", { id, onchange: () => {
-      this.show(this.select.value);
-      choose(this.select.value);
-    } }, Object.keys(cases).map((name) =>
+    this.select = element("select", { id, onchange: () => choose(this.select.value) }, Object.keys(cases).map((name) =>
       element("option", { value: name, textContent: names[name]?.name ?? name })));
     this.own = element("option", { value: "", textContent: text.ownCase, hidden: true });
     this.select.append(this.own);
@@ -24,7 +21,9 @@ export class ExampleChoice {
       element("label", { for: id, textContent: text.example }), this.select), this.hint);
   }
 
+  /// Shows which example the case comes from; "": from none.
   show(name) {
+    this.name = name;
     this.own.hidden = name !== "";
     this.select.value = name;
     this.hint.textContent = names[name]?.hint ?? "";

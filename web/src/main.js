@@ -28,6 +28,7 @@ async function linked() {
 
 /// Takes the case of the address, or runs the first example.
 async function begin(page, { toml, bad }) {
+  if (page.edits(history.state) && (await page.takeKept(history.state))) return;
   if (toml !== null) {
     await page.takeLinked(toml);
     page.say(text.fromLink);

@@ -28,14 +28,17 @@ export class Page {
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });
-    this.choice = new ExampleChoice(parts.examples, cases, (name) => this.runExample(name));
+    this.choice = new ExampleChoice(parts.examples, cases, (name) => this.chooseExample(name));
     this.form = new Form(parts.form, store, known);
     this.editor = new Editor(parts.editor, store);
     this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
       restore: (toml) => this.take(toml, "") });
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
       running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
+    this.keepSoon = later(() => this.keep(), 300);
     store.addEventListener("text", () => this.changed());
+    addEventListener("pagehide", () => this.keep());
+    addEventListener("popstate", ({ state }) => this.takeKept(state));
     store.addEventListener("checked", ({ detail }) => this.checked(detail));
     document.addEventListener("keydown", (event) => this.key(event));
     this.refreshSoon = later(() => this.refresh(), 0);
@@ -59,7 +62,39 @@ export class Page {
     return this.store.check();
   }
 
-  /// Shows an example and runs it.
+  /// Whether the case is another than the example or the link that it comes from.
+  edited() {
+    const { name } = this.choice;
+    return this.store.text !== (name ? kept(this.cases[name]) : this.linked);
+  }
+
+  /// Whether an entry of the history keeps a case that no example has.
+  edits(state) {
+    return typeof state?.toml === "string" && state.toml !== kept(this.cases[state.name] ?? "");
+  }
+
+  /// Keeps the case with this entry of the history: a reload and Back find it there.
+  keep() {
+    if (this.store.text) history.replaceState({ toml: this.store.text, name: this.choice.name }, "", location.href);
+  }
+
+  /// Shows the case that an entry of the history keeps. Returns whether there is one.
+  async takeKept(state) {
+    if (typeof state?.toml !== "string") return false;
+    if (location.hash.startsWith("#case=")) this.linked = state.toml;
+    await this.take(state.toml, Object.hasOwn(this.cases, state.name) ? state.name : "");
+    this.say(text.keptCase);
+    return true;
+  }
+
+  /// Shows and runs an example, in an entry of the history of its own.
+  chooseExample(name) {
+    if (this.edited() && !confirm(text.leaveChanges)) return this.choice.show(this.choice.name);
+    this.keep();
+    history.pushState(null, "", "#");
+    return this.runExample(name);
+  }
+
   async runExample(name) {
     await this.take(this.cases[name], name);
     return this.start();
@@ -72,6 +107,7 @@ export class Page {
 
   changed() {
     if (location.hash.startsWith("#case=") && this.store.text !== this.linked) history.replaceState(null, "", "#");
+    this.keepSoon();
     this.parts.stale.hidden = !this.run || this.run.toml === this.store.text;
     document.body.dataset.case = "unchecked";
     this.showBar();

@@ -60,7 +60,9 @@ async function runTest(browser, given) {
   const notes = [];
   let outcome = "fine";
   try {
-    await test({ page: await context.newPage(), context, url, folder, engine, native,
+    const page = await context.newPage();
+    page.on("dialog", (dialog) => dialog.accept()); // of changes that are left
+    await test({ page, context, url, folder, engine, native,
       note: (text) => notes.push(text) });
     expect("errors and foreign requests", faults, []);
   } catch (error) {

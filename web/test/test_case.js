@@ -107,6 +107,43 @@ async function a_title_with_markup_does_no_harm({ page, url }) {
   expect("nothing ran in the report", await frame.evaluate(() => window.harm ?? 0), 0);
 }
 
+async function a_changed_case_survives_a_reload({ page, url }) {
+  await open(page, url);
+  await page.fill('.field[data-address="mill.amplitude"] input[type="number"]', "20");
+  await page.waitForTimeout(500);
+  await page.reload();
+  await page.waitForSelector('body[data-case="fine"]', { timeout: limit });
+  expect("the text", (await caseText(page)).includes('amplitude = "20 mm"'));
+  expect("its example", await page.inputValue(".examples select"), "vibrating-vial");
+  expect("nothing runs", await page.evaluate(() => document.body.dataset.runs ?? "none"), "none");
+  expect("what is said", (await page.textContent(".run-bar")).includes("Your case as you left it"));
+}
+
+async function back_brings_a_left_case_back({ page, url }) {
+  await open(page, url);
+  await page.fill('.field[data-address="mill.amplitude"] input[type="number"]', "20");
+  page.removeAllListeners("dialog");
+  page.once("dialog", (dialog) => dialog.dismiss());
+  await page.selectOption(".examples select", "mixer-mill");
+  expect("a refusal keeps the case", (await caseText(page)).includes('amplitude = "20 mm"'));
+  expect("and the example", await page.inputValue(".examples select"), "vibrating-vial");
+  page.once("dialog", (dialog) => dialog.accept());
+  await runAgain(page, () => page.selectOption(".examples select", "mixer-mill"));
+  await page.goBack();
+  await page.waitForFunction(() => document.querySelector("#case-text").value.includes('"20 mm"'), { timeout: limit });
+  expect("the example before", await page.inputValue(".examples select"), "vibrating-vial");
+  await page.goForward();
+  await page.waitForFunction(() => document.querySelector("#case-text").value.includes("retsch-mm400"), { timeout: limit });
+}
+
+async function engines_that_a_browser_has_not_are_not_offered({ page, url }) {
+  await open(page, url);
+  const offered = await page.locator('.field[data-address="run.engine"] option').evaluateAll((all) =>
+    all.map((option) => option.value));
+  expect("the soft engine", offered.includes("soft"));
+  expect("LAMMPS", offered.includes("lammps"), false);
+}
+
 const examplesOf = (page) => page.locator(".examples option").evaluateAll((all) =>
   all.map((option) => option.value).filter(Boolean));
 
@@ -200,7 +237,7 @@ async function what_the_page_lacks_is_said({ page, url, engine }) {
 async function a_damaged_link_is_no_fault({ page, url }) {
   await page.goto(`${url}#case=AAAA%%`);
   await ended(page);
-  expect("the first example", (await caseText(page)).includes("vibration"));
+  expect("the first example", (await caseText(page)).includes("fritsch-p7-classic"));
 }
 
 export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn),
@@ -208,4 +245,5 @@ export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn)
   a_changed_value_reaches_the_text_and_keeps_comments, settling_is_automatic_without_a_time,
   a_changed_text_reaches_the_form, faults_are_shown_at_their_line, broken_text_does_no_harm,
   a_title_with_markup_does_no_harm, mills_and_jars_can_be_chosen, a_link_holds_the_whole_case,
-  a_damaged_link_is_no_fault, other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];
+  a_damaged_link_is_no_fault, a_changed_case_survives_a_reload, back_brings_a_left_case_back,
+  engines_that_a_browser_has_not_are_not_offered, other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];

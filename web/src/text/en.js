@@ -92,6 +92,8 @@ export const text = {
   sharedAddress: "The address of this page now contains the whole case: copy it from there.",
   badLink: "This link holds no readable case; the first example is shown instead.",
   badLinkLater: "The address holds no readable case; the present one stays.",
+  keptCase: "Your case as you left it. Press Run to compute it.",
+  leaveChanges: "Leave your changes of the case? The browser's Back brings them back.",
   fromLink: "This case came with the link. Press Run to compute it.",
 
   spectrum: "Spectrum of impacts",
