@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/campaign/run/further_runs.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/reversal.hpp"
@@ -185,12 +186,7 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   const std::vector<cases::Case> runs = runs_of_keys(decided, outcome, read, found);
   if (found.keys.empty())
     return found.left_out.empty() ? std::nullopt : std::optional(std::move(found));
-  RunOptions own = options;
-  own.records = {};
-  own.frames = {};
-  own.checkpoint = nullptr;
-  own.progress = {};  // that of the run itself has reached its end
-  const std::vector<results::Outcome> outcomes = run(runs, own);
+  const std::vector<results::Outcome> outcomes = run(runs, without_files(options));
   if (!std::ranges::all_of(outcomes, results::complete)) return std::nullopt;
   set_values(outcome, outcomes, found);
   std::ranges::stable_sort(found.keys, std::ranges::greater(), influence);

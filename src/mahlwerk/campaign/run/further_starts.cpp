@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/further_runs.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -28,13 +29,9 @@ bool is_short(const cases::Case& c) {
 
 /// The case of the further starts, which record nothing but energy.
 cases::Case further_case(const results::Outcome& outcome) {
-  cases::Case further = outcome.mill_case;
+  cases::Case further = without_records(outcome.mill_case);
   further.run.engine = outcome.engine;
   further.run.replicates = starts;
-  further.observe = {.threshold = further.observe.threshold};
-  further.capture.reset();
-  further.grinding.reset();
-  further.kinetics.reset();
   return further;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/further_runs.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
@@ -33,16 +34,12 @@ bool may_change(const cases::Case& c, double whole) {
 
 /// The case of the later part, which records nothing but hits.
 cases::Case later_case(const results::Outcome& outcome) {
-  cases::Case later = outcome.mill_case;
+  cases::Case later = without_records(outcome.mill_case);
   const results::Replicate& first = outcome.replicates.front();
   later.run.engine = outcome.engine;
   later.run.settle = times_later * first.energy_balance.time;
   later.run.time = times_longer * first.time();
   later.run.replicates = later_replicates;
-  later.observe = {.threshold = later.observe.threshold};
-  later.capture.reset();
-  later.grinding.reset();
-  later.kinetics.reset();
   return later;
 }
 
@@ -80,16 +77,10 @@ Notices later_motion_notices(const results::Outcome& outcome, const RunOptions& 
   if (!results::complete(outcome) ||
       !may_change(outcome.mill_case, outcome.replicates.front().energy_balance.time))
     return {};
-  RunOptions own = options;
-  own.records = {};
-  own.frames = {};
-  own.checkpoint = nullptr;
-  own.progress = {};  // that of the run itself has reached its end
-  const results::Outcome later = run(later_case(outcome), own);
+  const results::Outcome later = run(later_case(outcome), without_files(options));
   if (!results::complete(later)) return {};
   std::string changes;
-  for (const std::string_view name : {"dissipated_power", "collision_rate_above_threshold",
-                                      "energy_normal_mean_above_threshold"}) {
+  for (const std::string_view name : first_answers) {
     const results::Quantity& q = results::named(outcome.summary.quantities, name);
     std::vector<double> counted, after;
     for (const results::Replicate& r : outcome.replicates)

@@ -11,6 +11,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/further_starts.hpp"
 #include "mahlwerk/campaign/run/later_motion.hpp"
+#include "mahlwerk/campaign/run/other_engine.hpp"
 #include "mahlwerk/campaign/run/queue.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -44,6 +45,7 @@ Load load_of(const std::vector<cases::Case>& points) {
 void conclude_single(results::Outcome& outcome, const RunOptions& options) {
   append(outcome.notices, further_start_notices(outcome, options.stop));
   append(outcome.notices, later_motion_notices(outcome, options));
+  append(outcome.notices, other_engine_notices(outcome, options));
   std::ranges::stable_sort(outcome.notices, std::ranges::greater(), &Notice::severity);
 }
 
