@@ -13,6 +13,7 @@ import { layOut, showRegion } from "./layout.js";
 import { Results } from "./results/results.js";
 import { SweepPanel } from "./results/sweep_panel.js";
 import { Pool } from "./run/engine_worker.js";
+import { OpenedRun, caseAmong, filesOf, filmOf } from "./run/opened_run.js";
 import { Run } from "./run/run.js";
 import { RunBar } from "./run/run_bar.js";
 import { text } from "./text/en.js";
@@ -32,7 +33,7 @@ export class Page {
     this.form = new Form(parts.form, store, known);
     this.editor = new Editor(parts.editor, store);
     this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
-      restore: (toml) => this.take(toml, "") });
+      restore: (toml) => this.take(toml, ""), open: (items) => this.open(items) });
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
       running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
     this.keepSoon = later(() => this.keep(), 300);
@@ -41,6 +42,12 @@ export class Page {
     addEventListener("popstate", ({ state }) => this.takeKept(state));
     store.addEventListener("checked", ({ detail }) => this.checked(detail));
     document.addEventListener("keydown", (event) => this.key(event));
+    document.addEventListener("dragover", (event) => event.preventDefault());
+    document.addEventListener("drop", (event) => {
+      if (event.dataTransfer.files.length === 0) return; // a text, for the editor
+      event.preventDefault();
+      this.open(event.dataTransfer.items);
+    });
     this.refreshSoon = later(() => this.refresh(), 0);
     this.showBar();
   }
@@ -98,6 +105,32 @@ export class Page {
   async runExample(name) {
     await this.take(this.cases[name], name);
     return this.start();
+  }
+
+  /// Shows a result that the program computed, or takes a case: files, or a folder, that were dropped or chosen.
+  async open(items) {
+    try {
+      const files = await filesOf(items);
+      const toml = caseAmong(files), result = "summary.json" in files;
+      if (!result && toml === null) return this.say(text.nothingToOpen);
+      if (this.edited() && !confirm(text.leaveChanges)) return;
+      this.keep();
+      history.pushState(null, "", "#");
+      const checked = await this.take(toml ?? "", "");
+      if (result) this.showOpened(new OpenedRun(files, this.store.text, checked.faults.length > 0 ? {} : checked));
+      else this.say(text.openedCase);
+    } catch (error) {
+      this.say(text.cannotOpen(error.message));
+    }
+  }
+
+  showOpened(run) {
+    this.run = run;
+    this.results.begin(run);
+    this.results.showFilm(filmOf(run.files["report.html"]));
+    this.ended(run);
+    this.say(text.opened(run.summary._about.title));
+    showRegion("result");
   }
 
   stopped() {

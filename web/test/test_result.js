@@ -193,8 +193,38 @@ async function about_these_numbers({ page, url }) {
     expect(part, text.includes(part));
 }
 
+/// Files as a drop gives them.
+const dropped = (page, files) => page.evaluateHandle((all) => {
+  const made = new DataTransfer();
+  for (const [name, text] of Object.entries(all)) made.items.add(new File([text], name));
+  return made;
+}, files);
+
+async function a_result_of_the_program_is_opened({ page, url }) {
+  await open(page, url);
+  await tab(page, "files");
+  const read = async (name) => {
+    const [file] = await Promise.all([page.waitForEvent("download"), page.click(`.files button:text-is("${name}")`)]);
+    return readFileSync(await file.path(), "utf8");
+  };
+  const files = {};
+  for (const name of ["summary.json", "spectrum.csv", "timeseries.csv", "case.resolved.toml"]) files[name] = await read(name);
+  const power = await page.textContent('.counter[data-key="power"] .value');
+  await runAgain(page, () => page.selectOption(".examples select", "planetary-mill"));
+  await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, files) });
+  await page.waitForFunction(() => document.querySelector("#status").textContent.startsWith("Opened: "));
+  expect("its power", await page.textContent('.counter[data-key="power"] .value'), power);
+  expect("its spectrum", await page.locator(".plots canvas").count() > 0);
+  expect("its case", (await caseText(page)).includes("vibration"));
+  await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, { "summary.json": "{}" }) });
+  await page.waitForFunction(() => document.querySelector("#status").textContent.includes("cannot be shown"));
+  await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, { "a.png": "" }) });
+  await page.waitForFunction(() => document.querySelector("#status").textContent.includes("neither"));
+}
+
 export const resultTests = [pauses_continues_and_stops, live_results_appear_while_computing,
   quantities_have_intervals_and_groups_unfold, a_result_says_why_it_ended_early,
   an_early_end_is_said_while_computing,
   two_settings_are_compared, a_sweep_gives_a_curve, a_sweep_and_a_run_exclude_each_other,
-  faults_of_a_sweep_are_shown, files_can_be_saved, the_report_opens, about_these_numbers];
+  faults_of_a_sweep_are_shown, files_can_be_saved, a_result_of_the_program_is_opened, the_report_opens,
+  about_these_numbers];

@@ -33,10 +33,12 @@ export function openReport(html) {
 }
 
 export class Files {
-  /// `caseText()` returns the text of the case.
-  constructor(root, caseText) {
+  /// `caseText()` returns the text of the case; `open(files)` shows another result.
+  constructor(root, { caseText, open }) {
     this.root = root;
     this.caseText = caseText;
+    this.input = element("input", { type: "file", multiple: true, accept: ".json,.csv,.toml,.html", hidden: true,
+      onchange: () => open(this.input.files) });
     this.show(null);
   }
 
@@ -48,7 +50,8 @@ export class Files {
       element("p", { className: "note", textContent: files ? text.filesAbout : text.filesHint }),
       element("div", { className: "row" }, files?.["report.html"]
         ? button(text.openReport, () => openReport(files["report.html"]), { className: "primary" })
-        : null),
+        : null, button(text.openResult, () => this.input.click(), { className: "quiet" }), this.input),
+      element("p", { className: "note", textContent: text.openAbout }),
       element("div", { className: "files" }, save("case.toml", this.caseText),
         names.map((name) => save(name, () => files[name]))));
   }

@@ -16,7 +16,7 @@ import { SeriesPlot } from "./series_plot.js";
 import { SpectrumPlot } from "./spectrum_plot.js";
 
 export class Results {
-  /// `actions`: download (the case), caseText, restore (a case).
+  /// `actions`: download (the case), caseText, restore (a case), open (files).
   constructor({ title, counters, notices, replay, plots, tabs }, actions) {
     const { panels } = tabs;
     this.title = title;
@@ -32,7 +32,7 @@ export class Results {
       actions.restore);
     this.powder = new Powder(panels.powder);
     this.about = new About(panels.about, actions.download);
-    this.files = new Files(panels.files, actions.caseText);
+    this.files = new Files(panels.files, actions);
     this.counters.show(null);
     this.finished = null;
   }
@@ -85,11 +85,14 @@ export class Results {
     if (!run.summary) this.notices.showProgress(run);
   }
 
+  showFilm(film) {
+    if (!film) return;
+    this.replay.show(film, this.restart);
+    this.restart = false;
+  }
+
   showPicture(run, film) {
-    if (film) {
-      this.replay.show(film, this.restart);
-      this.restart = false;
-    }
+    this.showFilm(film);
     this.quantities.show(run.quantities(), true);
     this.spectrum.show(run.spectrum(), this.comparison.kept?.spectrum);
     this.series.show(run.table("timeseries"));

@@ -188,4 +188,10 @@ export const text = {
   report: "Report",
   openReport: "Open the report",
   close: "Close",
+  openResult: "Open a result or a case",
+  openAbout: "Results of the program: choose summary.json and what lies beside it, or drop the folder on the page.",
+  opened: (title) => `Opened: ${title}.`,
+  openedCase: "This case came from a file. Press Run to compute it.",
+  nothingToOpen: "Among these files is neither a summary.json nor a case (.toml).",
+  cannotOpen: (why) => `This result cannot be shown: ${why}`,
 };
