@@ -103,10 +103,9 @@ export function drawSeries(pen, series, { place, box, scale, isDark }) {
   pen.save();
   pen.strokeStyle = pen.fillStyle = colourOf(series, isDark);
   pen.lineJoin = "round";
-  const inside = (v) => Number.isFinite(v);
-  const at = (x, y) => {
-    const [px, py] = place(x, y);
-    return inside(px) && inside(py) ? [px, py] : null;
+  const at = (x, y) => { // null where there is no number, or none on a logarithmic axis
+    const found = Number.isFinite(x) && Number.isFinite(y) ? place(x, y) : [];
+    return found.length > 0 && found.every(Number.isFinite) ? found : null;
   };
   if (series.low && (series.band || series.mark === "area")) drawBand(pen, series, at);
   if (series.mark === "steps") drawSteps(pen, series, at, scale, box.top + box.height + 5 * scale, box.left - 5 * scale);
