@@ -91,7 +91,9 @@ async function writePlots() {
   const code = outputFiles[0].text;
   if (/<\/script|<!--/i.test(code)) throw new Error("dist/plots.js would end its <script> element");
   mkdirSync(join(here, "dist"), { recursive: true });
-  writeFileSync(join(here, "dist/plots.js"), `/*!\n${licences(metafile).replace(/viridis.*\n/, "")}*/\n${code}`);
+  const terms = licences(metafile).replace(/viridis.*\n/, "");
+  writeFileSync(join(here, "dist/LICENSES.txt"), terms);
+  writeFileSync(join(here, "dist/plots.js"), `/*!\n${terms}*/\n${code}`);
   console.log(`dist/plots.js: ${Math.ceil(code.length / 1000)} kB`);
 }
 
