@@ -79,7 +79,7 @@ void drawn_parameters(const Outcome& outcome, Notices& list) {
 void flight_and_rolling(const Outcome& outcome, Notices& list) {
   constexpr double much = 0.5;  // of the time
   double least = 1, most = 0;
-  const double balls = static_cast<double>(cases::balls_count(outcome.mill_case.balls));
+  const auto balls = static_cast<double>(cases::balls_count(outcome.mill_case.balls));
   for (const Replicate* r : averaged_replicates(outcome)) {
     const double share =
         (r->energy_balance.contact_time - r->at_settled.contact_time) / (r->time() * balls);
