@@ -46,9 +46,12 @@ export function choice(label, options, chosen, pick) {
 }
 
 /// Saves a text as a file.
-export function download(name, text, type = "text/plain") {
-  const link = element("a", { download: name,
-    href: URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` })) });
+export const download = (name, text, type = "text/plain") =>
+  save(name, new Blob([text], { type: `${type};charset=utf-8` }));
+
+/// Saves a blob as a file.
+export function save(name, content) {
+  const link = element("a", { download: name, href: URL.createObjectURL(content) });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
 }

@@ -61,6 +61,7 @@ TEST(OtherEngine, is_looked_for_where_the_program_chose_for_one_ball_only) {
   EXPECT_FALSE(told(mixer("friction = 0.537\n", "engine = \"event\"\n")));
   EXPECT_FALSE(told(mixer("friction = 0.537\n", "engine = \"soft\"\n")));
   EXPECT_FALSE(told(mixer("friction = 0.537\n", "", "2"))) << "two run in the soft engine";
+  EXPECT_FALSE(told(mixer("friction = 0.537\n", "replicates = 16\n"))) << "more than 5 s";
 }
 
 }  // namespace

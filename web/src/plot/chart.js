@@ -4,23 +4,15 @@
 // A plot: axes and zoom by uPlot, series by draw.js, values under the pointer, and what can be saved.
 
 import uPlot from "uplot";
+import { button, download, element, save } from "../dom.js";
 import { powerOfTen, short } from "../format.js";
 import { colourOf, dashOf, drawSeries } from "./draw.js";
 import { nearest } from "./nearest.js";
-import { csv, fileName, picture, save } from "./save.js";
+import { csv, fileName, picture } from "./save.js";
 import { limits, logarithmicMarks, mayBeLog } from "./scales.js";
 import { at, plain, rich, valueText } from "./words.js";
 
 const font = "12px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
-
-function element(name, properties = {}, ...children) {
-  const made = document.createElement(name);
-  for (const [key, value] of Object.entries(properties))
-    key.includes("-") || key === "role" ? made.setAttribute(key, value) : (made[key] = value);
-  made.append(...children.flat());
-  return made;
-}
-const button = (textContent, onclick, title) => element("button", { type: "button", textContent, onclick, title });
 
 function axis(colours, log, size, space) {
   const made = { stroke: colours.soft, font, grid: { stroke: colours.grid, width: 1 },
@@ -40,7 +32,7 @@ const legendEntry = (series, isDark) => element("li", {},
 
 /// Buttons above a picture: [text, what it does, words].
 export const toolbar = (title, buttons) => element("span", { className: "chart-tools", role: "group",
-  "aria-label": `Plot: ${title}` }, buttons.map((each) => button(...each)));
+  "aria-label": `Plot: ${title}` }, buttons.map(([name, act, title]) => button(name, act, { title })));
 
 export class Chart {
   /// `colours()`: soft, grid and isDark. `words`: of a place without a plot. `more`: an element among the buttons.
@@ -50,7 +42,7 @@ export class Chart {
     this.tip = element("div", { className: "chart-tip", hidden: true });
     this.legend = element("ul", { className: "chart-legend" });
     this.none = element("p", { className: "note", textContent: words });
-    this.whole = button("Whole", () => this.reset(), "Show the whole range again");
+    this.whole = button("Whole", () => this.reset(), { title: "Show the whole range again" });
     this.head = element("div", { className: "chart-head" });
     [this.above, this.below] = ["", " below"].map((kind) => element("div", { className: `chart-label${kind}` }));
     this.root = element("div", { className: "chart" }, this.head, this.legend, this.above, this.canvas, this.below, this.none);
@@ -97,21 +89,20 @@ export class Chart {
 
   tools(print) {
     const name = fileName(this.plot.title);
-    const blob = (text, type) => new Blob([text], { type });
     const logs = ["x", "y"].filter((key) => mayBeLog(this.plot, key)).map((key) => {
       const made = button(`log ${key}`, () => {
         this.plot[key].log = !this.plot[key].log;
         made.setAttribute("aria-pressed", this.plot[key].log);
         this.reset();
-      }, `Logarithmic ${key} axis`);
+      }, { title: `Logarithmic ${key} axis` });
       made.setAttribute("aria-pressed", this.plot[key].log);
       return made;
     });
     const made = toolbar(plain(this.plot.title), [
-      ["CSV", () => save(`${name}.csv`, blob(csv(this.plot), "text/csv")), "Save the numbers"],
+      ["CSV", () => download(`${name}.csv`, csv(this.plot), "text/csv"), "Save the numbers"],
       ["PNG", () => picture(this.plot, this.chart.ctx.canvas, this.colours().isDark, devicePixelRatio)
         .toBlob((drawn) => save(`${name}.png`, drawn)), "Save the picture as shown"],
-      ...(print ? [["SVG", () => save(`${name}.svg`, blob(print, "image/svg+xml")), "Save the whole plot for print"]] : [])]);
+      ...(print ? [["SVG", () => download(`${name}.svg`, print, "image/svg+xml"), "Save the whole plot for print"]] : [])]);
     made.prepend(...[this.more, this.whole].filter(Boolean), ...logs);
     return made;
   }
@@ -175,8 +166,8 @@ export class Chart {
     pen.beginPath();
     pen.rect(box.left, box.top - 4, box.width, box.height + 8);
     pen.clip();
-    for (const series of this.plot.series)
-      drawSeries(pen, series, { place, box, scale: devicePixelRatio, isDark: this.colours().isDark });
+    const { isDark } = this.colours();
+    for (const series of this.plot.series) drawSeries(pen, series, { place, box, scale: devicePixelRatio, isDark });
     pen.restore();
   }
 

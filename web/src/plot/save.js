@@ -3,14 +3,9 @@
 
 // What can be saved of a plot: its numbers, its picture as it is shown, and its picture for print.
 
+import { download, save } from "../dom.js";
 import { dashOf, colourOf } from "./draw.js";
 import { plain } from "./words.js";
-
-export function save(name, content) {
-  const link = Object.assign(document.createElement("a"), { download: name, href: URL.createObjectURL(content) });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60e3);
-}
 
 /// "spectrum-of-impact-energies" of a title.
 export const fileName = (title) =>
@@ -73,7 +68,7 @@ export function picture(plot, canvas, isDark, scale) {
 }
 
 /// Saves an <svg> element as it is, or drawn into a PNG picture of twice its size.
-export const saveSvg = (name, svg) => save(`${name}.svg`, new Blob([standalone(svg)], { type: "image/svg+xml" }));
+export const saveSvg = (name, svg) => download(`${name}.svg`, standalone(svg), "image/svg+xml");
 export async function savePng(name, svg) {
   const { width, height } = svg.viewBox.baseVal;
   const image = new Image(2 * width, 2 * height);

@@ -23,13 +23,13 @@ constexpr double soft_is_longer = 4;  // so that the scatter is that of the resu
 
 /// Whether the engine was chosen for one ball, and the soft engine takes next to no time.
 bool is_cheap(const results::Outcome& outcome) {
-  constexpr double short_run = 200;  // periods of the mill
+  constexpr double most = 20;  // [s] simulated by the soft engine; a second or two of computing
   const cases::Case& c = outcome.mill_case;
   return c.run.engine == cases::EngineName::automatic &&
          outcome.engine == cases::EngineName::event && cases::balls_count(c.balls) == 1 &&
          !c.run.until && !c.run.start_from.states && !c.uncertainty && c.run.replicates >= 2 &&
          results::complete(outcome) &&
-         cases::simulated_time(c) <= short_run * cases::mill_period(c);
+         soft_is_longer * static_cast<double>(c.run.replicates) * cases::simulated_time(c) <= most;
 }
 
 /// "hits above the threshold 80 /s instead of 66 /s" if the quantities differ by more than a tenth
