@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/further_runs.hpp"
@@ -38,7 +39,7 @@ std::string difference(const results::Quantity& event, const results::Quantity& 
   constexpr double much = 0.1, certain = 1.2;
   const double apart = std::abs(event.value - soft.value);
   if (!(apart > much * std::max(std::abs(event.value), std::abs(soft.value))) ||
-      !(apart > certain * std::hypot(event.ci95, soft.ci95)))
+      !(apart > certain * math::hypot(event.ci95, soft.ci95)))
     return "";
   return fmt::format("{} {} instead of {}", results::label_of(event.name),
                      show_rounded(soft.value, soft.unit, 3),
