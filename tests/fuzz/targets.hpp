@@ -23,7 +23,7 @@ struct Target {
 /// All targets; those of a file are defined there.
 std::span<const Target> targets();
 Target case_target(), sieves_target();                                         // cases.cpp
-Target mesh_target(), motion_target(), measurements_target(), paper_target();  // files.cpp
+Target mesh_target(), motion_target(), measurements_target();  // files.cpp
 Target store_target(), surrogate_target();                                     // campaigns.cpp
 Target event_state_target(), soft_state_target(), checkpoint_target();         // states.cpp
 Target folder_target();                                                        // folders.cpp

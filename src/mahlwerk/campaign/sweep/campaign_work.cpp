@@ -51,6 +51,7 @@ class CampaignFolder::ActiveRuns {
     RunOptions options;
     options.threads = thread_count(owner_.settings_.threads);
     options.stop = owner_.settings_.stop;
+    options.replays_of_all = owner_.settings_.films;
     options.progress = [&](const Progress& p) { show(p); };
     options.records = [&](std::size_t i, int r) {
       const ActiveRun& mine = active(i);

@@ -70,6 +70,8 @@ Options sharing(SweepArguments& given) {
            .about = "what is kept of each run: all results (default up to 1000 points), or only "
                     "its summary in the store",
            .values = {"all", "summary"}},
+          {"--films", &given.part.films,
+           "keep the paths of the balls of each run in film.json, for pictures"},
           {"--shard", &given.part.shard,
            "run only this part of the campaign: 2/8 is the second of eight"},
           {.name = "--merge",

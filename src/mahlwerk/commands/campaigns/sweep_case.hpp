@@ -24,6 +24,7 @@ constexpr const char* merge_lock = "campaign.merge.lock";
 struct CampaignPart {
   std::string shard;        ///< "2/8": the second of eight parts; empty: all
   std::string results;      ///< results kept: "all", "summary"; empty: by their number
+  bool films = false;       ///< film.json of each run, for pictures
   bool merge = false;       ///< after a shard, merge all, if no point waits any more
   std::string fingerprint;  ///< of the campaign when it was submitted; empty: it may have changed
 };

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+# SPDX-License-Identifier: Apache-2.0
+"""The style of figures for print: 8 points, colours that the colour-blind tell apart, a white ground
+that is read on a dark page too, fonts in the files."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from typing import Any
+
+__all__ = ["COLUMN", "MM", "PAGE", "COLOURS", "DASHES", "INK", "MARKERS", "SOFT", "mathtext", "style", "wrapped"]
+
+MM = 1 / 25.4  # [inch]
+COLUMN, PAGE = 90 * MM, 180 * MM
+INK, SOFT = "#000000", "#666666"
+# Okabe and Ito 2008, without the yellow that a line on white lacks contrast for.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+MARKERS = ("o", "^", "D", "v", "P", "X", "<")
+DASHES: tuple[Any, ...] = ("-", (0, (5, 2)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)))
+SIZE = 8  # [pt]
+
+
+def style() -> dict[str, Any]:
+    """Settings of matplotlib."""
+    return {"font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "font.size": SIZE,
+            "mathtext.fontset": "dejavusans", "axes.titlesize": SIZE, "axes.labelsize": SIZE,
+            "xtick.labelsize": SIZE, "ytick.labelsize": SIZE, "legend.fontsize": SIZE,
+            "figure.titlesize": SIZE, "axes.linewidth": 0.6, "xtick.major.width": 0.6,
+            "ytick.major.width": 0.6, "lines.linewidth": 1.1, "lines.markersize": 4,
+            "errorbar.capsize": 2, "legend.frameon": False, "legend.handlelength": 1.8,
+            "legend.labelspacing": 0.3, "legend.borderpad": 0, "axes.spines.top": False,
+            "axes.spines.right": False, "axes.titlepad": 5, "figure.facecolor": "white",
+            "savefig.facecolor": "white", "svg.fonttype": "path", "pdf.fonttype": 42,
+            "svg.hashsalt": "mahlwerk", "axes.formatter.limits": (-4, 5), "axes.unicode_minus": True}
+
+
+def mathtext(text: str) -> str:
+    """Text with the marks of labels, "$E_{n}$" and "^{2}", for matplotlib."""
+    text = re.sub(r"\$([^$_]+)_\{([^}]*)\}\$", r"$\1_{\\mathrm{\2}}$", text)
+    return re.sub(r"\^\{([^}]*)\}", lambda found: "$^{" + found[1].replace("−", "-") + "}$", text)
+
+
+def wrapped(text: str, letters: int) -> list[str]:
+    """Lines of at most `letters` characters, of similar length."""
+    lines = textwrap.wrap(text, letters, break_long_words=False, break_on_hyphens=False)
+    for width in range(letters - 1, 8, -1):
+        closer = textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)
+        if len(closer) > len(lines):
+            break
+        lines = closer
+    return lines
