@@ -142,6 +142,7 @@ def test_a_figure_has_the_width_of_a_journal_with_fonts_in_it_and_the_same_bytes
 
 def test_no_legend_covers_an_axis_and_no_text_is_cut():
     import matplotlib
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
 
     from mahlwerk.papers.figures import rows_of, sheet
     from mahlwerk.papers.style import style
@@ -149,7 +150,7 @@ def test_no_legend_covers_an_axis_and_no_text_is_cut():
     (figure,) = made_figures(paper_with("4", "4", "4"), POINTS)
     with matplotlib.rc_context(style()):
         fig = sheet(rows_of(figure.sections))
-        fig.canvas.draw()
+        FigureCanvasAgg(fig).draw()
         whole = fig.bbox
         for part in fig.subfigs:
             for ax in part.axes:

@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Optional
 
-from .. import _core, toml
+from .. import _core
 from ..result import Result
 from .lines import Points, Spot
 from .rules import Rule
@@ -30,7 +30,7 @@ ROUNDING = 1e-12
 def value(case: Case, key: str) -> Optional[str]:
     """The value of a key as text without quotes; None if the case has none."""
     found = next((one.value for one in case.origins if one.key == key), None)
-    return None if found is None else toml.text_of(found)
+    return None if found is None else found.strip('"')
 
 
 def number(case: Case, key: str, unit: str) -> float:

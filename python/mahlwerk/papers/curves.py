@@ -23,6 +23,7 @@ __all__ = ["Curve", "Plot"]
 
 NAN = math.nan
 STEPS = 60  # of the curve of a law
+LETTERS_OF_HEIGHT = 32  # beside the axes
 
 
 @dataclass
@@ -214,21 +215,21 @@ class Plot:
     def entries(self, letters: int) -> int:
         """Lines of the legend."""
         names = [s.name if s.legend is None else s.legend for s in self.series] + [self.note]
-        return sum(len(wrapped(_core.plain_text(name), letters)) for name in names if name)
+        return sum(len(wrapped(name, letters)) for name in names if name)
 
     def draw(self, ax: Axes, letters: int) -> None:
         factor, unit = self.multiple(self.series)
         for s in sorted(self.series, key=lambda s: s.kind != "band"):
             self.draw_series(ax, s, factor, self.label(s, letters))
-        ax.set_xlabel("\n".join(wrapped(mathtext(_core.axis_of_key(self.curve.against, self.x_unit)), 46)))
-        ax.set_ylabel("\n".join(wrapped(mathtext(_core.axis_of_quantity(self.curve.quantity, factor, unit)),
-                                        30)))
+        ax.set_xlabel(mathtext(_core.axis_of_key(self.curve.against, self.x_unit)))
+        label = _core.axis_of_quantity(self.curve.quantity, factor, unit)
+        ax.set_ylabel(mathtext("\n".join(wrapped(label, LETTERS_OF_HEIGHT))))
         self.set_ticks(ax)
         self.set_limits(ax, factor)
 
     def label(self, s: Series, letters: int) -> str:
         name = s.name if s.legend is None else s.legend
-        return "\n".join(wrapped(mathtext(name), letters)) or "_"
+        return mathtext("\n".join(wrapped(name, letters))) or "_"
 
     def draw_series(self, ax: Axes, s: Series, factor: float, label: str) -> None:
         colour = COLOURS[s.colour % len(COLOURS)]
@@ -253,7 +254,11 @@ class Plot:
         return x if all(map(math.isfinite, x)) else [float(i) for i in range(len(x))]
 
     def set_ticks(self, ax: Axes) -> None:
-        """Words of a key as ticks; whole numbers of a count."""
+        """Round numbers; words of a key."""
+        from matplotlib.ticker import MaxNLocator
+
+        ax.xaxis.set_major_locator(MaxNLocator(7, steps=[1, 2, 5, 10]))
+        ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
         lines = self.points.lines(self.curve.where, self.curve.against, self.curve.quantity)
         spots = max((line.spots for line in lines), key=len, default=[])
         if spots and any(math.isnan(s.x) for s in spots):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from .curves import Plot
 from .pictures import Picture, Pictures
-from .style import COLUMN, MM, PAGE, style, wrapped
+from .style import COLUMN, MM, PAGE, compact, style, wrapped
 
 if TYPE_CHECKING:
     from .lines import Points
@@ -92,6 +92,7 @@ class MadeFigure:
                 out = io.BytesIO()
                 drawn.savefig(out, format=ending, **{"dpi": 300, **how})
                 made[f"{self.file}.{ending}"] = out.getvalue()
+        made[f"{self.file}.svg"] = compact(made[f"{self.file}.svg"].decode()).encode()
         return made
 
 

@@ -124,7 +124,7 @@ def foreign(out: Path, force: bool) -> list[Any]:
     if any((out / name).exists() for name in OURS) or any(out.glob("*/campaign.sqlite")):
         return []
     return [_core.Fault(os.fspath(out), "the folder holds no results of a paper, and is not empty",
-                        "choose another folder with --out, or write into it with --force", "exists")]
+                        "choose another folder with --out, or write into it with --force", "result-exists")]
 
 
 def write_file(file: Path, content: bytes) -> None:

@@ -6,10 +6,12 @@ that is read on a dark page too, fonts in the files."""
 from __future__ import annotations
 
 import re
-import textwrap
 from typing import Any
 
-__all__ = ["COLUMN", "MM", "PAGE", "COLOURS", "DASHES", "INK", "MARKERS", "SOFT", "mathtext", "style", "wrapped"]
+from .. import _core
+
+__all__ = ["COLOURS", "COLUMN", "DASHES", "INK", "MARKERS", "MM", "PAGE", "SOFT", "compact", "mathtext", "style",
+           "wrapped"]
 
 MM = 1 / 25.4  # [inch]
 COLUMN, PAGE = 90 * MM, 180 * MM
@@ -42,11 +44,35 @@ def mathtext(text: str) -> str:
 
 
 def wrapped(text: str, letters: int) -> list[str]:
-    """Lines of at most `letters` characters, of similar length."""
-    lines = textwrap.wrap(text, letters, break_long_words=False, break_on_hyphens=False)
+    """Lines of at most `letters` characters, of similar length. Marks of symbols do not count."""
+    words = re.findall(r"(?:\$[^$]*\$|\S)+", text)
+    lines = filled(words, letters)
     for width in range(letters - 1, 8, -1):
-        closer = textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)
+        closer = filled(words, width)
         if len(closer) > len(lines):
             break
         lines = closer
     return lines
+
+
+def filled(words: list[str], letters: int) -> list[str]:
+    lines: list[str] = []
+    for word in words:
+        if lines and len(_core.plain_text(f"{lines[-1]} {word}")) <= letters:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
+
+
+def compact(svg: str) -> str:
+    """The SVG of matplotlib without its comments and line breaks, with places to a hundredth of a point."""
+    svg = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", svg, flags=re.S)
+    svg = re.sub(r' d="([^"]*)"', lambda found: f' d="{hundredths(found[1])}"', svg)
+    svg = re.sub(r' ([xy])="(-?[\d.]+)"', lambda found: f' {found[1]}="{hundredths(found[2])}"', svg)
+    svg = re.sub(r">\s+<", "><", re.sub(r"\s*\n\s*", " ", svg)).strip()
+    return svg.replace('<g id="axes_', '\n<g id="axes_').replace('<g id="legend_', '\n<g id="legend_') + "\n"
+
+
+def hundredths(text: str) -> str:
+    return re.sub(r"-?\d+\.\d+", lambda found: f"{float(found[0]):.2f}".rstrip("0").rstrip("."), text)
