@@ -315,7 +315,8 @@ paper.check("eq. 17", "the two contact laws of the paper give the same power",
 paper.check("2.3", "after 20 h at 400 rpm the balls have dissipated at least fifty times the "
                    "formation enthalpy of TiC (3.08 kJ/g) per mass of powder",
             size_speed.above("154 kJ/g", "specific_energy_dose",
-                             at={"mill.speed": "400 rpm", "grinding.time": "20 h", "breakage.f_mat": "0.1 kg/J/m", "breakage.x_w_min": "0 J m/kg"}),
+                             at={"mill.speed": "400 rpm", "grinding.time": "20 h",
+                                 "breakage.f_mat": "0.1 kg/J/m", "breakage.x_w_min": "0 J m/kg"}),
             why="almost all of this energy becomes heat (README)",
             own=True)
 paper.check("2.1.2", "the number of grains that a collision captures follows eqs. 12 to 16 (our "

@@ -41,7 +41,8 @@ paper.figure("7a", "D90 of millet against vibration frequency, one set of free p
                    "is a prediction. Panel b has the band over 24 sets of them.")
 paper.figure("7b", "the same, 24 sets of free parameters",
              free_numbers.curve("d90", against="mill.frequency",
-                                band_over=["breakage.f_mat", "breakage.x_w_min", "capture.fracture_energy", "fragments.share"]))
+                                band_over=["breakage.f_mat", "breakage.x_w_min",
+                                           "capture.fracture_energy", "fragments.share"]))
 
 paper.check("4", "the collision frequency falls as the vial gets wider, at constant volume",
             diameter.falls("collision_rate_above_threshold", against="jar.diameter"))

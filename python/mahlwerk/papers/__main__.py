@@ -34,6 +34,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--out", type=Path)
     parser.add_argument("--force", action="store_true")
     parser.add_argument("--jobs", "--threads", type=int, default=0, dest="threads")
+    parser.add_argument("--checkpoint", type=float)
     parser.add_argument("--quiet", action="store_true")
     parser.add_argument("--json", action="store_true")
     return parser.parse_args(words)
@@ -88,7 +89,7 @@ def jobs(given: argparse.Namespace) -> list[PaperJob]:
     if not chosen:
         raise refused(given.paper, "--quick leaves out all of these papers", "leave out --quick")
     settings = Settings(changes(given), given.force, given.threads,
-                        False if given.quiet or given.json else None, tuple(given.leave_out))
+                        False if given.quiet or given.json else None, tuple(given.leave_out), given.checkpoint)
     made = []
     for place, paper in chosen:
         out = given.out or results_of(place)

@@ -109,7 +109,7 @@ def result_at(spot: Spot) -> Optional[Result]:
 
 def bins_of(result: Result) -> list[Bin]:
     table = result.table("capture")
-    names = table.dtype.names or ()
+    names: list[str] = list(table.dtype.names or ())
 
     def column(name: str) -> str:
         return next(one for one in names if one == name or one.startswith(name + "_"))

@@ -260,7 +260,8 @@ class Plot:
         ax.xaxis.set_major_locator(MaxNLocator(7, steps=[1, 2, 5, 10]))
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
         lines = self.points.lines(self.curve.where, self.curve.against, self.curve.quantity)
-        spots = max((line.spots for line in lines), key=len, default=[])
+        none: list[Spot] = []
+        spots = max((line.spots for line in lines), key=len, default=none)
         if spots and any(math.isnan(s.x) for s in spots):
             ax.set_xticks(range(len(spots)), [s.text.strip('"') for s in spots])
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["MadeFigure", "made_figures"]
 
 LETTERS_OF_PLOT = 44  # characters in a line above or below a plot
-LETTERS_OF_PICTURE = {3: 34, 4: 25}  # above a picture, by the pictures in a row
+LETTERS_OF_PICTURE = {3: 34, 4: 25, 5: 20}  # above a picture, by the pictures in a row
 AXES, LABELS, LINE = 44 * MM, 13 * MM, 3.7 * MM  # heights: of axes, of the label of x, of a line of text
 TRAJECTORIES = (" Trajectories are those of the centres of the balls, each in its colour; discs are the balls "
                 "at the end, the circle is the wall of the jar.")
@@ -188,18 +188,19 @@ class Row:
 def rows_of(sections: list[Section]) -> list[Row]:
     """Plots of successive sections share rows of two; pictures have rows of their own."""
     rows: list[Row] = []
+    most = max((len(section.panels) for section in sections if not section.is_plot), default=0)
+    columns = min(max(most, 3), 5)
     for is_plot, group in itertools.groupby(sections, lambda section: section.is_plot):
         if is_plot:
             panels = [panel for section in group for panel in section.panels]
             alone = len(panels) == 1 and all(section.is_plot for section in sections)
             rows += rows_of_plots(panels, 1 if alone else 2)
         else:
-            rows += [row for section in group for row in rows_of_pictures(section)]
+            rows += [row for section in group for row in rows_of_pictures(section, columns)]
     return rows
 
 
-def rows_of_pictures(section: Section) -> list[Row]:
-    columns = 3 if len(section.panels) <= 3 else 4
+def rows_of_pictures(section: Section, columns: int) -> list[Row]:
     letters = LETTERS_OF_PICTURE[columns]
     rows = []
     for i in range(0, len(section.panels), columns):

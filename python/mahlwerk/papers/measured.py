@@ -60,7 +60,7 @@ class Comparison:
 
     @property
     def largest(self) -> float:
-        return max(map(abs, self.deviations))
+        return max(abs(self.low / self.value - 1), abs(self.high / self.value - 1))
 
     @property
     def agrees(self) -> bool:

@@ -134,8 +134,8 @@ def table_sections(result: PaperResult) -> str:
 
 
 def campaigns_table(result: PaperResult) -> str:
-    rows = "".join(f'<tr><td><a href="{name}/campaign.html">{name}</a></td><td class="n">{seconds:.2g} s</td></tr>\n'
-                   for name, seconds in result.seconds.items())
+    rows = "".join(f'<tr><td><a href="{name}/campaign.html">{name}</a></td>'
+                   f'<td class="n">{seconds:.2g} s</td></tr>\n' for name, seconds in result.seconds.items())
     return wide_table(["Campaign", "CPU time"], rows)
 
 

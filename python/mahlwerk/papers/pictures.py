@@ -128,17 +128,50 @@ class Picture:
 
     def draw_balls(self, ax: Axes) -> None:
         """Balls and grains seen along the normal of the plane of motion, the highest on top."""
-        from matplotlib.collections import PatchCollection
-        from matplotlib.patches import Circle
+        import itertools
+
         if not self.replicate["times_s"]:
             return
         speeds = [ball["speed_m_per_s"] for ball in self.balls if ball["grain"]]
         fast = math.sqrt(sum(v * v for v in speeds) / len(speeds)) if speeds else 0.0
         order = sorted(self.balls, key=lambda ball: self.places(ball)[2][-1])
-        circles = [Circle((self.places(b)[0][-1], self.places(b)[1][-1]), b["radius_m"]) for b in order]
-        colours = [BALL if not b["grain"] else FAST if b["speed_m_per_s"] > fast else GRAIN for b in order]
-        ax.add_collection(PatchCollection(circles, facecolors=colours, edgecolors=(0, 0, 0, 0.45),
-                                          linewidths=0.25, rasterized=len(circles) > 50))
+        discs = [(b["radius_m"], self.places(b)[0][-1], self.places(b)[1][-1],
+                  BALL if not b["grain"] else FAST if b["speed_m_per_s"] > fast else GRAIN) for b in order]
+        for radius, alike in itertools.groupby(visible(discs), lambda disc: disc[0]):
+            draw_discs(ax, radius, list(alike))
+
+
+Disc = tuple[float, float, float, str]  # radius, x, y, colour
+
+
+def visible(discs: list[Disc]) -> list[Disc]:
+    """The discs without those that later ones hide: their middle, and points on two rings."""
+    import numpy as np
+
+    radius, x, y = (np.array([disc[i] for disc in discs]) for i in range(3))
+    angles = np.linspace(0, 2 * np.pi, 16, endpoint=False)
+    ring = np.concatenate([[0], 0.6 * np.exp(1j * angles), 0.99 * np.exp(1j * angles)])
+    shown = []
+    for i, disc in enumerate(discs):
+        places = x[i] + 1j * y[i] + radius[i] * ring
+        later = (x + 1j * y)[i + 1:]
+        covered = (np.abs(places[:, None] - later[None, :]) < radius[None, i + 1:]).any(axis=1)
+        if not covered.all():
+            shown.append(disc)
+    return shown
+
+
+def draw_discs(ax: Axes, radius: float, discs: list[Disc]) -> None:
+    """Discs of one radius, one on the other. The file has their form once."""
+    from matplotlib.collections import PathCollection
+    from matplotlib.path import Path as Outline
+    from matplotlib.transforms import Affine2D, AffineDeltaTransform
+
+    made = PathCollection([Outline.unit_circle()], offsets=[disc[1:3] for disc in discs],
+                          offset_transform=ax.transData, facecolors=[disc[3] for disc in discs],
+                          edgecolors="#404040", linewidths=0.25, clip_on=False)
+    made.set_transform(Affine2D().scale(radius) + AffineDeltaTransform(ax.transData))
+    ax.add_collection(made)
 
 
 def rgb(colour: str) -> tuple[float, float, float]:

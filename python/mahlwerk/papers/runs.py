@@ -38,6 +38,7 @@ class Settings:
     threads: int = 0  #: 0: all cores
     progress: Any = None
     leave_out: tuple[str, ...] = ()  #: campaigns
+    checkpoint: Optional[float] = None  #: [s] between two saves of the state of a run
 
 
 class PaperJob:
@@ -71,7 +72,8 @@ class PaperJob:
         for name, case in self.cases.items():
             try:
                 case.sweep(out=self.out / name, force=self.settings.force, threads=self.settings.threads,
-                           films=name in filmed, progress=self.settings.progress)
+                           films=name in filmed, checkpoint=self.settings.checkpoint,
+                           progress=self.settings.progress)
             except RunError as error:
                 failed = error
         return self.write(), failed

@@ -70,9 +70,29 @@ def compact(svg: str) -> str:
     svg = re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", svg, flags=re.S)
     svg = re.sub(r' d="([^"]*)"', lambda found: f' d="{hundredths(found[1])}"', svg)
     svg = re.sub(r' ([xy])="(-?[\d.]+)"', lambda found: f' {found[1]}="{hundredths(found[2])}"', svg)
+    svg = with_classes(with_short_names(svg))
     svg = re.sub(r">\s+<", "><", re.sub(r"\s*\n\s*", " ", svg)).strip()
     return svg.replace('<g id="axes_', '\n<g id="axes_').replace('<g id="legend_', '\n<g id="legend_') + "\n"
 
 
 def hundredths(text: str) -> str:
     return re.sub(r"-?\d+\.\d+", lambda found: f"{float(found[0]):.2f}".rstrip("0").rstrip("."), text)
+
+
+def with_short_names(svg: str) -> str:
+    """Shorter names of what the drawing defines and uses."""
+    names = dict.fromkeys(re.findall(r'(?<= id=")([mpC][0-9a-f_]{8,})(?=")', svg))
+    short = {name: f"{name[0]}{i}" for i, name in enumerate(names)}
+    return re.sub(r'(?<=[#"])([mpC][0-9a-f_]{8,})(?=[")])', lambda found: short.get(found[1], found[1]), svg)
+
+
+def with_classes(svg: str) -> str:
+    """Styles that many elements have stand once at the top."""
+    counts: dict[str, int] = {}
+    for one in re.findall(r' style="([^"]*)"', svg):
+        counts[one] = counts.get(one, 0) + 1
+    names = {one: f"c{i}" for i, one in enumerate(one for one, count in counts.items() if count > 5)}
+    rules = "".join(f".{name}{{{one}}}" for one, name in names.items())
+    svg = re.sub(r' style="([^"]*)"',
+                 lambda found: f' class="{names[found[1]]}"' if found[1] in names else found[0], svg)
+    return svg.replace("</style>", rules + "</style>", 1)

@@ -51,13 +51,12 @@ class FilmReplicate {
       const scene::Ball& own = all[ball * film_.ball_stride()];
       const bool grain = outcome.mill_case.balls[static_cast<std::size_t>(own.kind)].grains;
       const std::size_t last = film_.times().size() - 1, first = grain ? last : 0;
-      list.push_back(
-          Json::object({{"number", ball * film_.ball_stride() + 1},
-                        {"grain", grain},
-                        {"radius_m", six_digits(own.radius)},
-                        {"speed_m_per_s", six_digits(double{speed(last, ball)})},
-                        {"carrier", path(FilmView::carrier, ball, first)},
-                        {"jar", path(FilmView::jar, ball, first)}}));
+      list.push_back(Json::object({{"number", ball * film_.ball_stride() + 1},
+                                   {"grain", grain},
+                                   {"radius_m", six_digits(own.radius)},
+                                   {"speed_m_per_s", six_digits(double{speed(last, ball)})},
+                                   {"carrier", path(FilmView::carrier, ball, first)},
+                                   {"jar", path(FilmView::jar, ball, first)}}));
     }
     return list;
   }
@@ -76,9 +75,8 @@ class FilmReplicate {
     const double time = film_.times()[frame];
     const auto& p = film_.positions()[frame * film_.balls() + ball];
     const Vec3 at = film_.position_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
-    const Rotation turn = view == FilmView::jar
-                              ? kinematics::rotation(*mill_.motion, time)
-                              : kinematics::carrier(*mill_.motion, time).rotation;
+    const Rotation turn = view == FilmView::jar ? kinematics::rotation(*mill_.motion, time)
+                                                : kinematics::carrier(*mill_.motion, time).rotation;
     const Vec3 e = turn * charge_.right(), f = turn * charge_.up();
     path.x.push_back(six_digits(dot(at, e)));
     path.y.push_back(six_digits(dot(at, f)));

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 struct PapersArguments : CaseArguments {
   bool quick = false;  ///< without those that take long
   std::vector<std::string> leave_out;
+  std::optional<double> checkpoint;  ///< [s]
 };
 
 /// Ends with the names of what is missing on stderr.
@@ -73,6 +74,7 @@ std::vector<std::string> words_of(const PapersArguments& given) {
   if (given.changes.seed) add("--seed", std::to_string(*given.changes.seed));
   if (given.running.out) add("--out", given.running.out->string());
   if (given.running.threads > 0) add("--jobs", std::to_string(given.running.threads));
+  if (given.checkpoint) add("--checkpoint", fmt::format("{:.6g}", *given.checkpoint));
   for (const std::string& campaign : given.leave_out) add("--leave-out", campaign);
   for (const auto& [is, flag] :
        {std::pair{given.quick, "--quick"}, std::pair{given.running.force, "--force"},
@@ -115,7 +117,10 @@ Command papers_command() {
                              "repeated",
                     .type = "CAMPAIGN"}},
                   options_of(given->running, "; papers in results/papers"),
-                  {json(given->running.json)}}),
+                  {checkpoint(given->checkpoint,
+                              "seconds between two checkpoints of a run, from which the same "
+                              "command resumes (default 60)"),
+                   json(given->running.json)}}),
           [given] { return papers(*given); }};
 }
 

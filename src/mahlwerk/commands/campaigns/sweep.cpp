@@ -133,6 +133,9 @@ Command sweep_command() {
           joined({{target},
                   options_of(given->changes),
                   options_of(given->running),
+                  {checkpoint(given->part.checkpoint,
+                              "seconds between two checkpoints of a run, from which the same "
+                              "command resumes (default 60)")},
                   sharing(*given),
                   {json(given->running.json)}}),
           [given] { return sweep(*given); }, subcommands(given)};

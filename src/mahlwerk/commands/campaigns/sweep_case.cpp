@@ -135,6 +135,7 @@ campaign::CampaignSettings settings_of(const Running& running, const CampaignPar
           .threads = running.threads,
           .force = running.force,
           .folders = folders,
+          .checkpoint_every = part.checkpoint.value_or(60),
           .films = part.films,
           .stop = &stop_wanted(),
           .write = write,
