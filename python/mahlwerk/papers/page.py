@@ -119,7 +119,7 @@ def picture(figure: MadeFigure, svg: bytes) -> str:
     """The figure as an image within the page: names in one drawing do not meet those of another."""
     data = base64.b64encode(svg).decode("ascii")
     number, caption = html.escape(figure.number), html.escape(figure.caption)
-    return (f'<figure>\n<img alt="Figure {number}" src="data:image/svg+xml;base64,{data}">\n'
+    return (f'<figure>\n<img style="max-width:100%;height:auto" alt="Figure {number}" src="data:image/svg+xml;base64,{data}">\n'
             f"<figcaption><b>Figure {number}.</b> {caption}</figcaption>\n</figure>\n")
 
 

@@ -29,9 +29,16 @@ struct PapersArguments : CaseArguments {
 };
 
 /// Ends with the names of what is missing on stderr.
-constexpr const char* probe =
-    "import sys\nfrom importlib.util import find_spec\nsys.exit(' and '.join(one for one in "
-    "('mahlwerk', 'numpy', 'matplotlib') if find_spec(one) is None) or None)";
+constexpr const char* probe = R"(import sys
+from importlib.util import find_spec
+missing = [one for one in ('mahlwerk', 'numpy', 'matplotlib') if find_spec(one) is None]
+if missing:
+    sys.exit(' and '.join(missing))
+try:
+    import mahlwerk
+except ImportError as error:
+    sys.exit(f'a module mahlwerk for this Python: {error}')
+)";
 
 /// PYTHONPATH: first the package of the build folder that the program belongs to, if it is in one.
 std::string python_path() {

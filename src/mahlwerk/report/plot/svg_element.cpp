@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 
@@ -18,16 +16,6 @@ std::string svg_head(double width, double height, std::string_view title, double
       "Liberation Sans,DejaVu Sans,sans-serif\" font-size=\"{3:g}\" fill=\"{4}\">\n"
       "<rect width=\"{0:.0f}\" height=\"{1:.0f}\" fill=\"{5}\"/>\n",
       width, height, escaped(title), font, ink_colour, ground_colour);
-}
-
-std::string nested_svg(std::string_view picture, double x, double y, double width, double height,
-                       double font) {
-  for (int line = 0; line < 2; ++line)  // the opening tag and the ground
-    picture.remove_prefix(std::min(picture.find('\n'), picture.size() - 1) + 1);
-  return fmt::format(
-      "<svg x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"0 0 {:.0f} "
-      "{:.0f}\" font-size=\"{:g}\">\n{}",
-      x, y, width, height, width, height, font, picture);
 }
 
 }  // namespace mahlwerk::report

@@ -11,9 +11,4 @@ namespace mahlwerk::report {
 /// results::foreign_files recognises pictures, and a white ground. `font`: font size [px].
 std::string svg_head(double width, double height, std::string_view title, double font = 12);
 
-/// A picture that begins with svg_head(), as an element at (x, y) [px] of another picture, without
-/// its ground.
-std::string nested_svg(std::string_view picture, double x, double y, double width, double height,
-                       double font);
-
 }  // namespace mahlwerk::report
