@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "mahlwerk/report/plot/map.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 
 namespace mahlwerk::report {
@@ -17,5 +19,7 @@ std::string note_box(const std::string& words, bool warns);
 
 /// A plot with a caption (plain text) as HTML <figure>.
 std::string figure(const Plot& plot, std::string_view caption);
+/// The same of a map; empty without one.
+std::string figure(const std::optional<ColourMap>& map, std::string_view caption);
 
 }  // namespace mahlwerk::report

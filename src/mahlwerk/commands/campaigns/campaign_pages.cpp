@@ -93,16 +93,9 @@ report::Campaign campaign_of(const campaign::Store& store) {
 
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,
                  const fs::path& place) {
-  const std::map<std::string, std::string> figures = report::campaign_figures(campaign);
-  std::vector<std::string> names{"campaign.csv", "campaign.html"};
-  for (const auto& [name, picture] : figures) names.push_back(name);
-  results::list_files(place, names);
+  results::list_files(place, {"campaign.csv", "campaign.html"});
   write_table(store, place / "campaign.csv");
   results::write_whole(place / "campaign.html", report::campaign_page(campaign, version()));
-  for (const auto& [name, picture] : figures) {
-    results::make_folder((place / name).parent_path());
-    results::write_whole(place / name, picture);
-  }
 }
 
 void write_table(const campaign::Store& store, const fs::path& file) {

@@ -18,8 +18,7 @@ report::Campaign campaign_of(const campaign::Store& store);
 void add_sensitivities(report::Campaign& campaign, const cases::Sweep& sweep,
                        const std::vector<std::vector<double>>& design);
 
-/// Writes campaign.csv, campaign.html and its pictures into the folder. Throws InputError on write
-/// errors.
+/// Writes campaign.csv and campaign.html into the folder. Throws InputError on write errors.
 void write_pages(const campaign::Store& store, const report::Campaign& campaign,
                  const std::filesystem::path& place);
 /// Writes the table of a campaign as CSV. Throws InputError on write errors.

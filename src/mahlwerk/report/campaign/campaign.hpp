@@ -103,9 +103,6 @@ std::vector<std::string> compared_quantities(const Campaign& campaign);
 /// and a table of the points.
 std::string campaign_page(const Campaign& campaign, std::string_view version);
 
-/// The plots of the page as separate pictures: file name -> SVG.
-std::map<std::string, std::string> campaign_figures(const Campaign& campaign);
-
 /// The table for the terminal: a line per point with the main quantities. `where` names the file
 /// with all points if the table is cut.
 std::string campaign_table(const Campaign& campaign, std::string_view where = "campaign.csv");

@@ -205,18 +205,17 @@ std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
   const auto known = [&](const Effect& e) { return std::isfinite(magnitude(e, s)); };
   if (std::ranges::none_of(s.effects, known)) return {};
   const Multiple m = multiple_of(s);
-  const std::string name = "tornado-" + s.quantity;
   const std::string below = numbers(s, m);
   switch (s.method) {
     case Method::morris:
-      return {{name, svg(morris(s, m)), below}, picture_of(name + "-scatter", scatter_of(s, m))};
+      return {{picture_json(morris(s, m)), below}, {picture_json(scatter_of(s, m))}};
     case Method::sobol:
-      return {{name, svg(sobol(s)), below}};
+      return {{picture_json(sobol(s)), below}};
     case Method::one_at_a_time:
       break;
   }
   if (!std::isfinite(s.base.value)) return {};  // no base for the bars
-  return {{name, svg(one_at_a_time(s, m)), below}};
+  return {{picture_json(one_at_a_time(s, m)), below}};
 }
 
 }  // namespace mahlwerk::report
