@@ -22,6 +22,7 @@
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
+#include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
@@ -47,10 +48,6 @@ std::string powder_panels(const Outcome& outcome) {
   for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->name == "grinding" || part->name == "kinetics") text += part->panel(outcome);
   return text;
-}
-
-bool has(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// The fake outcome with 0.15 g of grains of 0.5 mm, with grinding and conversion.

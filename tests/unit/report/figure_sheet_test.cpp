@@ -12,8 +12,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "mahlwerk/report/plot/bars.hpp"
-#include "mahlwerk/report/plot/cell_map.hpp"
 #include "mahlwerk/report/plot/colours.hpp"
 #include "mahlwerk/report/plot/svg_plot.hpp"
 
@@ -47,16 +45,7 @@ std::string figure() {
 }
 
 std::vector<std::string> all_kinds() {
-  const BarPlot bars{.title = "bars", .label = "x", .groups = {{"key", {{1, 0.1, 0, "note"}}}}};
-  CellMap map{.title = "map",
-              .x_label = "x",
-              .y_label = "y",
-              .x = {"1"},
-              .y = {"1"},
-              .cells = {},
-              .legend = {}};
-  map.cells.push_back({.failed = true});
-  return {svg(plot()), svg(bars), svg(map), figure()};
+  return {svg(plot()), figure()};
 }
 
 TEST(Figures, have_plain_colours_on_a_white_ground) {

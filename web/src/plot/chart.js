@@ -61,6 +61,7 @@ export class Chart {
     this.present(true);
     if (!same) this.head.replaceChildren(element("strong", {}, rich(plot.title)), this.tools());
     if (stays) this.chart?.redraw();
+    else if (same && this.chart) this.rescale();
     else this.reset();
   }
 
@@ -108,6 +109,21 @@ export class Chart {
     this.make();
   }
 
+  /// Draws other numbers on the same axes, as while a run is computed.
+  rescale() {
+    this.view = { x: limits(this.plot, "x"), y: limits(this.plot, "y") };
+    const { view, chart } = this;
+    chart.batch(() => ["x", "y"].forEach((key) => chart.setScale(key, { min: view[key][0], max: view[key][1] })));
+    chart.redraw();
+    this.showLegend();
+  }
+
+  showLegend() {
+    const { isDark } = this.colours();
+    this.legend.replaceChildren(...this.plot.series.filter(({ name }) => name)
+      .map((series) => legendEntry(series, isDark)));
+  }
+
   fit() {
     const width = this.canvas.clientWidth;
     if (width === 0 || !this.plot || this.chart?.width === width) return;
@@ -137,8 +153,7 @@ export class Chart {
       cursor: { y: false, points: { show: false }, bind: { dblclick: () => null }, drag: { x: true, y: true, uni: 30, dist: 6 } },
       legend: { show: false } }, [[left, ...right], [null, null]], this.canvas);
     this.canvas.append(this.tip);
-    this.legend.replaceChildren(...this.plot.series.filter(({ name }) => name)
-      .map((series) => legendEntry(series, colours.isDark)));
+    this.showLegend();
     this.whole.hidden = this.isWhole(this.chart);
   }
 
