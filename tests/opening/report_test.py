@@ -208,7 +208,7 @@ def check_maps(browser, folder, states):
     told = browser.ask(f"{tip}.innerText")
     states.say("a_cell_tells_its_value_and_place", told.split("\n"), "N W/m², angle and height",
                "W/m²" in told and "angle" in told and "height" in told)
-    browser.ask(SAVE.format("CSV").replace("MAP", MAP))
+    browser.ask(SAVE.replace("MAP", MAP).format("CSV"))
     saved = (browser.downloaded("wall.csv") or b"").decode().splitlines()
     found = [float(line.rsplit(",", 1)[1]) for line in saved[1:]]
     heads, *rows = [line.split(",") for line in (folder / "wall_map.csv").read_text().splitlines()]
@@ -217,9 +217,9 @@ def check_maps(browser, folder, states):
     states.say("saved_cells_are_those_of_wall_map_csv", f"{len(found)} cells, sum {sum(found):.4g}",
                f"{len(expected)} cells, sum {sum(expected):.4g}",
                len(found) == len(expected) > 0 and abs(sum(found) / sum(expected) - 1) < 5e-4)
-    for number, label in ((0, "plot"), (-1, "map")):
-        browser.ask("[...document.querySelectorAll('.chart-tools button')]"
-                    f".filter(b => b.textContent === 'SVG').at({number}).click()")
+    first = SAVE.replace("MAP.closest('.chart')", "document.querySelector('.chart')")
+    for label, save in (("plot", first), ("map", SAVE.replace("MAP", MAP))):
+        browser.ask(save.format("SVG"))
         svg = (browser.downloaded(".svg") or b"").decode()
         whole = svg.startswith("<svg") and "NaN" not in svg and "undefined" not in svg
         if whole:

@@ -12,7 +12,7 @@ import { inPrint } from "./svg.js";
 import { plain, rich } from "./words.js";
 
 const kinds = { map: { draw: drawMap, rows: mapRows }, bars: { draw: drawBars, rows: barRows } };
-const printWidth = 720; // px
+const printWidth = 900; // px
 
 export class Figure {
   /// `colours()`: soft, grid, ink and isDark.
