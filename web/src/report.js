@@ -17,13 +17,13 @@ function colours() {
 }
 
 function show(data) {
-  const picture = JSON.parse(data.textContent);
-  const shown = picture.kind === "plot" ? new Chart({ colours }) : new Figure(picture, colours);
+  const picture = JSON.parse(data.textContent), { kind = "plot" } = picture; // once there were only plots
+  const shown = kind === "plot" ? new Chart({ colours }) : new Figure(picture, colours);
   data.replaceWith(shown.root);
-  if (picture.kind === "plot") shown.show(picture);
+  if (kind === "plot") shown.show(picture);
   return shown;
 }
 
 document.head.append(Object.assign(document.createElement("style"), { textContent: plotStyle + style }));
-const pictures = [...document.querySelectorAll("script.picture")].map(show);
+const pictures = [...document.querySelectorAll("script.picture, script.plot")].map(show);
 dark.addEventListener("change", () => pictures.forEach((each) => each.make()));

@@ -30,7 +30,7 @@ tbody th{font-weight:400}tbody th.group{font-weight:600;padding-top:1.1rem}tbody
 .box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}
 .box tr:last-child td{border-bottom:0}
 .warn{border-color:var(--warn);background:var(--warnbox);color:var(--warn)}
-figure{margin:1.6rem 0;break-inside:avoid}
+figure{margin:1.6rem 0;break-inside:avoid}figure>svg{max-width:100%;height:auto}
 .panels{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(25rem,100%),1fr));gap:.4rem 1.6rem}.panels figure{margin:.8rem 0;min-width:0}
 .laws{font-size:.82rem;margin:.3rem 0}.laws td,.laws th{padding:.2rem .5rem .2rem 0}.laws .best td{font-weight:600}figcaption p{margin:.2rem 0}figcaption summary{font-weight:400}
 #points{font-size:.84rem}#points td,#points th{padding:.3rem .5rem}#points th{cursor:pointer}#points th[aria-sort=ascending]::after{content:" ↑"}#points th[aria-sort=descending]::after{content:" ↓"}td.failed{color:var(--warn)}
@@ -52,6 +52,17 @@ constexpr std::string_view without_scripts =
     "does not run here. Open the file in a browser; the tables beside it hold the "
     "numbers.</p></section></noscript>\n";
 
+/// Replaces what stands between `begin` and `end`, searched from `from` on. Returns whether it did.
+bool replace_between(std::string& text, std::size_t from, std::string_view begin,
+                     std::string_view end, std::string_view by) {
+  const std::size_t at = text.find(begin, from);
+  if (at == std::string::npos) return false;
+  const std::size_t start = at + begin.size(), stop = text.find(end, start);
+  if (stop == std::string::npos) return false;
+  text.replace(start, stop - start, by);
+  return true;
+}
+
 std::string figure_of(const std::string& json, std::string_view caption) {
   return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", drawing(json),
                      escaped(caption));
@@ -68,6 +79,18 @@ std::string page(std::string_view title, std::string_view body, std::string_view
       "<footer>{4}</footer>\n</main>\n{5}</body>\n</html>\n",
       escaped(title), style, pictures ? without_scripts : "", body, footer,
       pictures ? fmt::format("<script>{}</script>\n", plots_script()) : "");
+}
+
+std::optional<std::string> renewed_page(std::string_view old) {
+  std::string made(old);
+  if (!old.starts_with("<!doctype html>") || old.find("<footer>Mahlwerk ") == std::string_view::npos)
+    return std::nullopt;
+  if (!replace_between(made, 0, "<style>", "</style>", style)) return std::nullopt;
+  if (const std::size_t film = made.find("id=\"replay-data\""); film != std::string::npos)
+    replace_between(made, film, "<script>", "</script>", replay_script());
+  const std::size_t foot = made.find("</main>", made.rfind("<footer>Mahlwerk "));
+  if (foot != std::string::npos) replace_between(made, foot, "<script>", "</script>", plots_script());
+  return made;
 }
 
 std::string note_box(const std::string& words, bool warns) {
