@@ -103,7 +103,7 @@ TEST(CampaignPage, points_that_wait_have_not_failed) {
   Campaign c = grid(8, 6);
   for (std::size_t i = 40; i < 48; ++i) {
     fail(c.points[i], "");
-    c.points[i].waiting = true;
+    c.points[i].state = campaign::RunState::waiting;
   }
   const std::string html = campaign_page(c, "1");
   EXPECT_TRUE(sound(html));

@@ -71,7 +71,7 @@ void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, con
   const double v = value_at(p, column);
   const Column& what = sheet.campaign.columns[column];
   cell.title = fmt::format("{}: ", values_text(sheet, p));
-  if (p.waiting) return;
+  if (p.waiting()) return;
   cell.failed = !std::isfinite(v);
   if (cell.failed) {
     cell.title += p.failure.empty() ? "no value" : "failed: " + p.failure;
@@ -138,7 +138,7 @@ std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
     const Point& p = sheet.campaign.points[i];
     Cell& cell = map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]];
     const auto kind = static_cast<std::size_t>(std::ranges::find(words, p.regime) - words.begin());
-    cell.failed = p.regime.empty() && !p.waiting;
+    cell.failed = p.regime.empty() && !p.waiting();
     cell.title = values_text(sheet, p) + ": " + (cell.failed ? "none" : p.regime);
     if (p.regime.empty()) continue;
     cell.colour = kind_colour(kind);
