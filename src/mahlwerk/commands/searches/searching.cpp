@@ -24,11 +24,6 @@ namespace {
 using campaign::DesignPoint;
 using results::Json;
 
-double number_of(const std::string& text, const std::string& unit) {
-  const double one = unit.empty() ? 1 : parse_quantity("1 " + unit).value;
-  return parse_quantity(text).value / one;
-}
-
 report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimum& found,
                           std::size_t key) {
   const cases::SweptKey& range = job.runs->ranges()[key];
@@ -38,7 +33,7 @@ report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimu
     return campaign::value_in_range(range, position, digits);
   };
   report::OptimumKey made{.key = range.key,
-                          .unit = unit_of(range),
+                          .unit = campaign::unit_of_range(range),
                           .logarithmic = range.logarithmic,
                           .from = range.values[0],
                           .to = range.values[1]};
@@ -56,8 +51,8 @@ report::OptimumKey key_of(const campaign::SearchJob& job, const campaign::Optimu
   made.at_high_end = k.at_high_end;
   for (std::size_t i = 0; i < k.slice.size(); ++i) {
     const double position = static_cast<double>(i) / static_cast<double>(k.slice.size() - 1);
-    const double from = number_of(range.values[0], made.unit);
-    const double to = number_of(range.values[1], made.unit);
+    const double from = campaign::number_in(range.values[0], made.unit);
+    const double to = campaign::number_in(range.values[1], made.unit);
     made.x.push_back(range.logarithmic ? from * math::pow(to / from, position)
                                        : std::lerp(from, to, position));
   }
@@ -73,7 +68,7 @@ report::OptimumSetting setting_of(const campaign::SearchJob& job, const campaign
                               .probability_best = tried.probability_best,
                               .failure = tried.failure};
   for (std::size_t i = 0; i < made.values.size(); ++i)
-    made.x.push_back(number_of(made.values[i], unit_of(job.runs->ranges()[i])));
+    made.x.push_back(campaign::number_in(made.values[i], campaign::unit_of_range(job.runs->ranges()[i])));
   made.warnings = results::warning_codes(tried.notices);
   made.invalid = tried.invalid();
   for (std::size_t i = 0; i < tried.observed.size(); ++i)
@@ -174,8 +169,14 @@ campaign::Optimum run_search(const Running& running, const campaign::SearchJob& 
   return found;
 }
 
-std::string unit_of(const cases::SweptKey& range) {
-  return std::string(number_text(range.values[1]).rest);
+void print_found(const std::string& title, const std::string& table,
+                 const std::filesystem::path& place, const char* case_name, bool written) {
+  to_stdout(fmt::format("{}\n\n{}\n", title, table));
+  if (!written) return;
+  fmt::print("results:  {}\n", place.string());
+  fmt::print("report:   {}\n", (place / "fit.html").string());
+  fmt::print("numbers:  {}\n", (place / "fit.json").string());
+  fmt::print("case:     {}\n", (place / case_name).string());
 }
 
 report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found) {

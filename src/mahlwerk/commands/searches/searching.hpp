@@ -54,8 +54,10 @@ std::optional<report::OptimumCheck> check_best(const Running& running,
                                                const campaign::Optimum& found,
                                                const ResumableSearch& kept);
 
-/// The unit of a range: that of its upper end.
-std::string unit_of(const cases::SweptKey& range);
+/// Prints the summary of a fit or a calibration; `table` is its result, `case_name` the file with
+/// the case.
+void print_found(const std::string& title, const std::string& table,
+                 const std::filesystem::path& place, const char* case_name, bool written);
 
 report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found);
 results::Json optimum_json(const report::OptimumReport& found, std::string_view version);

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "mahlwerk/campaign/calibrate/calibration_job.hpp"
+#include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/results/files/json_value.hpp"
+
+// What fits and calibrations find, as JSON (docs/formats.md). `version` is that of the program.
+namespace mahlwerk::report {
+
+results::Json fit_json(const campaign::Fit& fit, std::string_view version);  ///< fit.json
+/// fit.json of a calibration.
+results::Json calibration_json(const campaign::Calibration& found, std::string_view version);
+
+}  // namespace mahlwerk::report
