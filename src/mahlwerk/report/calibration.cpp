@@ -52,7 +52,8 @@ std::string calibration_table(const Calibration& found) {
   text += fmt::format("{} values under {} condition{}, {} settings in {} runs", found.points.size(),
                       found.conditions.size(), found.conditions.size() == 1 ? "" : "s",
                       found.result.settings, found.runs);
-  if (std::isfinite(found.result.misfit)) text += fmt::format(", misfit {:.2g} errors", found.result.misfit);
+  if (std::isfinite(found.result.misfit))
+    text += fmt::format(", misfit {:.2g} errors", found.result.misfit);
   for (const double scatter : found.result.scatter)
     text += fmt::format(", scatter {:.2g} %", 100 * scatter);
   const std::string warned =
@@ -69,9 +70,8 @@ std::string calibration_csv(const Calibration& found) {
         std::to_string(p.line), results::csv_cell(std::string_view(found.conditions[p.condition])),
         results::csv_cell(p.name()), results::csv_cell(p.unit()),
         p.fall > 0 ? results::csv_cell(p.fall) : ""};
-    for (const double number :
-         {p.value, p.error, p.predicted.value, p.predicted.low, p.predicted.high, p.simulated.mean,
-          p.simulated.ci95})
+    for (const double number : {p.value, p.error, p.predicted.value, p.predicted.low,
+                                p.predicted.high, p.simulated.mean, p.simulated.ci95})
       cells.push_back(results::csv_cell(number));
     text += results::csv_line(cells);
   }

@@ -43,7 +43,8 @@ Plot predictions(const Calibration& found, const std::string& what) {
     if (p.name() == what) points.push_back(p);
   std::ranges::stable_sort(points, {}, [&](const auto& p) { return place_of(found, p); });
   double most = 0;
-  for (const PredictedMeasurement& p : points) most = std::fmax(most, std::fmax(p.value, p.predicted.high));
+  for (const PredictedMeasurement& p : points)
+    most = std::fmax(most, std::fmax(p.value, p.predicted.high));
   const Multiple up = multiple(most, points.front().unit());
   Series band{.name = "calibrated model", .band = true}, runs{.name = "runs at its centre"},
       measured{.name = "measured"};
@@ -145,8 +146,8 @@ std::string point_rows(const Calibration& found) {
         "<tr><td class=\"n\">{}</td><td>{}</td><td>{}</td><td class=\"n\">{}</td><td "
         "class=\"n\">{} to {}</td><td class=\"n\">{}</td></tr>\n",
         p.line, escaped(found.condition_name(p.condition)), escaped(p.name()),
-        text(p.value, std::isnan(p.error) ? NAN : 1.96 * p.error), text(p.predicted.low), text(p.predicted.high),
-        text(p.simulated.mean, p.simulated.ci95));
+        text(p.value, std::isnan(p.error) ? NAN : 1.96 * p.error), text(p.predicted.low),
+        text(p.predicted.high), text(p.simulated.mean, p.simulated.ci95));
   }
   return rows;
 }
@@ -158,8 +159,9 @@ std::string calibration_page(const Calibration& found, std::string_view version)
       "<p class=\"lead\">{} key{} of {}, calibrated to {} measured values of {} with {} settings "
       "in "
       "{} runs.</p>\n",
-      found.result.parameters.size(), found.result.parameters.size() == 1 ? "" : "s", escaped(found.case_file),
-      found.points.size(), escaped(found.data_file), found.result.settings, found.runs);
+      found.result.parameters.size(), found.result.parameters.size() == 1 ? "" : "s",
+      escaped(found.case_file), found.points.size(), escaped(found.data_file),
+      found.result.settings, found.runs);
   body += remark_boxes(found.result);
   body += notice_boxes(found.notices, static_cast<std::size_t>(found.runs), "run");
   body += fmt::format(

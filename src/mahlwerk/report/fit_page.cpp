@@ -191,8 +191,8 @@ std::string figures(const Fit& fit) {
 std::string fit_page(const Fit& fit, std::string_view version) {
   std::string body = fmt::format(
       "<p class=\"lead\">{} parameter{} of {}, fitted to {} measured values of {}.</p>\n",
-      fit.result.parameters.size(), fit.result.parameters.size() == 1 ? "" : "s", escaped(fit.case_file),
-      fit.points.size(), escaped(fit.data_file));
+      fit.result.parameters.size(), fit.result.parameters.size() == 1 ? "" : "s",
+      escaped(fit.case_file), fit.points.size(), escaped(fit.data_file));
   body += remark_boxes(fit.result);
   body += notice_boxes(fit.notices, fit.conditions.size(), "condition");
   body += fmt::format(

@@ -12,8 +12,7 @@
 namespace mahlwerk::report {
 
 std::string parameter_table(const ParameterEstimates& found, std::string_view head) {
-  std::vector<std::array<std::string, 4>> lines{
-      {std::string(head), "value", "95 % interval", ""}};
+  std::vector<std::array<std::string, 4>> lines{{std::string(head), "value", "95 % interval", ""}};
   for (const FittedParameter& p : found.parameters)
     lines.push_back(
         {p.name, p.text.value, p.interval_text(), p.determined ? "" : "NOT DETERMINED"});

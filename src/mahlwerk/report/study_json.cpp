@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/report/study_json.hpp"
 
+#include "mahlwerk/report/match.hpp"
+#include "mahlwerk/report/optimum.hpp"
 #include "mahlwerk/results/files/json.hpp"
 
 namespace mahlwerk::report {
@@ -62,6 +64,64 @@ Json calibrated_points(const campaign::Calibration& found) {
   return points;
 }
 
+/// A mean and its half-width.
+Json estimate_json(const observe::Estimate& e) {
+  return Json::object({{"value", e.mean}, {"ci95", e.ci95}});
+}
+
+Json interval_json(const observe::IntervalEstimate& e) {
+  return Json::object({{"value", e.value}, {"low", e.low}, {"high", e.high}});
+}
+
+/// null if the best setting was not checked.
+Json check_json(const campaign::Optimum& found) {
+  if (!found.check) return nullptr;
+  const campaign::OptimumCheck& check = *found.check;
+  if (!check.failure.empty())
+    return Json::object({{"engine", name_of(check.engine)}, {"not_checked", check.failure}});
+  return Json::object({{"engine", name_of(check.engine)},
+                       {"value", check.value.mean},
+                       {"ci95", check.value.ci95},
+                       {"replicates", check.replicates},
+                       {"disagrees", found.disagrees()}});
+}
+
+Json best_json(const campaign::Optimum& found) {
+  if (!found.best) return nullptr;
+  const campaign::Trial& s = found.trials[*found.best];
+  return Json::object({{"setting", *found.best + 1},
+                       {"replicates", s.replicates.size()},
+                       {"mean", estimate_json(s.outcome(0))},
+                       {"by_model", estimate_json(s.model)},
+                       {"chance", s.probability_best},
+                       {"certain", found.certain()},
+                       {"valid", !s.invalid()},
+                       {"check", check_json(found)}});
+}
+
+Json keys_json(const campaign::Optimum& found) {
+  Json keys = Json::object();
+  for (const campaign::KeyOptimum& k : found.keys)
+    keys[k.key] = Json::object({{"best", k.text.best},
+                                {"low", k.text.low},
+                                {"high", k.text.high},
+                                {"model", k.text.model},
+                                {"good_low", k.text.good_low},
+                                {"good_high", k.text.good_high},
+                                {"flat", k.flat},
+                                {"at_low_end", k.at_low_end},
+                                {"at_high_end", k.at_high_end}});
+  return keys;
+}
+
+Json limits_json(const campaign::Optimum& found) {
+  Json limits = Json::array();
+  for (const campaign::OptimumLimit& limit : found.limits)
+    limits.push_back(Json::object(
+        {{"quantity", limit.quantity}, {"limit", limit.text}, {"binds", limit.binds}}));
+  return limits;
+}
+
 }  // namespace
 
 Json fit_json(const campaign::Fit& fit, std::string_view version) {
@@ -105,6 +165,47 @@ Json calibration_json(const campaign::Calibration& found, std::string_view versi
                        {"draws", result.draws.size()},
                        {"remarks", result.remarks},
                        {"notices", results::notices_json(found.notices)}});
+}
+
+Json optimum_json(const campaign::Optimum& found, std::string_view version) {
+  return Json::object({{"mahlwerk", version},
+                       {"title", found.title},
+                       {"case", found.case_file},
+                       {"quantity", found.outcome.name},
+                       {"unit", found.outcome.unit},
+                       {"maximise", found.maximise},
+                       {"best", best_json(found)},
+                       {"keys", keys_json(found)},
+                       {"limits", limits_json(found)},
+                       {"model_value", estimate_json(found.model_value)},
+                       {"expected_gain", found.expected_gain},
+                       {"expected_loss", found.expected_loss},
+                       {"settings", found.trials.size()},
+                       {"failed", found.failed},
+                       {"runs", found.runs()},
+                       {"remarks", sentences(found)},
+                       {"notices", results::notices_json(found.notices)}});
+}
+
+Json match_json(const campaign::MatchResult& found, std::string_view version) {
+  const campaign::Difference& d = found.difference;
+  return Json::object({{"a", found.file_a},
+                       {"b", found.file_b},
+                       {"dose_unit", found.by_powder ? "W/kg" : "W"},
+                       {"dose_a", estimate_json(d.dose_a)},
+                       {"dose_b", estimate_json(d.dose_b)},
+                       {"dose_ratio", interval_json(d.dose)},
+                       {"energy_lost_mean_a", estimate_json(d.energy_a)},
+                       {"energy_lost_mean_b", estimate_json(d.energy_b)},
+                       {"half_power_energy_ratio", interval_json(d.half_power)},
+                       {"overlap", d.overlap},
+                       {"spectral_distance", d.spectral},
+                       {"distance", d.distance},
+                       {"chance", d.p_value},
+                       {"within_scatter", d.within_scatter()},
+                       {"remarks", sentences(found)},
+                       {"notices", results::notices_json(found.notices)},
+                       {"search", optimum_json(found.search, version)}});
 }
 
 }  // namespace mahlwerk::report

@@ -6,13 +6,19 @@
 
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
 #include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/campaign/search/match.hpp"
+#include "mahlwerk/campaign/search/optimise.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
-// What fits and calibrations find, as JSON (docs/formats.md). `version` is that of the program.
+// What fits, calibrations and searches find, as JSON (docs/formats.md). `version` is that of the
+// program.
 namespace mahlwerk::report {
 
 results::Json fit_json(const campaign::Fit& fit, std::string_view version);  ///< fit.json
 /// fit.json of a calibration.
 results::Json calibration_json(const campaign::Calibration& found, std::string_view version);
+/// optimise.json, and "search" of match.json.
+results::Json optimum_json(const campaign::Optimum& found, std::string_view version);
+results::Json match_json(const campaign::MatchResult& found, std::string_view version);
 
 }  // namespace mahlwerk::report

@@ -117,7 +117,8 @@ TEST(ElementaryEffects, say_which_key_changes_nothing) {
   EXPECT_FALSE(found.effects[0].inactive);
   EXPECT_TRUE(found.effects[1].inactive);
   EXPECT_EQ(found.effects[1].significant, std::optional(false));
-  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).effects[1].inactive) << "not known";
+  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).effects[1].inactive)
+      << "not known";
 }
 
 TEST(ElementaryEffects, leave_out_steps_that_failed) {
@@ -152,8 +153,10 @@ TEST(Swings, are_what_each_key_does_alone) {
 
 TEST(Swings, are_compared_with_the_case_itself) {
   // The ends differ by 2, more than sqrt(1 + 1). Both differ from the case by 1, which is less.
-  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {1, 1, 1}).effects[0].significant, std::optional(false));
-  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {0.1, 1, 0.1}).effects[0].significant, std::optional(true))
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {1, 1, 1}).effects[0].significant,
+            std::optional(false));
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {0.1, 1, 0.1}).effects[0].significant,
+            std::optional(true))
       << "the high end";
 }
 
@@ -162,7 +165,8 @@ TEST(Swings, are_not_judged_without_intervals) {
   EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {nan, 0.1, 0.1}).effects[0].significant, std::nullopt);
   EXPECT_EQ(one_at_a_time_effects({5, 5.1, 6}, {1, 1, nan}).effects[0].significant, std::nullopt)
       << "the other may differ";
-  EXPECT_EQ(one_at_a_time_effects({5, 9, 6}, {1, 1, nan}).effects[0].significant, std::optional(true));
+  EXPECT_EQ(one_at_a_time_effects({5, 9, 6}, {1, 1, nan}).effects[0].significant,
+            std::optional(true));
 }
 
 TEST(Swings, say_which_key_changes_nothing) {

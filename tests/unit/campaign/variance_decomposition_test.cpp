@@ -51,9 +51,11 @@ TEST(VarianceDecomposition, are_those_of_ishigamis_function) {
                          v.together / v.all()};
   for (std::size_t i = 0; i < 3; ++i) {  // Sobol' points are more accurate than their intervals
     const Effect& key = found.effects[i];
-    states("first", key.first_order.value, first[i], half_width(key.first_order), "closed form; own interval");
+    states("first", key.first_order.value, first[i], half_width(key.first_order),
+           "closed form; own interval");
     states("total", key.total.value, total[i], half_width(key.total), "closed form; own interval");
-    stays_below("width", std::max(half_width(key.first_order), half_width(key.total)), 0.06, "sharp");
+    stays_below("width", std::max(half_width(key.first_order), half_width(key.total)), 0.06,
+                "sharp");
   }
   states("variance", found.variance, v.all(), 0.01 * v.all(), "closed form");
   EXPECT_EQ(found.failed, 0);
@@ -67,7 +69,8 @@ TEST(VarianceDecomposition, are_those_of_the_g_function) {
   for (std::size_t i = 0; i < 5; ++i) {
     const double own = 1 / (3 * (1 + g_weights[i]) * (1 + g_weights[i]));
     const Effect& key = found.effects[i];
-    states("first", key.first_order.value, own / (all - 1), half_width(key.first_order), "closed form");
+    states("first", key.first_order.value, own / (all - 1), half_width(key.first_order),
+           "closed form");
     states("total", key.total.value, own * all / (1 + own) / (all - 1), half_width(key.total),
            "closed form");
   }
@@ -111,8 +114,8 @@ TEST(VarianceDecomposition, leave_out_what_hangs_on_failed_runs) {
   EXPECT_EQ(found.effects[0].count, 2048U - 21);
   EXPECT_EQ(found.effects[1].count, 2048U - 22);
   const IshigamiParts v = ishigami_parts();
-  states("first", found.effects[1].first_order.value, v.second / v.all(), half_width(found.effects[1].first_order),
-         "closed form");
+  states("first", found.effects[1].first_order.value, v.second / v.all(),
+         half_width(found.effects[1].first_order), "closed form");
   // Failed runs have no errors. That must not hide the errors of the other runs.
   const Values widths(y.size(), 0.1 * 1.96);
   const Values errors = standard_errors(y, widths, Values(y.size(), 1e6));
@@ -135,13 +138,14 @@ TEST(VarianceDecomposition, are_free_of_the_share_of_errors) {
   for (double& one : y) one += error * normal(random);
   const Values errors(y.size(), error);
   const Sensitivity found = variance_decomposition(2, y, errors),
-                              raw = variance_decomposition(2, y, {});
+                    raw = variance_decomposition(2, y, {});
   states("variance", found.variance, 1, 0.05, "of a uniform number times sqrt(12)");
   states("share of errors", found.noise, 0.2, 0.02, "0.25/1.25");
   const auto sure = [](const observe::IntervalEstimate& s) { return half_width(s) * 3.3 / 1.96; };
   states("total of the first", found.effects[0].total.value, 1, sure(found.effects[0].total), "1");
   states("total of the second", found.effects[1].total.value, 0, sure(found.effects[1].total), "0");
-  states("without errors said", raw.effects[1].total.value, 0.2, sure(raw.effects[1].total), "0.25/1.25");
+  states("without errors said", raw.effects[1].total.value, 0.2, sure(raw.effects[1].total),
+         "0.25/1.25");
 }
 
 TEST(VarianceDecomposition, of_a_key_that_changes_nothing_are_zero_whatever_the_errors) {
@@ -191,10 +195,8 @@ TEST(VarianceDecomposition, are_not_told_where_the_outcome_hardly_varies_more_th
   const DesignMatrix rows = saltelli_design(2, 64);
   const Values y = outcomes(rows, [&](const Values&) { return normal(random); });
   const double seen = variance_decomposition(2, y, {}).variance;
-  const Sensitivity hardly = variance_decomposition(
-                                  2, y, Values(y.size(), std::sqrt(0.99 * seen))),
-                              less = variance_decomposition(
-                                  2, y, Values(y.size(), std::sqrt(1.5 * seen)));
+  const Sensitivity hardly = variance_decomposition(2, y, Values(y.size(), std::sqrt(0.99 * seen))),
+                    less = variance_decomposition(2, y, Values(y.size(), std::sqrt(1.5 * seen)));
   states("share of errors", hardly.noise, 0.99, 1e-12, "as made");
   EXPECT_TRUE(std::isfinite(hardly.effects[0].total.value));
   EXPECT_TRUE(std::isnan(hardly.effects[0].total.low));
@@ -217,7 +219,8 @@ TEST(VarianceDecomposition, are_not_invented_where_nothing_varies) {
   const Sensitivity found = variance_decomposition(2, Values(40, 3.0), {});
   EXPECT_TRUE(std::isnan(found.effects[0].first_order.value));
   EXPECT_TRUE(std::isnan(found.effects[1].total.high));
-  EXPECT_TRUE(std::isnan(variance_decomposition(2, Values(40, nan), {}).effects[0].first_order.value));
+  EXPECT_TRUE(
+      std::isnan(variance_decomposition(2, Values(40, nan), {}).effects[0].first_order.value));
   EXPECT_TRUE(std::isnan(variance_decomposition(2, {}, {}).effects[0].total.value));
   EXPECT_THROW(variance_decomposition(2, Values(41, 3.0), {}), std::invalid_argument);
 }

@@ -47,8 +47,8 @@ struct PredictedOutcome {
   double emulator_error = 0;
 };
 
-/// Values of the most central draw, with 95 % intervals of the posterior; the correlation is that of
-/// the positions in the ranges.
+/// Values of the most central draw, with 95 % intervals of the posterior; the correlation is that
+/// of the positions in the ranges.
 struct CalibrationResult : ParameterEstimates {
   DesignPoint central = {};                 ///< position of the most central draw
   std::vector<DesignPoint> draws = {};      ///< positions of some draws, for [uncertainty]

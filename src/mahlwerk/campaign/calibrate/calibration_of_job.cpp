@@ -18,7 +18,8 @@
 namespace mahlwerk::campaign {
 namespace {
 
-/// Turns values and range into the unit of the case, and sets the texts and the values of all draws.
+/// Turns values and range into the unit of the case, and sets the texts and the values of all
+/// draws.
 void use_unit_of_case(const cases::SweptKey& range, std::size_t key, CalibrationResult& found) {
   FittedParameter& p = found.parameters[key];
   const FreeParameter in_si = p;

@@ -275,9 +275,8 @@ Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
   made.result = least_squares(evaluator.residuals(predict), parameters, scatter);
   const std::vector<double> predicted = predict(values_of(made.result));
   for (std::size_t i = 0; i < predicted.size(); ++i)
-    made.points.push_back({data.values[i],
-                           {.value = predicted[i]},
-                           residual(data.values[i], predicted[i])});
+    made.points.push_back(
+        {data.values[i], {.value = predicted[i]}, residual(data.values[i], predicted[i])});
   const std::vector<double> widths =
       simulation_half_widths(mills, parameters, made.result, evaluator);
   made.result.evaluations = evaluator.evaluations;

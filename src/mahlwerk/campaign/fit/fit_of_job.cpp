@@ -110,9 +110,8 @@ cases::Case fitted_case(const FitJob& job, const Fit& found) {
     for (cases::Origin& origin : mill_case.origins)
       if (origin.key == p.name) {
         origin.value = p.unit.empty() ? shortest(p.value) : show(p.value, p.unit);
-        origin.source =
-            fmt::format("fitted to {}: {}", found.data_file,
-                        p.determined ? p.interval_text() : "not determined by it");
+        origin.source = fmt::format("fitted to {}: {}", found.data_file,
+                                    p.determined ? p.interval_text() : "not determined by it");
       }
   }
   return mill_case;

@@ -17,7 +17,7 @@ struct FreeParameter {
   double least = 0, most = 1;                           ///< finite, least < most
   std::optional<double> start = std::nullopt;           ///< between the bounds; empty: their middle
   bool min_is_natural = false, max_is_natural = false;  ///< no value beyond it is possible
-  std::string unit = {}, about = {};  ///< of its numbers, empty: none; what it is
+  std::string unit = {}, about = {};                    ///< of its numbers, empty: none; what it is
 
   /// Whether the search uses the logarithm: the bounds are positive and a factor above 10 apart.
   bool logarithmic() const { return least > 0 && most > 10 * least; }

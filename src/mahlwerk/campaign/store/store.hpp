@@ -63,7 +63,8 @@ struct RunRecord {
 struct Point {
   std::size_t number = 0;                ///< from 1
   std::vector<std::string> values = {};  ///< of the varied keys, as in the case: "400 rpm"
-  /// Of the requested quantities, in SI units; NaN for missing values, trailing ones may be omitted.
+  /// Of the requested quantities, in SI units; NaN for missing values, trailing ones may be
+  /// omitted.
   std::vector<double> value = {}, ci95 = {};
   RunState state = RunState::done;
   std::string engine = {}, regime = {};  ///< regime: one word, "cataracting"; empty: none

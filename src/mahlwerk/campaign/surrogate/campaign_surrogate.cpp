@@ -194,7 +194,7 @@ SurrogateQuantity emulated(const results::Quantity& quantity, std::size_t column
 }
 
 std::vector<Point> ended_points(const Store& store, const std::vector<std::string>& names,
-                                      std::size_t& failed) {
+                                std::size_t& failed) {
   std::vector<Point> points;
   store.read(names, [&](const Point& point) {
     if (point.state == RunState::failed) ++failed;

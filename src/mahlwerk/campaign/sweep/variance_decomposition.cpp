@@ -176,9 +176,9 @@ Sensitivity variance_decomposition(std::size_t keys, const std::vector<double>& 
   found.noise = errors.empty() ? unknown : spread.noise / (spread.variance + spread.noise);
   BootstrapSample again = bootstrap(groups, keys, seed);
   for (std::size_t key = 0; key < keys; ++key) {
-    Effect& shares = found.effects.emplace_back(
-        with_intervals(indices_of(groups, all, spread, key), std::move(again.firsts[key]),
-                       std::move(again.totals[key])));
+    Effect& shares = found.effects.emplace_back(with_intervals(indices_of(groups, all, spread, key),
+                                                               std::move(again.firsts[key]),
+                                                               std::move(again.totals[key])));
     shares.inactive = is_inactive(groups, key);
     if (shares.inactive && std::isfinite(shares.total.value))
       shares.first_order = shares.total = {0, 0, 0};

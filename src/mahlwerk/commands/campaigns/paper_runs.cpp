@@ -22,19 +22,19 @@ std::string below(const std::string& campaign, std::size_t point) {
 }
 
 campaign::Campaign numbers_of(const cases::Case& mill_case,
-                            const std::vector<results::Outcome>& outcomes) {
+                              const std::vector<results::Outcome>& outcomes) {
   const campaign::Plan plan(mill_case.sweep, mill_case.seed);
   const std::vector<std::string> own = campaign::base_values(plan, mill_case);
   campaign::Campaign made{.title = mill_case.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
     campaign::add(made,
-                {.number = i + 1,
-                 .values = campaign::point_values(plan, i, own),
-                 .regime = outcome.summary.regime,
-                 .warnings = results::warning_codes(outcome.notices),
-                 .folder = fmt::format("point-{:03}/", i + 1)},
-                outcome.summary.quantities);
+                  {.number = i + 1,
+                   .values = campaign::point_values(plan, i, own),
+                   .regime = outcome.summary.regime,
+                   .warnings = results::warning_codes(outcome.notices),
+                   .folder = fmt::format("point-{:03}/", i + 1)},
+                  outcome.summary.quantities);
   }
   for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
   results::sort(made.notices);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // fit: fits parameters of a case to measurements.
-#include "mahlwerk/campaign/fit/job.hpp"
+#include "mahlwerk/report/fit.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
+#include "mahlwerk/campaign/fit/job.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/compute.hpp"
@@ -20,7 +21,6 @@
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/calibrate.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
-#include "mahlwerk/report/fit.hpp"
 #include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 

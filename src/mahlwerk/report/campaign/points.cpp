@@ -79,7 +79,8 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnin
     return text + fmt::format("<td colspan=\"{}\" data-v=\"\"{}>{}</td></tr>\n",
                               std::max<std::size_t>(
                                   sheet.shown.size() + (regimes ? 1 : 0) + (warnings ? 1 : 0), 1),
-                              p.waiting() ? "" : " class=\"failed\"", escaped(missing_reason(p, 80)));
+                              p.waiting() ? "" : " class=\"failed\"",
+                              escaped(missing_reason(p, 80)));
   if (regimes) text += fmt::format("<td>{}</td>", escaped(p.regime));
   for (const std::size_t i : sheet.shown) {
     const double v = value_at(p, i);

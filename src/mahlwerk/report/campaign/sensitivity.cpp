@@ -161,7 +161,8 @@ std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
     return end_cells(e.low_end, e.low, s, m) + end_cells(e.high_end, e.high, s, m);
   const std::string count =
       counts_agree(s) ? "" : number_cell(static_cast<double>(e.count), fmt::format("{}", e.count));
-  if (s.design == Design::sobol_indices) return cell(e.first_order, m, "") + total_cell(e.total) + count;
+  if (s.design == Design::sobol_indices)
+    return cell(e.first_order, m, "") + total_cell(e.total) + count;
   return cell(e.mean_absolute, m, s.unit) + cell({.value = e.of_noise}, m, s.unit) +
          cell(e.mean, m, s.unit) + cell(e.deviation, m, s.unit) + count;
 }
