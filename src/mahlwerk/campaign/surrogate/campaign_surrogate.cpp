@@ -28,7 +28,7 @@ std::optional<double> SurrogateKey::position(const std::string& text) const {
   return std::clamp(place, 0.0, 1.0);
 }
 
-Prediction predict(const SurrogateQuantity& quantity, const DesignPoint& point) {
+observe::IntervalEstimate predict(const SurrogateQuantity& quantity, const DesignPoint& point) {
   constexpr double z95 = 1.959963984540054;
   const OutcomeEmulator& emulator = quantity.emulator;
   const Posterior p = emulator.model.at(point);
