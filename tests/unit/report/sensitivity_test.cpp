@@ -131,7 +131,7 @@ TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
 }
 
 TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::morris};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::morris};
   s.effects.push_back({.key = "contact.friction",
                        .mean_absolute = observe::IntervalEstimate::around(5e-7, 6e-7),
                        .mean = observe::IntervalEstimate::around(1e-7, 6e-7),
@@ -165,7 +165,7 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
 }
 
 TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects.push_back({.key = "mill.speed",
                        .first_order = observe::IntervalEstimate::around(0.5, 0.04),
                        .total = {0.75, 0.73, 0.79},
@@ -195,7 +195,7 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
 }
 
 TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects = {{.key = "mill.speed", .total = {.value = 0.75}, .count = 64},
                {.key = "contact.friction", .total = {.value = 0.02}, .count = 64}};
   const std::string below = sensitivity_pictures(s)[0].caption;
@@ -204,7 +204,7 @@ TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
 }
 
 TEST(Tornado, draws_an_interval_that_lies_unevenly) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects = {{.key = "mill.speed", .total = {0.5, 0.25, 1.25}}};
   const json total = groups_of(s)[0]["bars"][1];
   EXPECT_EQ(total["low"], 0.25);
@@ -214,7 +214,7 @@ TEST(Tornado, draws_an_interval_that_lies_unevenly) {
 TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
   Sensitivity s{.quantity = "d50",
                 .unit = "m",
-                .method = Method::sobol,
+                .design = Design::sobol_indices,
                 .variance = -1e-14,
                 .noise = 1.1,
                 .effects = {{.key = "mill.speed", .count = 64, .significant = false}}};
@@ -228,7 +228,7 @@ TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
 }
 
 TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
-  Sensitivity s{.quantity = "dissipated_power", .unit = "W", .method = Method::morris};
+  Sensitivity s{.quantity = "dissipated_power", .unit = "W", .design = Design::morris};
   s.effects = {
       {.key = "mill.speed", .mean_absolute = {.value = 24}, .mean = {.value = -24}, .count = 1}};
   const std::vector<Picture> pictures = sensitivity_pictures(s);

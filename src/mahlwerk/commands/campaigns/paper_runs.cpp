@@ -21,24 +21,24 @@ std::string below(const std::string& campaign, std::size_t point) {
   return fmt::format("{}/point-{:03}/", campaign, point + 1);
 }
 
-report::Campaign numbers_of(const cases::Case& mill_case,
-                            const std::vector<results::Outcome>& outcomes) {
+campaign::Campaign numbers_of(const cases::Case& mill_case,
+                              const std::vector<results::Outcome>& outcomes) {
   const campaign::Plan plan(mill_case.sweep, mill_case.seed);
   const std::vector<std::string> own = campaign::base_values(plan, mill_case);
-  report::Campaign made{.title = mill_case.title};
+  campaign::Campaign made{.title = mill_case.title};
   for (const results::Outcome& outcome : outcomes) {
     const std::size_t i = made.points.size();
-    report::add(made,
-                {.number = i + 1,
-                 .values = campaign::point_values(plan, i, own),
-                 .regime = outcome.summary.regime,
-                 .warnings = results::warning_codes(outcome.notices),
-                 .folder = fmt::format("point-{:03}/", i + 1)},
-                outcome.summary.quantities);
+    campaign::add(made,
+                  {.number = i + 1,
+                   .values = campaign::point_values(plan, i, own),
+                   .regime = outcome.summary.regime,
+                   .warnings = results::warning_codes(outcome.notices),
+                   .folder = fmt::format("point-{:03}/", i + 1)},
+                  outcome.summary.quantities);
   }
   for (const results::Outcome& outcome : outcomes) results::count(made.notices, outcome.notices);
   results::sort(made.notices);
-  made.keys = report::campaign_keys(plan.keys(), made.points);
+  made.keys = campaign::campaign_keys(plan.keys(), made.points);
   return made;
 }
 

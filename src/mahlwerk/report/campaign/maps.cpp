@@ -60,7 +60,7 @@ void put(MapPanel& panel, std::size_t cell, const Sheet& sheet, std::size_t colu
   const Multiple& m = sheet.multiples[column];
   std::string& told = panel.told[cell];
   told = values_text(sheet, p) + ": ";
-  if (p.waiting) return;
+  if (p.waiting()) return;
   panel.failed[cell] = !std::isfinite(v);
   if (panel.failed[cell]) {
     told += p.failure.empty() ? "no value" : "failed: " + p.failure;
@@ -114,7 +114,7 @@ ColourMap regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
     const Point& p = sheet.campaign.points[i];
     const std::size_t cell = sheet.keys[y].of[i] * panel.x.names.size() + sheet.keys[x].of[i];
-    panel.failed[cell] = p.regime.empty() && !p.waiting;
+    panel.failed[cell] = p.regime.empty() && !p.waiting();
     panel.told[cell] = values_text(sheet, p) + ": " + (panel.failed[cell] ? "none" : p.regime);
     if (!p.regime.empty())
       panel.values[cell] = static_cast<double>(std::ranges::find(words, p.regime) - words.begin());
