@@ -43,7 +43,7 @@ MapPanel wall_part(const results::WallRates& rates, int first, int count) {
   const bool side = WallGrid::part(first) == WallGrid::Part::side;
   const int around = side ? WallGrid::around : WallGrid::sectors;
   MapPanel panel;
-  panel.title = side ? "side, unrolled"
+  panel.title = side                                           ? "side, unrolled"
                 : WallGrid::part(first) == WallGrid::Part::top ? "upper end"
                                                                : "lower end";
   panel.x = {.label = "angle about the axis (°)", .edges = edges(0, 360, around)};
@@ -165,9 +165,13 @@ std::optional<ColourMap> normal_tangential_map(const results::Outcome& outcome) 
   for (int k = 0; k <= shown; ++k) octaves.push_back(std::ldexp(1.0, first + k));
   MapPanel panel{.title = "", .diagonal = true, .width = 430, .shape = 1};
   panel.x = {.label = "normal energy, $m u_{n}$^{2}/2",
-             .edges = octaves, .logarithmic = true, .unit = "J"};
+             .edges = octaves,
+             .logarithmic = true,
+             .unit = "J"};
   panel.y = {.label = "tangential energy, $m u_{t}$^{2}/2",
-             .edges = octaves, .logarithmic = true, .unit = "J"};
+             .edges = octaves,
+             .logarithmic = true,
+             .unit = "J"};
   panel.values.assign(std::size_t{shown} * shown, NAN);
   for (const auto& row : table.rows) {
     const int n = octave(row[0]) - first, t = octave(row[2]) - first;

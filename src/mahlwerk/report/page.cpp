@@ -83,13 +83,15 @@ std::string page(std::string_view title, std::string_view body, std::string_view
 
 std::optional<std::string> renewed_page(std::string_view old) {
   std::string made(old);
-  if (!old.starts_with("<!doctype html>") || old.find("<footer>Mahlwerk ") == std::string_view::npos)
+  if (!old.starts_with("<!doctype html>") ||
+      old.find("<footer>Mahlwerk ") == std::string_view::npos)
     return std::nullopt;
   if (!replace_between(made, 0, "<style>", "</style>", style)) return std::nullopt;
   if (const std::size_t film = made.find("id=\"replay-data\""); film != std::string::npos)
     replace_between(made, film, "<script>", "</script>", replay_script());
   const std::size_t foot = made.find("</main>", made.rfind("<footer>Mahlwerk "));
-  if (foot != std::string::npos) replace_between(made, foot, "<script>", "</script>", plots_script());
+  if (foot != std::string::npos)
+    replace_between(made, foot, "<script>", "</script>", plots_script());
   return made;
 }
 

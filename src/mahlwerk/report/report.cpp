@@ -129,8 +129,8 @@ std::string spectra_section(const Outcome& outcome) {
          figure(energy_weighted_plot(outcome),
                 "The same weighted by energy: shows which impacts carry the power.") +
          figure(normal_tangential_map(outcome),
-                 "Collisions per second by normal and tangential energy, one bin per octave; the "
-                 "colours cover four decades.") +
+                "Collisions per second by normal and tangential energy, one bin per octave; the "
+                "colours cover four decades.") +
          figure(angle_plot(outcome),
                 "Angle between the relative velocity and the normal at first contact.");
 }
@@ -138,11 +138,11 @@ std::string spectra_section(const Outcome& outcome) {
 std::string maps_section(const Outcome& outcome) {
   std::string text =
       figure(wall_map(outcome),
-              "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
-              "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
+             "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
+             "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
   text += figure(field_map(outcome),
-                  "Mean over the counted time in the plane of motion: mass per area as colour, "
-                  "mean velocity as arrows. fields.csv has the numbers.");
+                 "Mean over the counted time in the plane of motion: mass per area as colour, "
+                 "mean velocity as arrows. fields.csv has the numbers.");
   if (text.empty()) return "";
   std::string words;
   if (const std::string& regime = outcome.summary.regime; !regime.empty())

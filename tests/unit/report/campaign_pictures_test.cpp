@@ -66,10 +66,9 @@ TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words)
       p.values.emplace_back(word);
       twice.points.push_back(p);
     }
-  EXPECT_EQ(names(twice),
-            (Names{"map D50 (µm), material agate", "map D50 (µm), material steel",
-                   "map dissipated power (W), material agate",
-                   "map dissipated power (W), material steel"}));
+  EXPECT_EQ(names(twice), (Names{"map D50 (µm), material agate", "map D50 (µm), material steel",
+                                 "map dissipated power (W), material agate",
+                                 "map dissipated power (W), material steel"}));
 }
 
 TEST(CampaignFigures, keys_side_by_side_make_one_line) {

@@ -93,8 +93,8 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
   power.effects[0].inactive = size.effects[0].inactive = true;
   c.sensitivities = {power, size};
   std::string html = campaign_page(c, "1");
-  EXPECT_TRUE(in_order(html, {"<p>Without effect in this case: contact.friction.</p>",
-                              "class=\"picture\""}));
+  EXPECT_TRUE(in_order(
+      html, {"<p>Without effect in this case: contact.friction.</p>", "class=\"picture\""}));
   EXPECT_FALSE(has(html, "Not significant"));
   // Now the key changes one of the two quantities.
   c.sensitivities[1].effects[0].inactive = false;

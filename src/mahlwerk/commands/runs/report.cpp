@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // report: makes the page of a result anew, in the form of this version.
-#include "mahlwerk/report/page.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -17,6 +15,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/report/page.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/json.hpp"
 
@@ -30,8 +29,8 @@ struct ReportArguments {
   bool json = false;
 };
 
-constexpr std::array pages{"report.html",   "fit.html",     "optimise.html",
-                           "match.html",    "compare.html", "paper.html"};
+constexpr std::array pages{"report.html", "fit.html",     "optimise.html",
+                           "match.html",  "compare.html", "paper.html"};
 
 std::string content_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -67,8 +66,8 @@ fs::path renewed_page_in(const fs::path& place) {
 
 int report_page(const ReportArguments& given) {
   const fs::path place = given.folder;
-  const fs::path page = fs::exists(place / "campaign.sqlite") ? campaign_page_in(place)
-                                                              : renewed_page_in(place);
+  const fs::path page =
+      fs::exists(place / "campaign.sqlite") ? campaign_page_in(place) : renewed_page_in(place);
   if (given.json) json_to_stdout(results::Json::object({{"report", page.string()}}));
   if (!given.json) to_stdout(fmt::format("report:   {}\n", page.string()));
   return success;

@@ -79,19 +79,18 @@ std::string group_json(const BarGroup& group) {
 }
 
 std::string map_axis_json(const MapAxis& axis) {
-  return fmt::format("{{\"label\":{},\"log\":{},\"unit\":{},{}}}", json_string(axis.label),
-                     axis.logarithmic, json_string(axis.unit),
-                     axis.names.empty() ? "\"edges\":" + list(axis.edges)
-                                        : "\"names\":" + list(axis.names));
+  return fmt::format(
+      "{{\"label\":{},\"log\":{},\"unit\":{},{}}}", json_string(axis.label), axis.logarithmic,
+      json_string(axis.unit),
+      axis.names.empty() ? "\"edges\":" + list(axis.edges) : "\"names\":" + list(axis.names));
 }
 
 std::string panel_json(const MapPanel& panel) {
   std::string more;
   if (!panel.told.empty()) more += ",\"told\":" + list(panel.told);
   if (!panel.failed.empty())
-    more += ",\"failed\":" + list_of(panel.failed, [](bool one) -> std::string {
-              return one ? "true" : "false";
-            });
+    more += ",\"failed\":" +
+            list_of(panel.failed, [](bool one) -> std::string { return one ? "true" : "false"; });
   if (!panel.arrows.empty()) more += ",\"arrows\":" + list_of(panel.arrows, brief);
   return fmt::format(
       "{{\"title\":{},\"x\":{},\"y\":{},\"polar\":{},\"ring\":{},\"diagonal\":{},\"width\":{},"
