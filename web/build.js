@@ -70,7 +70,7 @@ function licences(metafile) {
     return `${name} ${version}, ${packages[name]}:\n\n${readFileSync(join(folder, "LICENSE"), "utf8").trim()}\n`;
   });
   return ["Mahlwerk: Copyright 2026 The Mahlwerk authors, Apache License 2.0\n" +
-    "viridis (ten colours of the replay): S. van der Walt and N. Smith, matplotlib, CC0 1.0\n",
+    "viridis (ten colours of the replay and of maps): S. van der Walt and N. Smith, matplotlib, CC0 1.0\n",
   ...texts].join("\n");
 }
 
@@ -91,7 +91,7 @@ async function writePlots() {
   const code = outputFiles[0].text;
   if (/<\/script|<!--/i.test(code)) throw new Error("dist/plots.js would end its <script> element");
   mkdirSync(join(here, "dist"), { recursive: true });
-  const terms = licences(metafile).replace(/viridis.*\n/, "");
+  const terms = licences(metafile);
   writeFileSync(join(here, "dist/LICENSES.txt"), terms);
   writeFileSync(join(here, "dist/plots.js"), `/*!\n${terms}*/\n${code}`);
   console.log(`dist/plots.js: ${Math.ceil(code.length / 1000)} kB`);

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _core
 from .errors import InputError
-from .pages import table_html
+from .pages import Page, table_html
 from .result import Result
 from .tables import array_of, frame_of
 
@@ -166,6 +166,10 @@ class Campaign:
         command(["surrogate"], folder=os.fspath(self.folder), out=os.fspath(out),
                 quantity=list(quantities), force=force)
         return Surrogate(out)
+
+    def page(self) -> Page:
+        """The page campaign.html, for a notebook or a file."""
+        return Page((self.folder / "campaign.html").read_text(encoding="utf-8"))
 
     @property
     def plot(self) -> CampaignPlots:

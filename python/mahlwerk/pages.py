@@ -5,9 +5,30 @@
 from __future__ import annotations
 
 import html
+import os
 from collections.abc import Iterable
+from pathlib import Path
+from typing import Union
 
-__all__ = ["framed", "table_html"]
+__all__ = ["Page", "framed", "table_html"]
+
+
+class Page:
+    """A page of the program: shown as such in a notebook, as text by str(), in a file by save()."""
+
+    def __init__(self, text: str):
+        self.text = text
+
+    def save(self, file: Union[str, os.PathLike[str]]) -> Path:
+        """Writes the page, which needs no other file, and returns its path."""
+        Path(file).write_text(self.text, encoding="utf-8")
+        return Path(file)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _repr_html_(self) -> str:
+        return framed(self.text)
 
 
 def table_html(heading: Iterable[str], rows: Iterable[Iterable[str]]) -> str:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 from . import _core
 from .errors import InputError
 from .files import named_folder
-from .pages import framed, table_html
+from .pages import Page, table_html
 from .quantities import Influence, Notice, Quantity, nan_if_none
 from .records import array_of_records
 from .tables import frame_of, of_columns, read_csv
@@ -226,6 +226,10 @@ class Result:
             return self._state["report"]
         return (self.folder / "report.html").read_text(encoding="utf-8")
 
+    def page(self) -> Page:
+        """The page report.html, for a notebook or a file."""
+        return Page(self.report)
+
     def save(self, folder: Union[str, os.PathLike[str]], *, force: bool = False) -> None:
         """Writes a result folder, the same as the command line, with the collision records that are in
         memory. Raises InputError."""
@@ -259,7 +263,7 @@ class Result:
         told = "".join(f"<p><b>{one.severity}:</b> {html.escape(one.text)}</p>"
                        for one in self.warnings)
         return (f"<b>{html.escape(self.title)}</b>{told}<details><summary>all quantities</summary>"
-                f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>{framed(self.report)}")
+                f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>{self.page()._repr_html_()}")
 
     def __reduce__(self) -> Any:
         count = self._ran.replicates_with_records if self._ran is not None else 0

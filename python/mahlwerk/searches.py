@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from .errors import InputError
-from .pages import framed
+from .pages import Page
 from .quantities import Notice
 from .result import Result
 from .tables import frame_of, read_csv
@@ -29,7 +29,7 @@ __all__ = ["Comparison", "Fit", "Match", "Optimum"]
 class Found:
     """A folder with numbers as JSON, a table and a page."""
 
-    numbers, rows, page = "", "", ""
+    numbers, rows, html = "", "", ""
 
     def __init__(self, folder: Union[str, os.PathLike[str]]):
         self.folder = Path(folder)
@@ -55,7 +55,11 @@ class Found:
     @property
     def report(self) -> str:
         """The page as text."""
-        return (self.folder / self.page).read_text(encoding="utf-8")
+        return (self.folder / self.html).read_text(encoding="utf-8")
+
+    def page(self) -> Page:
+        """The page of the command, for a notebook or a file."""
+        return Page(self.report)
 
     def _case(self, name: str) -> Case:
         from .case import Case
@@ -63,7 +67,7 @@ class Found:
         return Case(self.folder / name)
 
     def _repr_html_(self) -> str:
-        return framed(self.report)
+        return self.page()._repr_html_()
 
 
 class Remarks(Found):
@@ -80,7 +84,7 @@ class Remarks(Found):
 class Fit(Found):
     """Parameters of a case fitted to measurements."""
 
-    numbers, rows, page = "fit.json", "fit.csv", "fit.html"
+    numbers, rows, html = "fit.json", "fit.csv", "fit.html"
 
     @property
     def parameters(self) -> dict[str, dict[str, Any]]:
@@ -105,7 +109,7 @@ class Fit(Found):
 class Optimum(Remarks):
     """The best settings that a search found."""
 
-    numbers, rows, page = "optimise.json", "settings.csv", "optimise.html"
+    numbers, rows, html = "optimise.json", "settings.csv", "optimise.html"
 
     @property
     def best(self) -> dict[str, str]:
@@ -131,7 +135,7 @@ class Optimum(Remarks):
 class Match(Remarks):
     """Settings of mill B that do what mill A does."""
 
-    numbers, rows, page = "match.json", "settings.csv", "match.html"
+    numbers, rows, html = "match.json", "settings.csv", "match.html"
 
     @property
     def best(self) -> dict[str, str]:
@@ -161,7 +165,7 @@ class Match(Remarks):
 class Comparison(Found):
     """One case run by both engines."""
 
-    rows, page = "compare.csv", "compare.html"
+    rows, html = "compare.csv", "compare.html"
 
     @property
     def event(self) -> Result:

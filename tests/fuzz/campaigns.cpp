@@ -89,7 +89,7 @@ void read_all(const Store& store) {
   std::vector<std::string> names;
   for (const results::Quantity& q : store.quantities()) names.push_back(q.name);
   for (const std::string& key : store.keys()) store.follows(key);
-  store.read(names, [](const campaign::StoredPoint&) {});
+  store.read(names, [](const campaign::Point&) {});
   std::ostringstream text;
   store.write_csv(text);
 }

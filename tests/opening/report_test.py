@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "viewer" / "test"))
@@ -134,9 +135,8 @@ def check(browser, folder, states):
         seen = colours(browser.picture("#replay .scene"))
         states.say(f"the_replay_is_not_blank_in_a_{theme}_theme", f"{seen} colours", "> 100",
                    seen > 100)
-    maps = browser.ask("document.querySelectorAll('figure > svg').length")
-    states.say("maps_are_drawn", maps, ">= 3", maps >= 3)
     check_plots(browser, folder, states)
+    check_maps(browser, folder, states)
     states.say("the_browser_has_no_complaint", browser.faults or "none", "none",
                not browser.faults)
     size = (folder / "report.html").stat().st_size
@@ -189,6 +189,42 @@ def check_plots(browser, folder, states):
     states.say("saved_numbers_are_those_of_spectrum_csv", f"{len(found)} bins, sum {sum(found):.6g}",
                f"{len(rates)} bins, sum {sum(rates):.6g}",
                len(found) == len(rates) > 0 and abs(sum(found) / sum(rates) - 1) < 1e-6)
+
+
+MAP = """[...document.querySelectorAll('.figure-canvas')]
+         .find(c => c.querySelector('svg')?.getAttribute('aria-label') === 'Impacts on the wall')"""
+SAVE = "[...MAP.closest('.chart').querySelectorAll('button')].find(b => b.textContent === '{}').click()"
+
+
+def check_maps(browser, folder, states):
+    """The wall in colours: its cells tell their numbers, which are those of wall_map.csv."""
+    maps = browser.ask("document.querySelectorAll('.figure-canvas > svg').length")
+    states.say("maps_are_drawn", maps, ">= 3", maps >= 3)
+    browser.ask(f"{MAP}.scrollIntoView({{block: 'center'}})")
+    x, y, _, _ = browser.ask(f"(r => [r.x, r.y, r.width, r.height])({MAP}.getBoundingClientRect())")
+    browser.mouse("mouseMoved", x + 150, y + 60)
+    tip = f"{MAP}.parentElement.querySelector('.chart-tip')"
+    browser.wait_for(f"!{tip}.hidden", 10)
+    told = browser.ask(f"{tip}.innerText")
+    states.say("a_cell_tells_its_value_and_place", told.split("\n"), "N W/m², angle and height",
+               "W/m²" in told and "angle" in told and "height" in told)
+    browser.ask(SAVE.replace("MAP", MAP).format("CSV"))
+    saved = (browser.downloaded("wall.csv") or b"").decode().splitlines()
+    found = [float(line.rsplit(",", 1)[1]) for line in saved[1:]]
+    heads, *rows = [line.split(",") for line in (folder / "wall_map.csv").read_text().splitlines()]
+    area, lost = heads.index("area_m2"), heads.index("power_lost_W")
+    expected = [float(r[lost]) / float(r[area]) for r in rows if float(r[area]) > 0]
+    states.say("saved_cells_are_those_of_wall_map_csv", f"{len(found)} cells, sum {sum(found):.4g}",
+               f"{len(expected)} cells, sum {sum(expected):.4g}",
+               len(found) == len(expected) > 0 and abs(sum(found) / sum(expected) - 1) < 5e-4)
+    first = SAVE.replace("MAP.closest('.chart')", "document.querySelector('.chart')")
+    for label, save in (("plot", first), ("map", SAVE.replace("MAP", MAP))):
+        browser.ask(save.format("SVG"))
+        svg = (browser.downloaded(".svg") or b"").decode()
+        whole = svg.startswith("<svg") and "NaN" not in svg and "undefined" not in svg
+        if whole:
+            xml.etree.ElementTree.fromstring(svg)
+        states.say(f"the_saved_svg_of_a_{label}_is_whole", f"{len(svg)} letters", "an <svg>", whole)
 
 
 def main(program):

@@ -162,6 +162,15 @@ def test_no_legend_covers_an_axis_and_no_text_is_cut():
                 assert box.y0 >= whole.y0 - 1 and box.y1 <= whole.y1 + 1
 
 
+def test_text_is_wrapped_between_words_by_what_is_seen():
+    from mahlwerk.papers.style import wrapped
+
+    assert wrapped("one two three", 7) == ["one two", "three"]
+    assert wrapped("energy, $E_{n}$ (mJ)", 10) == ["energy, $E_{n}$", "(mJ)"]
+    assert wrapped("incomprehensible word", 5) == ["incomprehensible", "word"]
+    assert wrapped("", 5) == []
+
+
 def film(words, frames):
     times = [0.0, 0.1] if frames else []
     ball = {"number": 1, "grain": False, "radius_m": 0.005, "speed_m_per_s": 0.5,

@@ -4,11 +4,7 @@
 // Colours of balls and of the page's two themes.
 
 import { Color } from "three";
-
-// Ten colours of viridis, perceptually uniform, also for colour-blind readers (S. van der Walt and
-// N. Smith, matplotlib, CC0).
-const viridis = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779",
-  "#6ece58", "#b5de2b", "#fde725"];
+import { viridis } from "./viridis.js";
 
 // Okabe and Ito, in the order of the report's plots.
 export const speciesColours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",

@@ -9,6 +9,7 @@ import base64
 import fcntl
 import json
 import os
+import pathlib
 import select
 import signal
 import tempfile
@@ -147,13 +148,15 @@ class Browser:
                                           captureBeyondViewport=True, **clip)["data"])
 
     def downloaded(self, ending, limit=LIMIT):
-        """Bytes of the first file with this ending that arrives, or None."""
+        """Bytes of the first file with this ending that arrives, which is then forgotten, or None."""
         until = time.monotonic() + limit
         while time.monotonic() < until:
             for name in os.listdir(self.folder.name):
                 if name.endswith(ending):
-                    with open(os.path.join(self.folder.name, name), "rb") as file:
-                        return file.read()
+                    file = pathlib.Path(self.folder.name, name)
+                    content = file.read_bytes()
+                    file.unlink()
+                    return content
             time.sleep(0.1)
         return None
 

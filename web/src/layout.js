@@ -45,7 +45,7 @@ function caseRegion() {
 }
 
 function resultRegion() {
-  const tabs = new Tabs(text.details, ["quantities", "comparison", "sweep", "powder", "about", "files"]
+  const tabs = new Tabs(text.details, ["quantities", "report", "comparison", "sweep", "about", "files"]
     .map((key) => ({ key, name: text[key] })));
   const parts = { title: element("h2", { className: "title" }),
     counters: element("dl", { className: "counters" }),

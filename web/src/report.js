@@ -1,34 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The plots of a page that the program wrote: each <script class="plot"> becomes a chart.
+// The pictures of a page that the program wrote: each <script class="picture"> becomes a chart, a map or bars.
 
 import style from "./style/plot.css";
 import plotStyle from "uplot/dist/uPlot.min.css";
-import { Chart, toolbar } from "./plot/chart.js";
-import { fileName, savePng, saveSvg } from "./plot/save.js";
+import { Chart } from "./plot/chart.js";
+import { Figure } from "./plot/figure.js";
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 
 function colours() {
   const of = getComputedStyle(document.documentElement);
   const value = (name) => of.getPropertyValue(`--${name}`).trim();
-  return { soft: value("soft"), grid: value("grid"), isDark: dark.matches };
+  return { soft: value("soft"), grid: value("grid"), ink: value("ink"), isDark: dark.matches };
+}
+
+function show(data) {
+  const picture = JSON.parse(data.textContent), { kind = "plot" } = picture; // once there were only plots
+  const shown = kind === "plot" ? new Chart({ colours }) : new Figure(picture, colours);
+  data.replaceWith(shown.root);
+  if (kind === "plot") shown.show(picture);
+  return shown;
 }
 
 document.head.append(Object.assign(document.createElement("style"), { textContent: plotStyle + style }));
-const charts = [...document.querySelectorAll("script.plot")].map((data) => {
-  const print = data.previousElementSibling?.localName === "noscript" ? data.previousElementSibling.textContent : "";
-  const chart = new Chart({ colours });
-  data.replaceWith(chart.root);
-  chart.show(JSON.parse(data.textContent), print.trim());
-  return chart;
-});
-dark.addEventListener("change", () => charts.forEach((chart) => chart.make()));
-for (const svg of document.querySelectorAll("figure > svg")) {
-  const title = svg.getAttribute("aria-label") ?? "picture", name = fileName(title);
-  const tools = toolbar(title, [["SVG", () => saveSvg(name, svg), "Save the picture"],
-    ["PNG", () => savePng(name, svg), "Save the picture in pixels"]]);
-  tools.classList.add("of-picture");
-  svg.before(tools);
-}
+const pictures = [...document.querySelectorAll("script.picture, script.plot")].map(show);
+dark.addEventListener("change", () => pictures.forEach((each) => each.make()));

@@ -97,8 +97,7 @@ async function a_title_with_markup_does_no_harm({ page, url }) {
   await writeCase(page, (await caseText(page)).replace(/^title = .*/, `title = ${JSON.stringify(title)}`));
   await runAgain(page);
   expect("the title is text", await page.textContent(".result .title"), title);
-  await tab(page, "files");
-  await page.click("text=Open the report");
+  await tab(page, "report");
   const report = page.frameLocator("iframe");
   await report.locator("h1").first().waitFor({ timeout: limit });
   await page.waitForTimeout(500);

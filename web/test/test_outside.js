@@ -17,7 +17,7 @@ async function seriousFindings(page) {
 
 async function axe_has_no_serious_findings({ page, url }) {
   await open(page, url);
-  for (const key of ["quantities", "comparison", "sweep", "powder", "about", "files", "text"]) {
+  for (const key of ["quantities", "comparison", "report", "sweep", "about", "files", "text"]) {
     await tab(page, key);
     expect(`findings at ${key}`, await seriousFindings(page), []);
   }
@@ -105,7 +105,7 @@ async function from_disk({ page, url, folder }) {
   await tab(page, "files");
   await saved(page, `${folder}/disk.toml`, () => page.click('.file:text-is("case.toml")'));
   expect("the case", readFileSync(`${folder}/disk.toml`, "utf8").includes('"12 Hz"'));
-  await page.click("text=Open the report");
+  await tab(page, "report");
   await page.frameLocator("iframe").locator("h1").first().waitFor({ timeout: limit });
 }
 

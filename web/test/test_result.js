@@ -174,15 +174,12 @@ async function files_can_be_saved({ page, url, folder }) {
 
 async function the_report_opens({ page, url }) {
   await open(page, url);
-  await tab(page, "files");
-  await page.click("text=Open the report");
+  await tab(page, "report");
   const report = page.frameLocator("iframe");
   await report.locator("h1").first().waitFor({ timeout: limit });
   expect("the title", (await report.locator("h1").first().textContent()).includes("One ball"));
   expect("its styles apply", await report.locator("html").evaluate(() => document.styleSheets.length > 0));
   expect("it has no origin", await report.locator("html").evaluate(() => origin), "null");
-  await page.keyboard.press("Escape");
-  await page.waitForSelector("dialog", { state: "detached" });
 }
 
 async function about_these_numbers({ page, url }) {

@@ -12,84 +12,58 @@
 #include "mahlwerk/report/fit.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
+#include "mahlwerk/report/parameters.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 
 namespace mahlwerk::report {
 namespace {
 
-std::string number_rows(const FitReport& fit) {
+std::string number_rows(const Fit& fit) {
   std::string rows;
-  for (const FitParameter& n : fit.parameters)
+  for (const FittedParameter& p : fit.result.parameters)
     rows += fmt::format(
         "<tr><th scope=\"row\"><code>{}</code><small>{}</small></th><td class=\"n\">{}</td><td "
         "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{} to {}</td></tr>\n",
-        escaped(n.key), escaped(n.about),
-        n.determined ? escaped(n.value_text()) : "<s>" + escaped(n.value_text()) + "</s>",
-        escaped(n.interval_text()),
-        std::isfinite(n.simulation_ci95)
-            ? "± " + escaped(show_rounded(n.simulation_ci95, n.unit, 2))
+        escaped(p.name), escaped(p.about), value_cell_text(p), escaped(p.interval_text()),
+        std::isfinite(p.simulation_ci95)
+            ? "± " + escaped(show_rounded(p.simulation_ci95, p.unit, 2))
             : "-",
-        escaped(show_rounded(n.least, n.unit)), escaped(show_rounded(n.most, n.unit)));
+        escaped(p.text.least), escaped(p.text.most));
   return rows;
 }
 
-std::string remarks(const FitReport& fit) {
-  std::string text;
-  for (const FitParameter& n : fit.parameters) {
-    std::string words;
-    for (const std::string& remark : n.remarks)
-      words += (words.empty() ? " " : "; ") + escaped(remark);
-    if (!words.empty()) words += ".";
-    if (!n.determined)
-      text += note_box(
-          fmt::format("<b>The data do not determine <code>{}</code>:</b>{}", escaped(n.key), words),
-          true);
-    else if (!words.empty())
-      text += note_box(fmt::format("<code>{}</code>:{}", escaped(n.key), words), false);
-  }
-  for (const std::string& remark : fit.remarks) text += note_box(escaped(remark) + ".", true);
-  return text;
-}
-
-/// A measured quantity that gets its own plot, and what it varies with.
 struct DrawnQuantity {
   std::string what;
   bool over_size = false, over_time = false;
 };
 
-std::vector<DrawnQuantity> drawn_quantities(const FitReport& fit) {
+std::vector<DrawnQuantity> drawn_quantities(const Fit& fit) {
   std::vector<DrawnQuantity> all;
-  for (const FitPoint& p : fit.points) {
-    if (std::ranges::find(all, p.what, &DrawnQuantity::what) != all.end()) continue;
-    DrawnQuantity d{p.what, p.what == "passing", false};
-    for (const FitPoint& other : fit.points)
-      d.over_time = d.over_time || (other.what == p.what && other.time != p.time);
+  for (const PredictedMeasurement& p : fit.points) {
+    if (std::ranges::find(all, p.name(), &DrawnQuantity::what) != all.end()) continue;
+    DrawnQuantity d{p.name(), p.name() == "passing", false};
+    for (const PredictedMeasurement& other : fit.points)
+      d.over_time = d.over_time || (other.name() == p.name() && other.time != p.time);
     all.push_back(d);
   }
   return all;
 }
 
-std::string name_of(const FitReport& fit, std::size_t condition) {
-  const std::string& name = fit.conditions[condition];
-  return name.empty() ? "the case" : name;
-}
-
-/// The multiple of the unit that suits the largest value of a quantity, or of its sizes.
-Multiple multiple_of(const FitReport& fit, const std::string& what, bool of_size) {
+Multiple multiple_of(const Fit& fit, const std::string& what, bool of_size) {
   double most = 0;
   std::string unit;
-  for (const FitPoint& p : fit.points)
-    if (p.what == what) {
-      most = std::fmax(most, of_size ? p.size : std::fmax(p.measured, p.fitted));
-      unit = of_size ? "m" : p.unit;
+  for (const PredictedMeasurement& p : fit.points)
+    if (p.name() == what) {
+      most = std::fmax(most, of_size ? p.size : std::fmax(p.value, p.predicted.value));
+      unit = of_size ? "m" : p.unit();
     }
   return multiple(most, unit);
 }
 
 /// Unit of the time axis: s, min or h, by the longest time.
-Multiple of_times(const FitReport& fit) {
+Multiple of_times(const Fit& fit) {
   double most = 0;
-  for (const FitPoint& p : fit.points) most = std::fmax(most, p.time);
+  for (const PredictedMeasurement& p : fit.points) most = std::fmax(most, p.time);
   if (most > 4 * 3600) return {3600, "h"};
   return most > 300 ? Multiple{60, "min"} : Multiple{1, "s"};
 }
@@ -100,7 +74,7 @@ std::string axis_of(const std::string& what, const Multiple& m) {
 
 /// Measured values as dots, model curves as lines; a colour for each condition, and for each time
 /// of size distributions.
-Plot curves(const FitReport& fit, const DrawnQuantity& d) {
+Plot curves(const Fit& fit, const DrawnQuantity& d) {
   const Multiple across = d.over_size ? multiple_of(fit, d.what, true) : of_times(fit);
   const Multiple up = multiple_of(fit, d.what, false);
   std::map<std::pair<std::size_t, double>, std::size_t> colours;
@@ -113,7 +87,7 @@ Plot curves(const FitReport& fit, const DrawnQuantity& d) {
   };
   for (const FitCurve& c : fit.curves) {
     if (c.what != d.what) continue;
-    Series line{.name = name_of(fit, c.condition), .colour = colour(c.condition, c.time)};
+    Series line{.name = fit.condition_name(c.condition), .colour = colour(c.condition, c.time)};
     if (d.over_size) line.name += ", " + show_rounded(c.time, "s", 3);
     for (std::size_t i = 0; i < c.x.size(); ++i) {
       line.x.push_back(c.x[i] / across.factor);
@@ -121,11 +95,11 @@ Plot curves(const FitReport& fit, const DrawnQuantity& d) {
     }
     plot.series.push_back(std::move(line));
   }
-  for (const FitPoint& p : fit.points)
-    if (p.what == d.what)
+  for (const PredictedMeasurement& p : fit.points)
+    if (p.name() == d.what)
       plot.series.push_back({.name = "",
                              .x = {(d.over_size ? p.size : p.time) / across.factor},
-                             .y = {p.measured / up.factor},
+                             .y = {p.value / up.factor},
                              .error = {1.96 * p.error / up.factor},
                              .mark = Mark::dots,
                              .colour = colour(p.condition, p.time)});
@@ -133,18 +107,18 @@ Plot curves(const FitReport& fit, const DrawnQuantity& d) {
 }
 
 /// Measured and fitted values over the number of the condition, for data at a single time.
-Plot beside(const FitReport& fit, const DrawnQuantity& d) {
+Plot beside(const Fit& fit, const DrawnQuantity& d) {
   const Multiple up = multiple_of(fit, d.what, false);
   Series measured{.name = "measured", .mark = Mark::dots}, fitted{.name = "fitted"};
   fitted.mark = Mark::points;
-  for (const FitPoint& p : fit.points) {
-    if (p.what != d.what) continue;
+  for (const PredictedMeasurement& p : fit.points) {
+    if (p.name() != d.what) continue;
     const auto x = static_cast<double>(p.condition + 1);
     measured.x.push_back(x);
-    measured.y.push_back(p.measured / up.factor);
+    measured.y.push_back(p.value / up.factor);
     measured.error.push_back(1.96 * p.error / up.factor);
     fitted.x.push_back(x);
-    fitted.y.push_back(p.fitted / up.factor);
+    fitted.y.push_back(p.predicted.value / up.factor);
   }
   return {.title = fmt::format("{}: measured and fitted", d.what),
           .x = Axis{"number of the condition"},
@@ -152,7 +126,7 @@ Plot beside(const FitReport& fit, const DrawnQuantity& d) {
           .series = {fitted, measured}};
 }
 
-Plot residuals(const FitReport& fit) {
+Plot residuals(const Fit& fit) {
   Plot plot{.title = "Residuals",
             .x = Axis{"line of the table of measurements"},
             .y = Axis{fit.errors_known ? "residual (measurement errors)" : "residual"},
@@ -160,15 +134,15 @@ Plot residuals(const FitReport& fit) {
             .height = 280};
   for (const DrawnQuantity& d : drawn_quantities(fit)) {
     Series series{.name = d.what, .mark = Mark::dots};
-    for (const FitPoint& p : fit.points)
-      if (p.what == d.what) {
+    for (const PredictedMeasurement& p : fit.points)
+      if (p.name() == d.what) {
         series.x.push_back(p.line);
         series.y.push_back(p.residual);
       }
     plot.series.push_back(std::move(series));
   }
   Series zero{.name = "", .colour = 6};
-  for (const FitPoint& p : fit.points) {
+  for (const PredictedMeasurement& p : fit.points) {
     zero.x.push_back(p.line);
     zero.y.push_back(0);
   }
@@ -176,48 +150,31 @@ Plot residuals(const FitReport& fit) {
   return plot;
 }
 
-std::string point_rows(const FitReport& fit) {
+std::string point_rows(const Fit& fit) {
   std::string rows;
-  for (const FitPoint& p : fit.points) {
+  for (const PredictedMeasurement& p : fit.points) {
     const auto text = [&](double value) {
-      return escaped(readable(value, NAN, p.unit.empty() ? "1" : p.unit).text());
+      return escaped(readable(value, NAN, p.unit().empty() ? "1" : p.unit()).text());
     };
     rows += fmt::format(
         "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td>{}{}</td><td "
         "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2g}</td></tr>\n",
-        p.line, escaped(name_of(fit, p.condition)), escaped(show_rounded(p.time, "s")),
-        escaped(p.what), p.size > 0 ? " " + escaped(show_rounded(p.size, "m")) : "",
-        text(p.measured), text(p.fitted), p.residual);
+        p.line, escaped(fit.condition_name(p.condition)), escaped(show_rounded(p.time, "s")),
+        escaped(p.name()), p.size > 0 ? " " + escaped(show_rounded(p.size, "m")) : "",
+        text(p.value), text(p.predicted.value), p.residual);
   }
   return rows;
 }
 
-std::string correlation(const FitReport& fit) {
-  if (fit.parameters.size() < 2) return "";
-  std::string head, rows;
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-    const std::string key = escaped(fit.parameters[i].key);
-    head += fmt::format("<th class=\"n\"><code>{}</code></th>", key);
-    rows += fmt::format("<tr><th scope=\"row\"><code>{}</code></th>", key);
-    for (const double c : fit.correlation[i]) rows += fmt::format("<td class=\"n\">{:.3f}</td>", c);
-    rows += "</tr>\n";
-  }
-  return fmt::format(
-      "<h2>Correlation of the parameters</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}"
-      "</tr></thead>\n<tbody>\n{}</tbody>\n</table></div>\n<p><small>Near 1 or -1 the data hardly "
-      "distinguish the two parameters.</small></p>\n",
-      head, rows);
-}
-
-std::string condition_list(const FitReport& fit) {
+std::string condition_list(const Fit& fit) {
   if (fit.conditions.size() < 2) return "";
   std::string items;
   for (std::size_t i = 0; i < fit.conditions.size(); ++i)
-    items += fmt::format("<li>{}</li>\n", escaped(name_of(fit, i)));
+    items += fmt::format("<li>{}</li>\n", escaped(fit.condition_name(i)));
   return fmt::format("<h2>Conditions</h2>\n<ol>\n{}</ol>\n", items);
 }
 
-std::string figures(const FitReport& fit) {
+std::string figures(const Fit& fit) {
   std::string text;
   for (const DrawnQuantity& d : drawn_quantities(fit)) {
     const bool over = d.over_size || d.over_time || fit.conditions.size() < 2;
@@ -231,12 +188,12 @@ std::string figures(const FitReport& fit) {
 
 }  // namespace
 
-std::string fit_page(const FitReport& fit, std::string_view version) {
+std::string fit_page(const Fit& fit, std::string_view version) {
   std::string body = fmt::format(
       "<p class=\"lead\">{} parameter{} of {}, fitted to {} measured values of {}.</p>\n",
-      fit.parameters.size(), fit.parameters.size() == 1 ? "" : "s", escaped(fit.case_file),
-      fit.points.size(), escaped(fit.data_file));
-  body += remarks(fit);
+      fit.result.parameters.size(), fit.result.parameters.size() == 1 ? "" : "s",
+      escaped(fit.case_file), fit.points.size(), escaped(fit.data_file));
+  body += remark_boxes(fit.result);
   body += notice_boxes(fit.notices, fit.conditions.size(), "condition");
   body += fmt::format(
       "<h2>Fitted parameters</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th><th "
@@ -246,7 +203,10 @@ std::string fit_page(const FitReport& fit, std::string_view version) {
       number_rows(fit));
   body += note_box(escaped(how_to_read(fit)), false);
   body += figures(fit);
-  body += correlation(fit) + condition_list(fit);
+  if (fit.result.parameters.size() > 1)
+    body += correlation_table(fit.result, "parameters", 3) +
+            "<p><small>Near 1 or -1 the data hardly distinguish the two parameters.</small></p>\n";
+  body += condition_list(fit);
   body += fmt::format(
       "<h2>Measured and fitted</h2>\n<div class=\"wide\"><table>\n<thead><tr><th "
       "class=\"n\">line</th><th>condition</th><th class=\"n\">time</th><th></th><th "

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
+#include <optional>
 
+#include "mahlwerk/report/plot/map.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
-// Spatial maps as <svg> elements, in the viridis colour scale (monotonic in print and for
-// colour-blind readers).
+// Maps of one outcome; nullopt if there is nothing to show.
 namespace mahlwerk::report {
 
 /// The jar's wall, unrolled, and its two ends, coloured by the power lost by impacts per area.
-std::string wall_picture(const results::Outcome& outcome);
+std::optional<ColourMap> wall_map(const results::Outcome& outcome);
 
 /// Mass and mean velocity of the charge in the plane of motion, in the frames of the carrier and of
 /// the jar.
-std::string field_picture(const results::Outcome& outcome);
+std::optional<ColourMap> field_map(const results::Outcome& outcome);
 
 /// Joint histogram of collisions by normal and tangential energy.
-std::string normal_tangential_picture(const results::Outcome& outcome);
+std::optional<ColourMap> normal_tangential_map(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::report

@@ -25,26 +25,26 @@ std::string ratio_text(const observe::IntervalEstimate& ratio) {
   return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.value, ratio.low, ratio.high);
 }
 
-std::vector<MatchRow> match_rows(const MatchReport& found) {
+std::vector<MatchRow> match_rows(const MatchResult& found) {
   const auto text = [](const observe::Estimate& t, const char* unit, double size) {
     return readable(t.mean, t.ci95, unit, size).text();
   };
-  const double dose = std::fmax(found.dose_a.mean, found.dose_b.mean);
-  const double energy = std::fmax(found.energy_a.mean, found.energy_b.mean);
+  const campaign::Difference& d = found.difference;
+  const double dose = std::fmax(d.dose_a.mean, d.dose_b.mean);
+  const double energy = std::fmax(d.energy_a.mean, d.energy_b.mean);
   const char* unit = found.by_powder ? "W/kg" : "W";
-  return {{found.by_powder ? "dose rate" : "dissipated power", text(found.dose_a, unit, dose),
-           text(found.dose_b, unit, dose), ratio_text(found.dose)},
-          {"mean energy lost per collision", text(found.energy_a, "J", energy),
-           text(found.energy_b, "J", energy),
-           fmt::format("{:.3g}", found.energy_b.mean / found.energy_a.mean)},
-          {"energy below which half of the power lies", "", "", ratio_text(found.half_power)},
-          {"overlap of the power spectra", "", "", fmt::format("{:.0f} %", 100 * found.overlap)},
-          {"distance of the means", "", "", fmt::format("{:.3g}", found.distance)}};
+  return {{found.by_powder ? "dose rate" : "dissipated power", text(d.dose_a, unit, dose),
+           text(d.dose_b, unit, dose), ratio_text(d.dose)},
+          {"mean energy lost per collision", text(d.energy_a, "J", energy),
+           text(d.energy_b, "J", energy), fmt::format("{:.3g}", d.energy_b.mean / d.energy_a.mean)},
+          {"energy below which half of the power lies", "", "", ratio_text(d.half_power)},
+          {"overlap of the power spectra", "", "", fmt::format("{:.0f} %", 100 * d.overlap)},
+          {"distance of the means", "", "", fmt::format("{:.3g}", d.distance)}};
 }
 
 /// Explains the two distances of the report, which differ.
-std::string about_distances(const MatchReport& found) {
-  const OptimumSetting& best = found.search.settings[*found.search.best];
+std::string about_distances(const MatchResult& found) {
+  const Trial& best = found.search.trials[*found.search.best];
   return fmt::format(
       "A distance is the root of the sum of squares of the difference in the logarithm of {0} and "
       "the difference of the spectra: 0 for equal mills, 0.1 for 10 % of {0}. The distance of the "
@@ -52,47 +52,47 @@ std::string about_distances(const MatchReport& found) {
       "replicates of B with the mean of A; their scatter increases their distance, to {1} at the "
       "best setting",
       found.by_powder ? "dose" : "power",
-      readable(best.model.mean, best.model.ci95, found.search.unit).text());
+      readable(best.model.mean, best.model.ci95, found.search.outcome.unit).text());
 }
 
 }  // namespace
 
-std::vector<std::string> sentences(const MatchReport& found) {
+std::vector<std::string> sentences(const MatchResult& found) {
   std::vector<std::string> all;
   if (!found.search.best) return sentences(found.search);
-  if (!std::isfinite(found.p_value))
+  if (!std::isfinite(found.difference.p_value))
     all.push_back("With fewer than two replicates of each mill their scatter is unknown");
-  else if (found.within_scatter)
+  else if (found.difference.within_scatter())
     all.push_back(
         fmt::format("The two mills cannot be distinguished: with randomly permuted labels their "
                     "replicates differ as much in {:.0f} of 100 permutations",
-                    100 * found.p_value));
+                    100 * found.difference.p_value));
   else
     all.push_back(
         fmt::format("The two mills still differ by more than their scatter: with randomly permuted "
                     "labels their replicates differ as much in {:.1f} of 100 permutations",
-                    100 * found.p_value));
+                    100 * found.difference.p_value));
   for (std::string& sentence : validity_sentences(found.search)) all.push_back(std::move(sentence));
-  for (const OptimumKey& k : found.search.keys)
+  for (const KeyOptimum& k : found.search.keys)
     if (k.at_low_end || k.at_high_end)
       all.push_back(fmt::format(
           "{} could not be matched within its range: the best value lies at its {} end, {}", k.key,
-          k.at_low_end ? "lower" : "upper", k.at_low_end ? k.from : k.to));
-  for (const OptimumKey& k : found.search.keys)
+          k.at_low_end ? "lower" : "upper", k.at_low_end ? k.text.from : k.text.to));
+  for (const KeyOptimum& k : found.search.keys)
     if (k.flat)
       all.push_back(fmt::format("{} hardly matters: any value from {} to {} is equally good", k.key,
-                                k.good_low, k.good_high));
+                                k.text.good_low, k.text.good_high));
   if (found.search.failed > 0)
     all.push_back(fmt::format("{} of {} settings could not be run", found.search.failed,
-                              found.search.settings.size()));
+                              found.search.trials.size()));
   return all;
 }
 
-std::string match_table(const MatchReport& found) {
+std::string match_table(const MatchResult& found) {
   std::string text;
   if (found.search.best) {
-    for (const OptimumKey& k : found.search.keys)
-      text += fmt::format("{} = {}   ({})\n", k.key, k.best, k.range_text());
+    for (const KeyOptimum& k : found.search.keys)
+      text += fmt::format("{} = {}   ({})\n", k.key, k.text.best, k.range_text());
     text += '\n';
     std::vector<MatchRow> lines = match_rows(found);
     lines.insert(lines.begin(), MatchRow{"", "A", "B as found", "B/A"});
@@ -102,26 +102,30 @@ std::string match_table(const MatchReport& found) {
   for (const std::string& sentence : sentences(found)) text += sentence + ".\n";
   if (found.search.best) text += chance_sentence(found.search) + ".\n";
   const std::string warned = notice_lines(found.notices, 2, "mill");
-  return text + fmt::format("{} settings tried, {} runs.\n{}{}", found.search.settings.size(),
+  return text + fmt::format("{} settings tried, {} runs.\n{}{}", found.search.trials.size(),
                             found.search.runs(), warned.empty() ? "" : "\n", warned);
 }
 
-Plot match_plot(const MatchReport& found) {
-  std::size_t first = found.shares_a.size(), last = 0;
-  for (std::size_t i = 0; i < found.shares_a.size(); ++i)
-    if (found.shares_a[i] > 1e-4 || found.shares_b[i] > 1e-4) {
+Plot match_plot(const MatchResult& found) {
+  const std::vector<double>&shares_a = found.a.mean.shares, &shares_b = found.b.mean.shares;
+  const auto edge = [](std::size_t bin) {
+    return observe::LogHistogram::lower(static_cast<int>(bin));
+  };
+  std::size_t first = shares_a.size(), last = 0;
+  for (std::size_t i = 0; i < shares_a.size(); ++i)
+    if (shares_a[i] > 1e-4 || shares_b[i] > 1e-4) {
       first = std::min(first, i);
       last = i + 1;
     }
   Series a{.name = "A", .mark = Mark::steps}, b{.name = "B as found", .mark = Mark::steps};
-  const Multiple across = multiple(last > first ? found.edges[last] : 1, "J");
+  const Multiple across = multiple(last > first ? edge(last) : 1, "J");
   for (std::size_t i = first; i < last; ++i) {
-    a.y.push_back(100 * found.shares_a[i]);
-    b.y.push_back(100 * found.shares_b[i]);
+    a.y.push_back(100 * shares_a[i]);
+    b.y.push_back(100 * shares_b[i]);
   }
   for (std::size_t i = first; i <= last && last > first; ++i) {
-    a.x.push_back(found.edges[i] / across.factor);
-    b.x.push_back(found.edges[i] / across.factor);
+    a.x.push_back(edge(i) / across.factor);
+    b.x.push_back(edge(i) / across.factor);
   }
   return {.title = "Power by energy lost per collision",
           .x = Axis{fmt::format("energy lost per collision ({})", across.unit), true},
@@ -129,7 +133,7 @@ Plot match_plot(const MatchReport& found) {
           .series = {a, b}};
 }
 
-std::string match_page(const MatchReport& found, std::string_view version) {
+std::string match_page(const MatchResult& found, std::string_view version) {
   std::string extra;
   if (found.search.best) {
     std::string lines;

@@ -17,11 +17,11 @@ namespace mahlwerk::report {
 namespace {
 
 /// The multiple of the unit that suits all drawn values.
-Multiple multiple_of(const OptimumReport& found) {
+Multiple multiple_of(const Optimum& found) {
   double most = 0;
-  for (const OptimumSetting& s : found.settings)
-    if (std::isfinite(s.observed.mean)) most = std::fmax(most, std::abs(s.observed.mean));
-  return multiple(most, found.unit);
+  for (const Trial& s : found.trials)
+    if (std::isfinite(s.outcome(0).mean)) most = std::fmax(most, std::abs(s.outcome(0).mean));
+  return multiple(most, found.outcome.unit);
 }
 
 std::string with_unit(const std::string& what, const std::string& unit) {
@@ -29,20 +29,20 @@ std::string with_unit(const std::string& what, const std::string& unit) {
 }
 
 /// Settings in the order in which they were tried, and the best so far by the final model.
-Plot history(const OptimumReport& found) {
+Plot history(const Optimum& found) {
   const Multiple up = multiple_of(found);
   Series tried{.name = "settings tried", .mark = Mark::dots}, best{.name = "best so far"};
   best.mark = Mark::line;
-  for (std::size_t i = 0; i < found.settings.size(); ++i) {
-    const OptimumSetting& s = found.settings[i];
-    if (!s.failure.empty() || !std::isfinite(s.observed.mean)) continue;
+  for (std::size_t i = 0; i < found.trials.size(); ++i) {
+    const Trial& s = found.trials[i];
+    if (!s.failure.empty() || !std::isfinite(s.outcome(0).mean)) continue;
     tried.x.push_back(static_cast<double>(i + 1));
-    tried.y.push_back(s.observed.mean / up.factor);
-    tried.error.push_back(std::isfinite(s.observed.ci95) ? s.observed.ci95 / up.factor : 0);
+    tried.y.push_back(s.outcome(0).mean / up.factor);
+    tried.error.push_back(std::isfinite(s.outcome(0).ci95) ? s.outcome(0).ci95 / up.factor : 0);
   }
   double until = NAN;
-  for (std::size_t i = 0; i < found.settings.size(); ++i) {
-    const OptimumSetting& s = found.settings[i];
+  for (std::size_t i = 0; i < found.trials.size(); ++i) {
+    const Trial& s = found.trials[i];
     if (s.failure.empty() && s.probability_feasible >= 0.5) {
       const double now = s.model.mean / up.factor;
       until = found.maximise ? std::fmax(until, now) : std::fmin(until, now);
@@ -53,35 +53,35 @@ Plot history(const OptimumReport& found) {
   }
   return {.title = "Settings tried",
           .x = Axis{"setting number"},
-          .y = Axis{with_unit(label(found.quantity), up.unit)},
+          .y = Axis{with_unit(label(found.outcome.name), up.unit)},
           .series = {tried, best}};
 }
 
 /// A slice of the model through its optimum along a key, and all settings.
-Plot slice(const OptimumReport& found, std::size_t key) {
+Plot slice(const Optimum& found, std::size_t key) {
   const Multiple up = multiple_of(found);
-  const OptimumKey& k = found.keys[key];
+  const KeyOptimum& k = found.keys[key];
   Series mean{.name = "model, other keys at its optimum"},
       low{.name = "95 % interval of the model", .colour = 6};
   Series high{.name = "", .colour = 6}, tried{.name = "settings tried", .mark = Mark::dots};
   tried.colour = 1;
   for (std::size_t i = 0; i < k.x.size(); ++i) {
     for (Series* s : {&mean, &low, &high}) s->x.push_back(k.x[i]);
-    mean.y.push_back(k.model_at[i].mean / up.factor);
-    low.y.push_back((k.model_at[i].mean - k.model_at[i].ci95) / up.factor);
-    high.y.push_back((k.model_at[i].mean + k.model_at[i].ci95) / up.factor);
+    mean.y.push_back(k.slice[i].mean / up.factor);
+    low.y.push_back((k.slice[i].mean - k.slice[i].ci95) / up.factor);
+    high.y.push_back((k.slice[i].mean + k.slice[i].ci95) / up.factor);
   }
-  for (const OptimumSetting& s : found.settings) {
-    if (!s.failure.empty() || !std::isfinite(s.observed.mean)) continue;
+  for (const Trial& s : found.trials) {
+    if (!s.failure.empty() || !std::isfinite(s.outcome(0).mean)) continue;
     tried.x.push_back(s.x[key]);
-    tried.y.push_back(s.observed.mean / up.factor);
+    tried.y.push_back(s.outcome(0).mean / up.factor);
   }
-  return {.title = fmt::format("{} over {}", label(found.quantity), k.key),
+  return {.title = fmt::format("{} over {}", label(found.outcome.name), k.key),
           .x = Axis{.label = with_unit(k.key, k.unit),
                     .logarithmic = k.logarithmic,
                     .least = k.x.front(),
                     .most = k.x.back()},
-          .y = {with_unit(label(found.quantity), up.unit)},
+          .y = {with_unit(label(found.outcome.name), up.unit)},
           .series = {low, high, mean, tried}};
 }
 
@@ -93,18 +93,20 @@ std::string key_cell(std::size_t column, const std::string& text) {
   return fmt::format("<td class=\"n\" data-head=\"{}\">{}</td>", key_heads[column], escaped(text));
 }
 
-std::string key_rows(const OptimumReport& found) {
+std::string key_rows(const Optimum& found) {
   std::string rows;
-  for (const OptimumKey& k : found.keys)
-    rows += fmt::format(
-        "<tr><th scope=\"row\"><code>{}</code></th>{}{}{}{}{}</tr>\n", escaped(k.key),
-        key_cell(0, k.best), key_cell(1, k.range_text()), key_cell(2, k.model),
-        key_cell(3, k.good_low == k.good_high ? k.good_low : k.good_low + " to " + k.good_high),
-        key_cell(4, k.from + " to " + k.to));
+  for (const KeyOptimum& k : found.keys)
+    rows += fmt::format("<tr><th scope=\"row\"><code>{}</code></th>{}{}{}{}{}</tr>\n",
+                        escaped(k.key), key_cell(0, k.text.best), key_cell(1, k.range_text()),
+                        key_cell(2, k.text.model),
+                        key_cell(3, k.text.good_low == k.text.good_high
+                                        ? k.text.good_low
+                                        : k.text.good_low + " to " + k.text.good_high),
+                        key_cell(4, k.text.from + " to " + k.text.to));
   return rows;
 }
 
-std::string key_table(const OptimumReport& found) {
+std::string key_table(const Optimum& found) {
   std::string heads;
   for (const std::string_view head : key_heads)
     heads += fmt::format("<th class=\"n\">{}</th>", head);
@@ -118,8 +120,8 @@ std::string cell(const observe::Estimate& t, const std::string& unit) {
   return fmt::format("<td class=\"n\">{}</td>", escaped(readable(t.mean, t.ci95, unit).text()));
 }
 
-std::string setting_row(const OptimumReport& found, std::size_t number) {
-  const OptimumSetting& s = found.settings[number];
+std::string setting_row(const Optimum& found, std::size_t number) {
+  const Trial& s = found.trials[number];
   const bool best = found.best == number;
   std::string row = fmt::format("<tr><th scope=\"row\">{}{}{}</th>", best ? "<b>" : "", number + 1,
                                 best ? " best</b>" : "");
@@ -128,24 +130,23 @@ std::string setting_row(const OptimumReport& found, std::size_t number) {
   if (!s.failure.empty())
     return row + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", 4 + found.limits.size(),
                              escaped(s.failure));
-  row += cell(s.observed, found.unit) + cell(s.model, found.unit);
+  row += cell(s.outcome(0), found.outcome.unit) + cell(s.model, found.outcome.unit);
   for (std::size_t i = 0; i < found.limits.size(); ++i)
-    row += cell(i < s.limit_values.size() ? s.limit_values[i] : observe::Estimate{},
-                found.limits[i].unit);
+    row += cell(s.outcome(i + 1), found.limits[i].unit);
   return row + fmt::format("<td class=\"n\">{:.0f} %</td><td class=\"n\">{}</td></tr>\n",
-                           100 * s.probability_best, s.replicates);
+                           100 * s.probability_best, s.replicates.size());
 }
 
-std::string settings(const OptimumReport& found) {
+std::string settings(const Optimum& found) {
   std::string head;
-  for (const OptimumKey& k : found.keys)
+  for (const KeyOptimum& k : found.keys)
     head += fmt::format("<th class=\"n\"><code>{}</code></th>", escaped(k.key));
   head += fmt::format("<th class=\"n\">{}</th><th class=\"n\">by the model</th>",
-                      escaped(label(found.quantity)));
+                      escaped(label(found.outcome.name)));
   for (const OptimumLimit& limit : found.limits)
     head += fmt::format("<th class=\"n\">{}</th>", escaped(label(limit.quantity)));
   std::string rows;
-  for (std::size_t i = 0; i < found.settings.size(); ++i) rows += setting_row(found, i);
+  for (std::size_t i = 0; i < found.trials.size(); ++i) rows += setting_row(found, i);
   return fmt::format(
       "<h2>Settings tried</h2>\n<div class=\"wide\"><table>\n<thead><tr><th></th>{}<th "
       "class=\"n\">probability</th><th class=\"n\">runs</th></tr></thead>\n<tbody>\n{}</tbody>\n"
@@ -153,29 +154,28 @@ std::string settings(const OptimumReport& found) {
       head, rows);
 }
 
-std::string lead(const OptimumReport& found) {
+std::string lead(const Optimum& found) {
   std::string text = fmt::format(
-      "{} settings of {} tried, {} runs, to make the {} as {} as possible", found.settings.size(),
-      found.case_file, found.runs(), label(found.quantity), found.maximise ? "large" : "small");
+      "{} settings of {} tried, {} runs, to make the {} as {} as possible", found.trials.size(),
+      found.case_file, found.runs(), label(found.outcome.name), found.maximise ? "large" : "small");
   if (found.best)
     text += fmt::format(": {} at the best setting",
-                        readable(found.settings[*found.best].model.mean,
-                                 found.settings[*found.best].model.ci95, found.unit)
+                        readable(found.trials[*found.best].model.mean,
+                                 found.trials[*found.best].model.ci95, found.outcome.unit)
                             .text());
   return text + ".";
 }
 
 }  // namespace
 
-std::vector<Plot> optimum_plots(const OptimumReport& found) {
+std::vector<Plot> optimum_plots(const Optimum& found) {
   std::vector<Plot> plots{history(found)};
   if (found.best)
     for (std::size_t key = 0; key < found.keys.size(); ++key) plots.push_back(slice(found, key));
   return plots;
 }
 
-std::string optimum_page(const OptimumReport& found, std::string_view version,
-                         std::string_view extra) {
+std::string optimum_page(const Optimum& found, std::string_view version, std::string_view extra) {
   std::string body = fmt::format("<p class=\"lead\">{}</p>\n", escaped(lead(found)));
   if (found.best) body += key_table(found);
   std::string points;
@@ -184,8 +184,8 @@ std::string optimum_page(const OptimumReport& found, std::string_view version,
   body += fmt::format(
       "<section class=\"box{}\"><h2>Certainty of the result</h2>\n{}"
       "</section>\n",
-      found.best && !found.settings[*found.best].invalid ? "" : " warn", points);
-  body += notice_boxes(found.notices, found.settings.size(), "setting");
+      found.best && !found.trials[*found.best].invalid() ? "" : " warn", points);
+  body += notice_boxes(found.notices, found.trials.size(), "setting");
   body += extra;
   const std::vector<Plot> plots = optimum_plots(found);
   for (std::size_t i = 0; i < plots.size(); ++i)

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/plot/picture_json.hpp"
 #include "mahlwerk/report/scripts.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 
@@ -13,9 +13,7 @@ namespace {
 
 constexpr std::string_view style = R"css(
 :root{--ink:#1d2329;--soft:#59636e;--grid:#e3e6ea;--paper:#fff;--box:#f5f7f9;--edge:#d5dae0;--warn:#9a3412;--warnbox:#fff4ed;color-scheme:light dark}
-@media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--soft:#a3adb8;--grid:#30363d;--paper:#14181c;--box:#1d2329;--edge:#39424b;--warn:#fdba74;--warnbox:#33200f}
- svg path[stroke="#0072B2"]{stroke:#4aa8e0}svg [fill="#0072B2"]{fill:#4aa8e0}svg path[stroke="#666666"]{stroke:#a3adb8}
- svg[fill="#1d2329"],svg [fill="#1d2329"]{fill:var(--ink)}svg [stroke="#1d2329"]{stroke:var(--ink)}svg [fill="#59636e"]{fill:var(--soft)}svg [stroke="#59636e"]{stroke:var(--soft)}svg [stroke="#e3e6ea"]{stroke:var(--grid)}svg [fill="#ffffff"]{fill:var(--paper)}svg [stroke="#ffffff"]{stroke:var(--paper)}svg [fill="#f5f7f9"]{fill:var(--box)}}
+@media (prefers-color-scheme:dark){:root{--ink:#e4e8ec;--soft:#a3adb8;--grid:#30363d;--paper:#14181c;--box:#1d2329;--edge:#39424b;--warn:#fdba74;--warnbox:#33200f}}
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,-apple-system,"Segoe UI",Helvetica,Arial,sans-serif}
 main{max-width:60rem;margin:0 auto;padding:2.2rem 1.4rem 3rem}
@@ -32,7 +30,7 @@ tbody th{font-weight:400}tbody th.group{font-weight:600;padding-top:1.1rem}tbody
 .box h2{margin:0 0 .4rem}.box p{margin:.3rem 0}.box table td,.box table th{padding:.25rem .7rem .25rem 0}
 .box tr:last-child td{border-bottom:0}
 .warn{border-color:var(--warn);background:var(--warnbox);color:var(--warn)}
-figure{margin:1.6rem 0;break-inside:avoid}figure>svg{display:block;width:100%;height:auto}figure>svg[width="340"]{max-width:30rem}
+figure{margin:1.6rem 0;break-inside:avoid}figure>svg{max-width:100%;height:auto}
 .panels{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(25rem,100%),1fr));gap:.4rem 1.6rem}.panels figure{margin:.8rem 0;min-width:0}
 .laws{font-size:.82rem;margin:.3rem 0}.laws td,.laws th{padding:.2rem .5rem .2rem 0}.laws .best td{font-weight:600}figcaption p{margin:.2rem 0}figcaption summary{font-weight:400}
 #points{font-size:.84rem}#points td,#points th{padding:.3rem .5rem}#points th{cursor:pointer}#points th[aria-sort=ascending]::after{content:" ↑"}#points th[aria-sort=descending]::after{content:" ↓"}td.failed{color:var(--warn)}
@@ -48,18 +46,53 @@ footer{margin-top:2.5rem;border-top:1px solid var(--edge);padding-top:.8rem}
  body{font-size:10.5pt}main{max-width:none;padding:0}tr{break-inside:avoid}h2{break-after:avoid}}
 )css";
 
+/// Instead of the pictures, where scripts do not run.
+constexpr std::string_view without_scripts =
+    "<noscript><section class=\"box\"><p>The pictures of this page are drawn by its script, which "
+    "does not run here. Open the file in a browser; the tables beside it hold the "
+    "numbers.</p></section></noscript>\n";
+
+/// Replaces what stands between `begin` and `end`, searched from `from` on. Returns whether it did.
+bool replace_between(std::string& text, std::size_t from, std::string_view begin,
+                     std::string_view end, std::string_view by) {
+  const std::size_t at = text.find(begin, from);
+  if (at == std::string::npos) return false;
+  const std::size_t start = at + begin.size(), stop = text.find(end, start);
+  if (stop == std::string::npos) return false;
+  text.replace(start, stop - start, by);
+  return true;
+}
+
+std::string figure_of(const std::string& json, std::string_view caption) {
+  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", drawing(json),
+                     escaped(caption));
+}
+
 }  // namespace
 
 std::string page(std::string_view title, std::string_view body, std::string_view footer) {
+  const bool pictures = body.find("class=\"picture\"") != std::string_view::npos;
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}"
-      "<footer>{3}</footer>\n</main>\n{4}</body>\n</html>\n",
-      escaped(title), style, body, footer,
-      body.find("class=\"plot\"") == std::string_view::npos
-          ? ""
-          : fmt::format("<script>{}</script>\n", plots_script()));
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}{3}"
+      "<footer>{4}</footer>\n</main>\n{5}</body>\n</html>\n",
+      escaped(title), style, pictures ? without_scripts : "", body, footer,
+      pictures ? fmt::format("<script>{}</script>\n", plots_script()) : "");
+}
+
+std::optional<std::string> renewed_page(std::string_view old) {
+  std::string made(old);
+  if (!old.starts_with("<!doctype html>") ||
+      old.find("<footer>Mahlwerk ") == std::string_view::npos)
+    return std::nullopt;
+  if (!replace_between(made, 0, "<style>", "</style>", style)) return std::nullopt;
+  if (const std::size_t film = made.find("id=\"replay-data\""); film != std::string::npos)
+    replace_between(made, film, "<script>", "</script>", replay_script());
+  const std::size_t foot = made.find("</main>", made.rfind("<footer>Mahlwerk "));
+  if (foot != std::string::npos)
+    replace_between(made, foot, "<script>", "</script>", plots_script());
+  return made;
 }
 
 std::string note_box(const std::string& words, bool warns) {
@@ -67,8 +100,11 @@ std::string note_box(const std::string& words, bool warns) {
 }
 
 std::string figure(const Plot& plot, std::string_view caption) {
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
-                     drawing(svg(plot), plot_json(plot)), escaped(caption));
+  return figure_of(picture_json(plot), caption);
+}
+
+std::string figure(const std::optional<ColourMap>& map, std::string_view caption) {
+  return map ? figure_of(picture_json(*map), caption) : "";
 }
 
 }  // namespace mahlwerk::report

@@ -19,7 +19,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
-#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/plot/picture_json.hpp"
 #include "mahlwerk/report/scripts.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 

@@ -120,12 +120,6 @@ std::string methods_box(const Outcome& outcome, std::string_view version) {
       with_symbols(escaped(methods(outcome, version))));
 }
 
-std::string picture(const std::string& drawing, std::string_view caption) {
-  if (drawing.empty()) return "";
-  return fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n", drawing,
-                     escaped(caption));
-}
-
 std::string spectra_section(const Outcome& outcome) {
   return "<h2>Impact energies</h2>\n" +
          figure(
@@ -134,21 +128,21 @@ std::string spectra_section(const Outcome& outcome) {
              "bounces are not drawn; spectrum.csv has all of them, spectra_by_pair.csv by pair.") +
          figure(energy_weighted_plot(outcome),
                 "The same weighted by energy: shows which impacts carry the power.") +
-         picture(normal_tangential_picture(outcome),
-                 "Collisions per second by normal and tangential energy, one bin per octave; the "
-                 "colours cover four decades.") +
+         figure(normal_tangential_map(outcome),
+                "Collisions per second by normal and tangential energy, one bin per octave; the "
+                "colours cover four decades.") +
          figure(angle_plot(outcome),
                 "Angle between the relative velocity and the normal at first contact.");
 }
 
 std::string maps_section(const Outcome& outcome) {
   std::string text =
-      picture(wall_picture(outcome),
-              "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
-              "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
-  text += picture(field_picture(outcome),
-                  "Mean over the counted time in the plane of motion: mass per area as colour, "
-                  "mean velocity as arrows. fields.csv has the numbers.");
+      figure(wall_map(outcome),
+             "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
+             "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
+  text += figure(field_map(outcome),
+                 "Mean over the counted time in the plane of motion: mass per area as colour, "
+                 "mean velocity as arrows. fields.csv has the numbers.");
   if (text.empty()) return "";
   std::string words;
   if (const std::string& regime = outcome.summary.regime; !regime.empty())

@@ -161,8 +161,8 @@ TEST(Calibration, of_exact_data_finds_the_parameters_and_predicts_the_outcomes) 
   EXPECT_GE(found.parameters[0].high, 0.5);
   EXPECT_TRUE(found.parameters[1].determined);
   for (std::size_t i = 0; i < frequencies.size(); ++i) {
-    const PredictedOutcome& p = found.outcomes[i];
-    states("prediction [W]", p.mean, measured[i], (p.high - p.low) / 2, "its 95 % interval");
+    const observe::IntervalEstimate& p = found.outcomes[i].value;
+    states("prediction [W]", p.value, measured[i], p.half_width(), "its 95 % interval");
     stays_below("its width over the value", (p.high - p.low) / measured[i], 0.08,
                 "four errors of 1 % and the emulator's");
   }
@@ -197,7 +197,7 @@ TEST(Calibration, widens_intervals_of_a_model_that_does_not_fit) {
   EXPECT_LT(fits.misfit, 1.5);
   EXPECT_GT(misses.misfit, 3);
   const auto width = [](const CalibrationResult& r) {  // of what the model predicts
-    return r.outcomes[1].high - r.outcomes[1].low;
+    return r.outcomes[1].value.high - r.outcomes[1].value.low;
   };
   EXPECT_GT(width(misses), 2 * width(fits));
   EXPECT_NE(misses.remarks.front().find("scatter"), std::string::npos) << misses.remarks.front();

@@ -135,13 +135,13 @@ TEST(Optimise, keeps_within_a_limit_and_says_that_it_binds) {
   const double noise = hardly_told(0.02) / 1.2;  // of x^2, which has a slope of 1.2 there
   states("best tried", place, 0.6, noise, "3 x with x^2 < 0.36");
   states("model's best", found.model_point[0], 0.6, noise, "3 x with x^2 < 0.36");
-  EXPECT_TRUE(found.binds[0]);
+  EXPECT_TRUE(found.limits[0].binds);
   EXPECT_FALSE(found.keys[0].at_high_end);
   EXPECT_LE(found.keys[0].low, 0.6);
   EXPECT_GE(found.keys[0].high, 0.6);
   const Optimum free =
       optimise({.keys = 1, .bounds = {{.below = true, .value = 2}}, .settings = 20}, both);
-  EXPECT_FALSE(free.binds[0]);
+  EXPECT_FALSE(free.limits[0].binds);
   EXPECT_TRUE(free.keys[0].at_high_end);
 }
 

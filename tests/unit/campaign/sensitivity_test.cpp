@@ -22,7 +22,7 @@ TEST(ElementaryEffects, are_exact_for_a_line) {
       rows, outcomes(rows, [](const Values& x) { return 5 + 2 * x[0] - 3 * x[1]; }), {});
   const std::array slope{2.0, -3.0, 0.0};
   for (std::size_t i = 0; i < 3; ++i) {
-    const KeyEffects& key = found.keys[i];
+    const Effect& key = found.effects[i];
     const double rounding = 1e-14;  // outcomes of 10 are rounded to 2e-15, steps are 2/3
     states("mu", key.mean.value, slope[i], rounding, "slope");
     states("mu*", key.mean_absolute.value, std::abs(slope[i]), rounding, "slope");
@@ -46,10 +46,10 @@ TEST(ElementaryEffects, know_what_keys_do_together_and_their_intervals_hold) {
     const auto holds = [](const observe::IntervalEstimate& s, double truth) {
       return s.low <= truth && truth <= s.high;
     };
-    held[0] += holds(found.keys[0].mean, 0.5);
-    held[1] += holds(found.keys[0].deviation, sigma);
-    held[2] += holds(found.keys[1].mean, 0);
-    held[3] += holds(found.keys[1].mean_absolute, 1.0 / 3);
+    held[0] += holds(found.effects[0].mean, 0.5);
+    held[1] += holds(found.effects[0].deviation, sigma);
+    held[2] += holds(found.effects[1].mean, 0);
+    held[3] += holds(found.effects[1].mean_absolute, 1.0 / 3);
   }
   const double tolerance = 3.3 * std::sqrt(times * 0.95 * 0.05);
   for (const int h : held)
@@ -62,7 +62,7 @@ TEST(ElementaryEffects, of_noise_alone_are_what_errors_give) {
   Random random(5, 1);
   const Values y = outcomes(rows, [&](const Values&) { return 0.3 * normal(random); });
   const auto found = elementary_effects(rows, y, Values(y.size(), 0.3));
-  const KeyEffects& key = found.keys[0];
+  const Effect& key = found.effects[0];
   states("mu* of errors", key.of_noise, 0.3 * 1.5 * 2 / std::sqrt(std::numbers::pi), 4000 * 1e-16,
          "mean size of a normal number");
   states("mu*", key.mean_absolute.value, key.of_noise, half_width(key.mean_absolute) * 3.3 / 1.96,
@@ -85,9 +85,9 @@ TEST(ElementaryEffects, of_noise_are_right_where_errors_come_from_two_replicates
   const auto found = elementary_effects(rows, y, errors);
   // A square of one degree of freedom scatters by sqrt(2) of its mean, a square root by half of
   // that.
-  const double alone = 3.3 * found.keys[0].of_noise * std::sqrt(2.0 / (2 * ways)) / 2;
-  states("mu*", found.keys[0].mean_absolute.value, found.keys[0].of_noise,
-         std::hypot(alone, half_width(found.keys[0].mean_absolute) * 3.3 / 1.96),
+  const double alone = 3.3 * found.effects[0].of_noise * std::sqrt(2.0 / (2 * ways)) / 2;
+  states("mu*", found.effects[0].mean_absolute.value, found.effects[0].of_noise,
+         std::hypot(alone, half_width(found.effects[0].mean_absolute) * 3.3 / 1.96),
          "3.3 standard errors");
 }
 
@@ -97,16 +97,16 @@ TEST(ElementaryEffects, are_told_if_surely_more_than_noise_makes) {
   const Values y = outcomes(rows, [&](const Values& x) { return 100 * x[0] + normal(random); });
   const auto found = elementary_effects(rows, y, Values(y.size(), 1.0)),
              errors_unknown = elementary_effects(rows, y, {});
-  EXPECT_EQ(found.keys[0].significant, std::optional(true));
-  EXPECT_EQ(found.keys[1].significant, std::optional(false));
-  EXPECT_EQ(errors_unknown.keys[0].significant, std::nullopt);
+  EXPECT_EQ(found.effects[0].significant, std::optional(true));
+  EXPECT_EQ(found.effects[1].significant, std::optional(false));
+  EXPECT_EQ(errors_unknown.effects[0].significant, std::nullopt);
 
   // One trajectory has no interval. An effect below the noise is not significant; whether one above
   // it is significant is unknown.
   const auto one = elementary_effects({{0}, {2.0 / 3}}, {1, 5}, {1, 1});
-  EXPECT_TRUE(std::isnan(one.keys[0].mean_absolute.low));
-  EXPECT_EQ(one.keys[0].significant, std::nullopt);
-  EXPECT_EQ(elementary_effects({{0}, {2.0 / 3}}, {1, 1.1}, {1, 1}).keys[0].significant,
+  EXPECT_TRUE(std::isnan(one.effects[0].mean_absolute.low));
+  EXPECT_EQ(one.effects[0].significant, std::nullopt);
+  EXPECT_EQ(elementary_effects({{0}, {2.0 / 3}}, {1, 1.1}, {1, 1}).effects[0].significant,
             std::optional(false));
 }
 
@@ -114,10 +114,11 @@ TEST(ElementaryEffects, say_which_key_changes_nothing) {
   const DesignMatrix rows = morris_design(2, 5, 1);
   const Values y = outcomes(rows, [](const Values& x) { return std::exp(x[0]); });
   const auto found = elementary_effects(rows, y, {});
-  EXPECT_FALSE(found.keys[0].inactive);
-  EXPECT_TRUE(found.keys[1].inactive);
-  EXPECT_EQ(found.keys[1].significant, std::optional(false));
-  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).keys[1].inactive) << "not known";
+  EXPECT_FALSE(found.effects[0].inactive);
+  EXPECT_TRUE(found.effects[1].inactive);
+  EXPECT_EQ(found.effects[1].significant, std::optional(false));
+  EXPECT_FALSE(elementary_effects(rows, Values(y.size(), nan), {}).effects[1].inactive)
+      << "not known";
 }
 
 TEST(ElementaryEffects, leave_out_steps_that_failed) {
@@ -127,49 +128,52 @@ TEST(ElementaryEffects, leave_out_steps_that_failed) {
   y[3] = nan;  // the start of the second trajectory: its first step
   const auto found = elementary_effects(rows, y, {});
   EXPECT_EQ(found.failed, 2);
-  EXPECT_EQ(found.keys[0].count + found.keys[1].count, 8U - 3);
+  EXPECT_EQ(found.effects[0].count + found.effects[1].count, 8U - 3);
   const auto nothing = elementary_effects(rows, Values(12, nan), {});
-  EXPECT_TRUE(std::isnan(nothing.keys[0].mean.value));
-  EXPECT_EQ(nothing.keys[1].count, 0U);
+  EXPECT_TRUE(std::isnan(nothing.effects[0].mean.value));
+  EXPECT_EQ(nothing.effects[1].count, 0U);
   EXPECT_THROW(elementary_effects(rows, Values(11), {}), std::invalid_argument);
 }
 
 TEST(Swings, are_what_each_key_does_alone) {
-  const Swings found = swings({5, 4, 6, 5.2, 5.3}, {0.1, 0.2, 0.2, 0.3, 0.3});
+  const Sensitivity found = one_at_a_time_effects({5, 4, 6, 5.2, 5.3}, {0.1, 0.2, 0.2, 0.3, 0.3});
   EXPECT_EQ(found.base.value, 5);
-  ASSERT_EQ(found.keys.size(), 2U);
-  EXPECT_EQ(found.keys[0].at_low.value, 4);
-  EXPECT_DOUBLE_EQ(found.keys[0].at_high.high, 6.2);
-  EXPECT_EQ(found.keys[0].significant, std::optional(true));
-  EXPECT_EQ(found.keys[1].significant,
+  ASSERT_EQ(found.effects.size(), 2U);
+  EXPECT_EQ(found.effects[0].low.value, 4);
+  EXPECT_DOUBLE_EQ(found.effects[0].high.high, 6.2);
+  EXPECT_EQ(found.effects[0].significant, std::optional(true));
+  EXPECT_EQ(found.effects[1].significant,
             std::optional(false));  // 0.3 is less than sqrt(0.1^2 + 0.3^2)
-  const Swings failed = swings({5, nan, 6}, {});
+  const Sensitivity failed = one_at_a_time_effects({5, nan, 6}, {});
   EXPECT_EQ(failed.failed, 1);
-  EXPECT_TRUE(std::isnan(failed.keys[0].at_low.value));
-  EXPECT_EQ(failed.keys[0].significant, std::nullopt);
-  EXPECT_THROW(swings({1, 2}, {}), std::invalid_argument);
+  EXPECT_TRUE(std::isnan(failed.effects[0].low.value));
+  EXPECT_EQ(failed.effects[0].significant, std::nullopt);
+  EXPECT_THROW(one_at_a_time_effects({1, 2}, {}), std::invalid_argument);
 }
 
 TEST(Swings, are_compared_with_the_case_itself) {
   // The ends differ by 2, more than sqrt(1 + 1). Both differ from the case by 1, which is less.
-  EXPECT_EQ(swings({5, 4, 6}, {1, 1, 1}).keys[0].significant, std::optional(false));
-  EXPECT_EQ(swings({5, 4, 6}, {0.1, 1, 0.1}).keys[0].significant, std::optional(true))
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {1, 1, 1}).effects[0].significant,
+            std::optional(false));
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {0.1, 1, 0.1}).effects[0].significant,
+            std::optional(true))
       << "the high end";
 }
 
 TEST(Swings, are_not_judged_without_intervals) {
-  EXPECT_EQ(swings({5, 4, 6}, {}).keys[0].significant, std::nullopt);
-  EXPECT_EQ(swings({5, 4, 6}, {nan, 0.1, 0.1}).keys[0].significant, std::nullopt);
-  EXPECT_EQ(swings({5, 5.1, 6}, {1, 1, nan}).keys[0].significant, std::nullopt)
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {}).effects[0].significant, std::nullopt);
+  EXPECT_EQ(one_at_a_time_effects({5, 4, 6}, {nan, 0.1, 0.1}).effects[0].significant, std::nullopt);
+  EXPECT_EQ(one_at_a_time_effects({5, 5.1, 6}, {1, 1, nan}).effects[0].significant, std::nullopt)
       << "the other may differ";
-  EXPECT_EQ(swings({5, 9, 6}, {1, 1, nan}).keys[0].significant, std::optional(true));
+  EXPECT_EQ(one_at_a_time_effects({5, 9, 6}, {1, 1, nan}).effects[0].significant,
+            std::optional(true));
 }
 
 TEST(Swings, say_which_key_changes_nothing) {
-  const Swings found = swings({5, 5, 5, 5, 5.1, 5, nan}, {});
-  EXPECT_TRUE(found.keys[0].inactive);
-  EXPECT_FALSE(found.keys[1].inactive);
-  EXPECT_FALSE(found.keys[2].inactive) << "a failed run tells nothing";
+  const Sensitivity found = one_at_a_time_effects({5, 5, 5, 5, 5.1, 5, nan}, {});
+  EXPECT_TRUE(found.effects[0].inactive);
+  EXPECT_FALSE(found.effects[1].inactive);
+  EXPECT_FALSE(found.effects[2].inactive) << "a failed run tells nothing";
 }
 
 TEST(StandardErrors, are_half_widths_over_students_quantile) {

@@ -54,9 +54,9 @@ RunRecord finished(RunHash hash, double rate) {
   return f;
 }
 
-std::vector<StoredPoint> points(const Store& store, const std::vector<std::string>& names) {
-  std::vector<StoredPoint> list;
-  store.read(names, [&](const StoredPoint& p) { list.push_back(p); });
+std::vector<Point> points(const Store& store, const std::vector<std::string>& names) {
+  std::vector<Point> list;
+  store.read(names, [&](const Point& p) { list.push_back(p); });
   return list;
 }
 
@@ -85,7 +85,7 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
   EXPECT_TRUE(std::isnan(list[1].value[1]));
   EXPECT_EQ(list[1].value[2], 3.25);
   EXPECT_EQ(list[1].ci95[2], 0.5);
-  EXPECT_EQ(list[2].message, "it's \"too\" large");
+  EXPECT_EQ(list[2].failure, "it's \"too\" large");
   EXPECT_TRUE(std::isnan(list[0].value[0]));
 }
 
@@ -246,7 +246,7 @@ TEST_F(StoreTest, shards_join_with_each_run_once) {
   ASSERT_EQ(list.size(), 3U);
   EXPECT_EQ(list[0].value[0], 1);
   EXPECT_EQ(list[1].value[0], 2);
-  EXPECT_EQ(list[2].message, "stopped");
+  EXPECT_EQ(list[2].failure, "stopped");
   EXPECT_EQ(store.title(), "A \"campaign\"; DROP TABLE runs");
   EXPECT_EQ(store.keys(), (std::vector<std::string>{"mill.speed", "balls.material"}));
 }

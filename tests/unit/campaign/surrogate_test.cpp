@@ -112,9 +112,10 @@ TEST(Surrogate, has_intervals_that_contain_the_true_mean_in_95_of_100_settings) 
     for (int i = 0; i < asked; ++i) {
       const double x = random.uniform(), y = random.uniform();
       const std::vector<std::string> values = values_at(x, y);
-      const Prediction p = predict(made.quantities[0], made.point(set(values[0], values[1])));
+      const observe::IntervalEstimate p =
+          predict(made.quantities[0], made.point(set(values[0], values[1])));
       if (truth(x, y) >= p.low && truth(x, y) <= p.high) inside += 1.0 / asked;
-      error += (p.mean - truth(x, y)) * (p.mean - truth(x, y)) / (data_sets * asked);
+      error += (p.value - truth(x, y)) * (p.value - truth(x, y)) / (data_sets * asked);
     }
     covered.push_back(inside);
   }
@@ -130,8 +131,9 @@ TEST(Surrogate, of_exact_values_goes_through_them) {
   std::vector<Setting> all = settings(20, 0, 2, 3);
   const CampaignSurrogate made = Campaign(all).surrogate();
   for (const Setting& s : all)
-    states("power [W]", predict(made.quantities[0], made.point(set(s.values[0], s.values[1]))).mean,
-           s.power, 1e-3, "(opt.2) with a variance of 1e-10 of the spread's");
+    states("power [W]",
+           predict(made.quantities[0], made.point(set(s.values[0], s.values[1]))).value, s.power,
+           1e-3, "(opt.2) with a variance of 1e-10 of the spread's");
   EXPECT_LT(made.quantities[0].hold_out.error, 0.1);
 }
 
@@ -145,8 +147,9 @@ TEST(Surrogate, is_read_back_with_the_same_bits) {
     const auto values = values_at(x, 1 - x);
     const auto point = made.point(set(values[0], values[1]));
     EXPECT_EQ(back.point(set(values[0], values[1])), point);
-    const Prediction a = predict(made.quantities[0], point), b = predict(back.quantities[0], point);
-    EXPECT_EQ(a.mean, b.mean);
+    const observe::IntervalEstimate a = predict(made.quantities[0], point),
+                                    b = predict(back.quantities[0], point);
+    EXPECT_EQ(a.value, b.value);
     EXPECT_EQ(a.low, b.low);
     EXPECT_EQ(a.high, b.high);
   }
@@ -183,11 +186,12 @@ TEST(Surrogate, takes_logarithms_where_factors_lie_between_settings) {
   const CampaignSurrogate made = Campaign(all).surrogate();
   EXPECT_TRUE(made.quantities[0].emulator.logarithmic);
   const auto values = values_at(0.45, 0.5);
-  const Prediction p = predict(made.quantities[0], made.point(set(values[0], values[1])));
-  states("power [W]", p.mean, math::exp(6 * 0.45 - 3), 0.03 * p.mean, "exp(6 x - 3)");
+  const observe::IntervalEstimate p =
+      predict(made.quantities[0], made.point(set(values[0], values[1])));
+  states("power [W]", p.value, math::exp(6 * 0.45 - 3), 0.03 * p.value, "exp(6 x - 3)");
   EXPECT_GT(p.low, 0);
-  EXPECT_LT(p.low, p.mean);
-  EXPECT_GT(p.high, p.mean);
+  EXPECT_LT(p.low, p.value);
+  EXPECT_GT(p.high, p.value);
 }
 
 TEST(Surrogate, counts_one_replicate_by_its_scatter_over_time_and_says_where_there_is_none) {

@@ -22,6 +22,7 @@
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "statement.hpp"
+#include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 #include "unit/results/scratch.hpp"
 
@@ -47,10 +48,6 @@ std::string powder_panels(const Outcome& outcome) {
   for (const cases::Part* part : cases::parts_of(outcome.mill_case))
     if (part->name == "grinding" || part->name == "kinetics") text += part->panel(outcome);
   return text;
-}
-
-bool has(const std::string& text, std::string_view part) {
-  return text.find(part) != std::string::npos;
 }
 
 /// The fake outcome with 0.15 g of grains of 0.5 mm, with grinding and conversion.
@@ -223,13 +220,16 @@ TEST(PowderReport, campaigns_show_sizes_where_they_grind) {
     return c;
   };
   const Campaign grinds = campaign(ground_outcome), flies = campaign(results::fake_outcome);
-  for (const char* name :
-       {"figures/d50.svg", "figures/d90.svg", "figures/captured_mass_rate.svg"}) {
-    EXPECT_TRUE(campaign_figures(grinds).contains(name)) << name;
-    EXPECT_FALSE(campaign_figures(flies).contains(name)) << name;
+  const auto drawn = [](const Campaign& c, const std::string& title) {
+    const auto all = pictures_in(campaign_page(c, "1"));
+    return std::ranges::count_if(all, [&](const auto& one) {
+      return one["title"] == title && one["series"][0].contains("low");  // with error bars
+    });
+  };
+  for (const char* title : {"D50", "D90", "powder captured"}) {
+    EXPECT_EQ(drawn(grinds, title), 1) << title;
+    EXPECT_EQ(drawn(flies, title), 0) << title;
   }
-  EXPECT_TRUE(has(campaign_figures(grinds).at("figures/d90.svg"), "h6M")) << "error bars";
-  EXPECT_TRUE(has(campaign_page(grinds, "1"), ">D90<"));
   EXPECT_FALSE(has(campaign_page(flies, "1"), "D90"));
   EXPECT_TRUE(has(campaign_table(grinds), "D90"));
   EXPECT_FALSE(has(campaign_table(flies), "D90"));

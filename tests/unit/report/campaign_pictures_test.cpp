@@ -6,39 +6,54 @@
 #include <set>
 
 #include "mahlwerk/report/campaign/plots.hpp"
-#include "mahlwerk/report/plot/colours.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
 
 namespace mahlwerk::report::campaign_pictures_test {
 namespace {
 
-std::set<std::string> names(const Campaign& c) {
-  std::set<std::string> list;
-  for (const auto& [name, picture] : campaign_figures(c)) {
-    EXPECT_TRUE(well_formed(picture)) << name;
-    list.insert(name.substr(8, name.size() - 12));  // without figures/ and .svg
-  }
-  return list;
+using nlohmann::json;
+using Names = std::multiset<std::string>;
+
+std::string page_of(const Campaign& c) {
+  const std::string page = campaign_page(c, "1");
+  EXPECT_TRUE(well_formed(page));
+  return page;
 }
 
-using Names = std::set<std::string>;
+Names names(const Campaign& c) {
+  const std::vector<std::string> list = picture_names(page_of(c));
+  return {list.begin(), list.end()};
+}
+
+/// The first picture of the page with this kind and title.
+json picture(const Campaign& c, const std::string& name) {
+  for (json& one : pictures_in(page_of(c)))
+    if (one["kind"].get<std::string>() + " " + one["title"].get<std::string>() == name) return one;
+  ADD_FAILURE() << "no " << name;
+  return {};
+}
+
+const Names maps{"map D50 (µm)", "map dissipated power (W)", "map Regime"};
 
 TEST(CampaignFigures, are_lines_maps_or_dots_as_the_points_ask) {
-  EXPECT_EQ(names(speeds(8)), (Names{"d50", "dissipated_power"}));
-  EXPECT_EQ(names(grid(8, 2)), (Names{"d50", "dissipated_power", "regimes"})) << "two lines";
-  EXPECT_EQ(names(grid(8, 5)),
-            (Names{"d50", "d50-map", "dissipated_power", "dissipated_power-map", "regimes"}));
-  EXPECT_EQ(names(grid(8, 6)), (Names{"d50-map", "dissipated_power-map", "regimes"}));
+  EXPECT_EQ(names(speeds(8)), (Names{"plot D50", "plot dissipated power"}));
+  EXPECT_EQ(names(grid(8, 2)), (Names{"plot D50", "plot dissipated power", "map Regime"}))
+      << "two lines";
+  Names both = maps;
+  both.insert({"plot D50", "plot dissipated power"});
+  EXPECT_EQ(names(grid(8, 5)), both);
+  EXPECT_EQ(names(grid(8, 6)), maps);
   EXPECT_EQ(names(scattered(30)),
-            (Names{"d50", "d50-balls.1.diameter", "d50-contact.friction", "dissipated_power",
-                   "dissipated_power-balls.1.diameter", "dissipated_power-contact.friction"}));
+            (Names{"plot D50", "plot D50", "plot D50", "plot dissipated power",
+                   "plot dissipated power", "plot dissipated power"}))
+      << "over each key";
 }
 
 TEST(CampaignFigures, keep_a_grid_of_which_some_points_are_missing) {
   Campaign c = grid(8, 6);
   c.points.erase(c.points.begin() + 7, c.points.begin() + 15);
-  EXPECT_EQ(names(c), (Names{"d50-map", "dissipated_power-map", "regimes"}));
+  EXPECT_EQ(names(c), maps);
 }
 
 TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words) {
@@ -51,9 +66,9 @@ TEST(CampaignFigures, of_a_grid_of_three_keys_are_a_map_for_each_of_a_few_words)
       p.values.emplace_back(word);
       twice.points.push_back(p);
     }
-  EXPECT_EQ(names(twice),
-            (Names{"d50-map", "d50-map-2", "dissipated_power-map", "dissipated_power-map-2"}));
-  EXPECT_TRUE(has(campaign_figures(twice).at("figures/d50-map.svg"), ">D50 (µm), material agate<"));
+  EXPECT_EQ(names(twice), (Names{"map D50 (µm), material agate", "map D50 (µm), material steel",
+                                 "map dissipated power (W), material agate",
+                                 "map dissipated power (W), material steel"}));
 }
 
 TEST(CampaignFigures, keys_side_by_side_make_one_line) {
@@ -79,10 +94,10 @@ TEST(CampaignFigures, of_one_key_at_a_time_join_what_differs_in_that_key_alone) 
   point(200, 10, 0.5), point(400, 10, 0.5);
   point(300, 8, 0.5), point(300, 12, 0.5);
   point(300, 10, 0.2), point(300, 10, 0.8);
-  const auto figures = campaign_figures(c);
-  ASSERT_EQ(figures.size(), 6U);
-  for (const auto& [name, picture] : figures)
-    EXPECT_EQ(times(picture, "<circle"), 3U) << name;  // of seven points
+  const std::vector<json> pictures = pictures_in(page_of(c));
+  ASSERT_EQ(pictures.size(), 6U);
+  for (const json& one : pictures)
+    EXPECT_EQ(one["series"][0]["x"].size(), 3U) << one["title"] << ": of seven points";
 }
 
 TEST(CampaignFigures, shade_the_intervals_from_point_to_point) {
@@ -91,75 +106,60 @@ TEST(CampaignFigures, shade_the_intervals_from_point_to_point) {
     p.value = {1e-6 * static_cast<double>(p.number), 1};
     p.ci95 = {1e-7, NAN};
   }
-  const std::string picture = campaign_figures(c).at("figures/d50.svg");
-  const std::size_t band = picture.find("fill-opacity=\"0.16\"");
-  ASSERT_NE(band, std::string::npos);
-  const std::size_t start = picture.rfind("d=\"", band) + 3;
-  const std::string path = picture.substr(start, picture.find('"', start) - start);
-  // Along the upper ends, back along the lower ones: six corners, the last at the x of the first.
-  EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 5);
-  EXPECT_TRUE(path.ends_with("Z"));
-  const double first = std::strtod(path.c_str() + 1, nullptr);
-  const double last = std::strtod(path.c_str() + path.rfind('L') + 1, nullptr);
-  EXPECT_EQ(first, last);
-  EXPECT_FALSE(has(campaign_figures(c).at("figures/dissipated_power.svg"), "Z\" fill"))
+  const json band = picture(c, "plot D50")["series"][0];
+  EXPECT_EQ(band["band"], true);
+  EXPECT_EQ(band["low"], json::parse("[0.9,1.9,2.9]"));
+  EXPECT_EQ(band["high"], json::parse("[1.1,2.1,3.1]"));
+  EXPECT_FALSE(picture(c, "plot dissipated power")["series"][0].contains("low"))
       << "no interval, no band";
 }
 
-/// Colour of the cell with `words` in its title.
-std::string colour_of(const std::string& picture, const std::string& words) {
-  const std::size_t at = picture.find(words);
-  if (at == std::string::npos) return "none";
-  const std::size_t start = picture.rfind("fill=\"", at) + 6;
-  return picture.substr(start, picture.find('"', start) - start);
+/// Number of the cell with `words` in what it says; the number of cells if there is none.
+std::size_t cell_of(const json& map, const std::string& words) {
+  const json& told = map["panels"][0]["told"];
+  std::size_t k = 0;
+  while (k < told.size() && !has(told[k].get<std::string>(), words)) ++k;
+  return k;
 }
 
-TEST(CampaignFigures, maps_say_their_numbers_in_colour_text_and_title) {
+TEST(CampaignFigures, maps_hold_their_numbers_and_say_them_in_words) {
   Campaign c = grid(8, 6);
   fail(c.points[10], "stopped");
-  const std::string picture = campaign_figures(c).at("figures/dissipated_power-map.svg");
-  EXPECT_EQ(times(picture, "<title>"), 48U);
+  const json map = picture(c, "map dissipated power (W)");
+  const json& panel = map["panels"][0];
+  ASSERT_EQ(panel["values"].size(), 48U);
   // 12 W (1/2)^3 5/10 = 0.75 W is the least, 12 W (5/3)^3 1.5 = 83.3 W the most: over two decades.
   const auto at = [](const char* speed, const char* size) {
     return fmt::format("mill.speed {} rpm, balls.1.diameter {} mm: ", speed, size);
   };
-  EXPECT_EQ(colour_of(picture, at("150", "5")), viridis(0));
-  EXPECT_EQ(colour_of(picture, at("500", "15")), viridis(1));
-  EXPECT_TRUE(has(picture, "logarithmic scale"));
-  EXPECT_TRUE(has(picture, ">0.75<"));
-  EXPECT_TRUE(has(picture, ">83.3<"));
-  // ln(12/0.75)/ln(83.33/0.75) = 0.5885 of the scale, in steps of 1/64: 38/64.
-  Campaign middle = grid(8, 6);
-  EXPECT_EQ(colour_of(campaign_figures(middle).at("figures/dissipated_power-map.svg"),
-                      at("300", "9") + "dissipated power 10.80 ± 0.24 W"),
-            viridis(36.0 / 64));  // ln(10.8/0.75)/ln(83.33/0.75) = 0.5661
-  EXPECT_TRUE(has(picture, at("200", "13") + "failed: stopped"));
+  EXPECT_EQ(map["least"], 0.75);
+  EXPECT_NEAR(map["most"], 83.3333, 1e-4);
+  EXPECT_EQ(map["log"], true);
+  EXPECT_EQ(panel["values"][cell_of(map, at("150", "5"))], 0.75);
+  EXPECT_EQ(panel["values"][cell_of(map, at("500", "15"))], 83.33) << "four digits";
+  EXPECT_LT(cell_of(map, at("300", "9") + "dissipated power 10.80 ± 0.24 W"), 48U);
+  const std::size_t failed = cell_of(map, at("200", "13") + "failed: stopped");
+  ASSERT_LT(failed, 48U);
+  EXPECT_EQ(panel["failed"][failed], true);
+  EXPECT_EQ(panel["values"][failed], json());
 }
 
-TEST(CampaignFigures, a_map_of_many_cells_is_drawn_in_runs) {
-  const std::string picture = campaign_figures(grid(40, 40)).at("figures/d50-map.svg");
-  EXPECT_EQ(times(picture, "<title>"), 0U);
-  EXPECT_LT(picture.size(), 200000U);
-}
-
-TEST(CampaignFigures, regimes_have_the_colours_of_their_legend) {
+TEST(CampaignFigures, regimes_are_words_of_their_map_and_series_of_their_dots) {
   Campaign c = grid(8, 6);
-  const std::string cells = campaign_figures(c).at("figures/regimes.svg");
-  EXPECT_EQ(colour_of(cells, "mill.speed 150 rpm, balls.1.diameter 5 mm: cascading"),
-            kind_colour(0));
-  EXPECT_EQ(colour_of(cells, "mill.speed 500 rpm, balls.1.diameter 15 mm: cataracting"),
-            kind_colour(1));
-  EXPECT_TRUE(in_order(cells, {std::string(kind_colour(0)), ">cascading<",
-                               std::string(kind_colour(1)), ">cataracting<"}));
+  const json cells = picture(c, "map Regime");
+  EXPECT_EQ(cells["words"], json::parse(R"(["cascading","cataracting"])"));
+  const json& values = cells["panels"][0]["values"];
+  EXPECT_EQ(values[cell_of(cells, "mill.speed 150 rpm, balls.1.diameter 5 mm: cascading")], 0);
+  EXPECT_EQ(values[cell_of(cells, "mill.speed 500 rpm, balls.1.diameter 15 mm: cataracting")], 1);
   Campaign dots = scattered(40);
   dots.keys.pop_back();
   for (Point& p : dots.points) p.values.pop_back();
-  const std::string scatter = campaign_figures(dots).at("figures/regimes.svg");
+  const json scatter = picture(dots, "plot Regime");
   const auto slow =
       static_cast<std::size_t>(std::ranges::count(dots.points, "cascading", &Point::regime));
-  // The legend has one more of each.
-  EXPECT_EQ(times(scatter, fmt::format("fill=\"{}\"", kind_colour(0))), slow + 1);
-  EXPECT_EQ(times(scatter, fmt::format("fill=\"{}\"", kind_colour(1))), 40 - slow + 1);
+  EXPECT_EQ(scatter["series"][0]["name"], "cascading");
+  EXPECT_EQ(scatter["series"][0]["x"].size(), slow);
+  EXPECT_EQ(scatter["series"][1]["x"].size(), 40 - slow);
 }
 
 TEST(CampaignLaws, stand_beside_the_curve_with_units_and_intervals) {
@@ -170,7 +170,9 @@ TEST(CampaignLaws, stand_beside_the_curve_with_units_and_intervals) {
   EXPECT_TRUE(has(html, "c = 12.36"));
   EXPECT_TRUE(has(html, " W/rpm²"));
   EXPECT_TRUE(has(html, "p = 3.0"));
-  EXPECT_TRUE(has(html, "stroke-dasharray=\"7 3\""));
+  const json plot = picture(speeds(8), "plot dissipated power");
+  EXPECT_EQ(plot["series"][1]["mark"], "line") << "the law";
+  EXPECT_GE(plot["series"][1]["colour"], 7) << "dashed";
 }
 
 TEST(CampaignLaws, are_not_fitted_to_three_values) {

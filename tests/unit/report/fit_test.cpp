@@ -14,49 +14,57 @@ bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos;
 }
 
-FitParameter found(const std::string& key, double value, double low, double high) {
-  return {.key = key,
-          .unit = "kg/J/m",
-          .about = "a <number>",
-          .value = value,
-          .low = low,
-          .high = high,
-          .simulation_ci95 = NAN,
-          .least = 0.01,
-          .most = 100,
-          .remarks = {}};
+FittedParameter found(const std::string& key, double value, double low, double high) {
+  FittedParameter p{
+      {.name = key, .least = 0.01, .most = 100, .unit = "kg/J/m", .about = "a <number>"}};
+  p.value = value;
+  p.low = low;
+  p.high = high;
+  p.determined = true;
+  p.text = campaign::texts_of(p);
+  return p;
+}
+
+PredictedMeasurement point(int i, bool error_known) {
+  PredictedMeasurement p;
+  p.what = campaign::MeasuredQuantity::quantile;
+  p.percent = 90;
+  p.condition = static_cast<std::size_t>(i / 2);
+  p.time = i % 2 == 0 ? 10.0 : 20.0;
+  p.value = 900e-6 - 100e-6 * i;
+  p.error = error_known ? 20e-6 : NAN;
+  p.predicted.value = 910e-6 - 100e-6 * i;
+  p.residual = 0.5;
+  p.line = i + 2;
+  return p;
 }
 
 /// D90 over time under two conditions. One parameter is determined, one is not.
-FitReport report(bool errors_known) {
-  FitReport fit{.title = "A & B", .case_file = "case.toml", .data_file = "data.csv"};
-  fit.parameters = {found("breakage.f_mat", 1.234, 1.1, 1.4), found("breakage.lost", 1, 0.01, 100)};
-  fit.parameters[1].open_low = fit.parameters[1].open_high = true;
-  fit.parameters[1].determined = false;
-  fit.parameters[1].remarks = {"no measured quantity depends on it"};
-  fit.correlation = {{1, -0.25}, {-0.25, 1}};
+Fit report(bool errors_known) {
+  Fit fit;
+  fit.title = "A & B";
+  fit.case_file = "case.toml";
+  fit.data_file = "data.csv";
+  fit.result.parameters = {found("breakage.f_mat", 1.234, 1.1, 1.4),
+                           found("breakage.lost", 1, 0.01, 100)};
+  FittedParameter& lost = fit.result.parameters[1];
+  lost.open_low = lost.open_high = true;
+  lost.determined = false;
+  lost.remarks = {"no measured quantity depends on it"};
+  fit.result.correlation = {{1, -0.25}, {-0.25, 1}};
   fit.conditions = {"mill.frequency = 16 Hz", "mill.frequency = 22 Hz"};
-  for (int i = 0; i < 4; ++i)
-    fit.points.push_back({.what = "D90",
-                          .unit = "m",
-                          .condition = static_cast<std::size_t>(i / 2),
-                          .time = i % 2 == 0 ? 10.0 : 20.0,
-                          .measured = 900e-6 - 100e-6 * i,
-                          .error = errors_known ? 20e-6 : NAN,
-                          .fitted = 910e-6 - 100e-6 * i,
-                          .residual = 0.5,
-                          .line = i + 2});
+  for (int i = 0; i < 4; ++i) fit.points.push_back(point(i, errors_known));
   fit.curves = {{"D90", 0, 0, {0, 10, 20}, {1e-3, 9e-4, 8e-4}},
                 {"D90", 1, 0, {0, 10, 20}, {1e-3, 7e-4, 6e-4}}};
-  fit.remarks = {"the mill ran one replicate"};
-  fit.scatter = 0.9;
-  fit.degrees_of_freedom = 2;
+  fit.result.remarks = {"the mill ran one replicate"};
+  fit.result.scatter = 0.9;
+  fit.result.degrees_of_freedom = 2;
   fit.errors_known = errors_known;
   return fit;
 }
 
 TEST(FitReport, counts_warnings_of_its_mills) {
-  FitReport fit = report(true);
+  Fit fit = report(true);
   EXPECT_EQ(fit_table(fit).find("Warning:"), std::string::npos);
   fit.notices = {{invalid("long-contacts", "They <touch>."), 1}};
   EXPECT_NE(fit_table(fit).find("Warning: 1 of 2 conditions: long-contacts: They <touch>."),
@@ -66,8 +74,8 @@ TEST(FitReport, counts_warnings_of_its_mills) {
 }
 
 TEST(FitReport, says_intervals_as_far_as_there_are_any) {
-  FitParameter n = found("x", 1.234, 1.1, 1.4);
-  EXPECT_EQ(n.value_text(), "1.23 kg/J/m");
+  FittedParameter n = found("x", 1.234, 1.1, 1.4);
+  EXPECT_EQ(n.text.value, "1.23 kg/J/m");
   EXPECT_EQ(n.interval_text(), "1.1 kg/J/m to 1.4 kg/J/m");
   n.open_low = true;
   EXPECT_EQ(n.interval_text(), "up to 1.4 kg/J/m");
@@ -79,8 +87,8 @@ TEST(FitReport, says_intervals_as_far_as_there_are_any) {
 }
 
 TEST(FitReport, shows_as_many_digits_as_the_interval_keeps_apart) {
-  const FitParameter sharp = found("x", 1.23456789, 1.2345, 1.2347);
-  EXPECT_EQ(sharp.value_text(), "1.23457 kg/J/m");
+  const FittedParameter sharp = found("x", 1.23456789, 1.2345, 1.2347);
+  EXPECT_EQ(sharp.text.value, "1.23457 kg/J/m");
   EXPECT_EQ(sharp.interval_text(), "1.2345 kg/J/m to 1.2347 kg/J/m");
 }
 
@@ -119,19 +127,18 @@ TEST(FitReport, as_a_page_shows_numbers_curves_and_what_is_not_determined) {
 }
 
 TEST(FitReport, sets_conditions_beside_each_other_where_time_is_one) {
-  FitReport fit = report(true);
-  for (FitPoint& p : fit.points) p.time = 30;
+  Fit fit = report(true);
+  for (PredictedMeasurement& p : fit.points) p.time = 30;
   EXPECT_TRUE(has(fit_page(fit, "1"), "number of the condition"));
   EXPECT_FALSE(has(fit_page(fit, "1"), "time of milling (s)"));
 }
 
 TEST(FitReport, draws_distributions_over_size) {
-  FitReport fit = report(true);
-  for (FitPoint& p : fit.points) {
-    p.what = "passing";
-    p.unit = "";
-    p.size = p.measured;
-    p.measured = 0.5;
+  Fit fit = report(true);
+  for (PredictedMeasurement& p : fit.points) {
+    p.what = campaign::MeasuredQuantity::passing;
+    p.size = p.value;
+    p.value = 0.5;
   }
   for (FitCurve& c : fit.curves) c.what = "passing";
   const std::string page = fit_page(fit, "1");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,25 @@ inline bool well_formed(const std::string& page) {
     }
   }
   return open.empty();
+}
+
+/// The data of the pictures of a page, in their order.
+inline std::vector<nlohmann::json> pictures_in(const std::string& page) {
+  constexpr std::string_view head = "<script type=\"application/json\" class=\"picture\">";
+  std::vector<nlohmann::json> list;
+  for (std::size_t at = page.find(head); at != std::string::npos; at = page.find(head, at + 1)) {
+    const std::size_t from = at + head.size();
+    list.push_back(nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from)));
+  }
+  return list;
+}
+
+/// Kind and title of the pictures of a page: "map D50 (µm)".
+inline std::vector<std::string> picture_names(const std::string& page) {
+  std::vector<std::string> names;
+  for (const nlohmann::json& one : pictures_in(page))
+    names.push_back(one["kind"].get<std::string>() + " " + one["title"].get<std::string>());
+  return names;
 }
 
 inline std::size_t times(const std::string& text, std::string_view part) {

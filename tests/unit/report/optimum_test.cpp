@@ -21,69 +21,74 @@ bool says(const std::vector<std::string>& sentences, const std::string& words) {
   return std::ranges::any_of(sentences, [&](const std::string& s) { return holds(s, words); });
 }
 
+/// Replicates whose numbers no report reads.
+std::vector<std::vector<double>> replicates(std::size_t count) {
+  return std::vector<std::vector<double>>(count);
+}
+
 /// Two keys and a limit; the second of three settings is best, the third failed.
-OptimumReport some() {
-  OptimumReport made{.title = "A <mill>",
-                     .case_file = "case.toml",
-                     .quantity = "dissipated_power",
-                     .unit = "W",
-                     .about = "power"};
-  made.keys = {{.key = "mill.speed", .unit = "rpm", .from = "200 rpm", .to = "600 rpm"},
-               {.key = "mill.ratio", .from = "-3", .to = "-1"}};
-  for (OptimumKey& k : made.keys) {
-    k.best = k.low = k.high = k.from;
-    k.model = k.to;
-    k.good_low = k.from;
-    k.good_high = k.to;
+Optimum some() {
+  Optimum made{.title = "A <mill>",
+               .case_file = "case.toml",
+               .outcome = {.name = "dissipated_power", .unit = "W", .about = "power"}};
+  made.keys = {{.key = "mill.speed", .unit = "rpm", .text = {.from = "200 rpm", .to = "600 rpm"}},
+               {.key = "mill.ratio", .text = {.from = "-3", .to = "-1"}}};
+  for (KeyOptimum& k : made.keys) {
+    k.text.best = k.text.low = k.text.high = k.text.from;
+    k.text.model = k.text.to;
+    k.text.good_low = k.text.from;
+    k.text.good_high = k.text.to;
     k.x = {1, 2};
-    k.model_at = {{1, 0.1}, {2, 0.1}};
+    k.slice = {{1, 0.1}, {2, 0.1}};
   }
   made.keys[0].at_high_end = true;
   made.keys[1].flat = true;
   made.limits = {{.quantity = "wear_rate", .unit = "kg/s", .text = "below 1 mg/h", .binds = true}};
-  made.settings = {{.values = {"200 rpm", "-3"},
-                    .x = {200, -3},
-                    .round = 0,
-                    .replicates = 2,
-                    .observed = {1.5, 0.1},
-                    .model = {1.4, 0.1},
-                    .limit_values = {{1e-10, 1e-11}},
-                    .probability_feasible = 1,
-                    .probability_best = 0.02},
-                   {.values = {"598 rpm", "-2"},
-                    .x = {598, -2},
-                    .round = 1,
-                    .replicates = 4,
-                    .observed = {2.5, 0.2},
-                    .model = {2.25, 0.125},
-                    .limit_values = {{2e-10, 1e-11}},
-                    .probability_feasible = 0.9,
-                    .probability_best = 0.98},
-                   {.values = {"600 rpm", "-1"},
-                    .x = {600, -1},
-                    .round = 1,
-                    .failure = "the ball, it does not fit"}};
+  made.trials = {{.point = {},
+                  .replicates = replicates(2),
+                  .failure = {},
+                  .round = 0,
+                  .observed = {{1.5, 0.1}, {1e-10, 1e-11}},
+                  .model = {1.4, 0.1},
+                  .probability_feasible = 1,
+                  .probability_best = 0.02,
+                  .values = {"200 rpm", "-3"},
+                  .x = {200, -3}},
+                 {.point = {},
+                  .replicates = replicates(4),
+                  .failure = {},
+                  .round = 1,
+                  .observed = {{2.5, 0.2}, {2e-10, 1e-11}},
+                  .model = {2.25, 0.125},
+                  .probability_feasible = 0.9,
+                  .probability_best = 0.98,
+                  .values = {"598 rpm", "-2"},
+                  .x = {598, -2}},
+                 {.point = {},
+                  .replicates = {},
+                  .failure = "the ball, it does not fit",
+                  .round = 1,
+                  .values = {"600 rpm", "-1"},
+                  .x = {600, -1}}};
   made.best = 1;
   made.model_value = {2.3, 0.2};
   made.failed = 1;
-  made.stop_reason = "It ended";
   return made;
 }
 
 /// The same report. Its best setting is outside the validity of its engine and distinct from the
 /// others.
-OptimumReport invalid_best() {
-  OptimumReport made = some();
-  made.settings[1].probability_best = 1;
-  made.settings[1].invalid = true;
-  made.settings[1].warnings = "long-contacts";
-  made.notices = {{invalid("long-contacts", "The balls <touch>."), 2}};
+Optimum invalid_best() {
+  Optimum made = some();
+  made.trials[1].probability_best = 1;
+  made.trials[1].notices = {invalid("long-contacts", "The balls <touch>.")};
+  made.notices = {{made.trials[1].notices.front(), 2}};
   return made;
 }
 
 TEST(OptimumReport, an_optimum_outside_the_validity_of_its_engine_is_not_certain) {
-  OptimumReport sure = some();
-  sure.settings[1].probability_best = 1;
+  Optimum sure = some();
+  sure.trials[1].probability_best = 1;
   EXPECT_TRUE(sure.certain());
   EXPECT_TRUE(says(sentences(sure), "is distinguished from all others"));
   EXPECT_FALSE(invalid_best().certain());
@@ -94,7 +99,7 @@ TEST(OptimumReport, an_optimum_outside_the_validity_of_its_engine_is_not_certain
 }
 
 TEST(OptimumReport, a_check_stands_beside_what_the_search_gave) {
-  OptimumReport made = invalid_best();  // 2.5 W +- 0.2 W
+  Optimum made = invalid_best();  // 2.5 W +- 0.2 W
   made.check = {.engine = cases::EngineName::soft, .value = {0.5, 0.1}, .replicates = 4};
   EXPECT_TRUE(made.disagrees());
   EXPECT_TRUE(says(sentences(made),
@@ -106,21 +111,21 @@ TEST(OptimumReport, a_check_stands_beside_what_the_search_gave) {
   made.check->value = {2.3, 0.1};
   EXPECT_FALSE(made.disagrees());
   EXPECT_TRUE(says(sentences(made), "the two agree"));
-  made.check->value = {1.5, unknown};  // one replicate
+  made.check->value = {1.5, NAN};  // one replicate
   EXPECT_TRUE(made.disagrees());
-  made.check->value = {2.4, unknown};
+  made.check->value = {2.4, NAN};
   EXPECT_FALSE(made.disagrees());
 }
 
 TEST(OptimumReport, says_why_the_best_was_not_checked) {
-  OptimumReport made = invalid_best();
+  Optimum made = invalid_best();
   made.check = {.engine = cases::EngineName::soft, .failure = "it takes too long"};
   EXPECT_FALSE(made.disagrees());
   EXPECT_TRUE(says(sentences(made), "was not checked by the soft engine: it takes too long"));
 }
 
 TEST(OptimumReport, counts_the_warnings_of_its_settings) {
-  const OptimumReport made = invalid_best();
+  const Optimum made = invalid_best();
   EXPECT_TRUE(
       holds(optimum_table(made), "Warning: 2 of 3 settings: long-contacts: The balls <touch>."));
   EXPECT_TRUE(
@@ -139,22 +144,22 @@ TEST(OptimumReport, says_what_is_sure_and_what_is_not) {
   EXPECT_TRUE(says(told, "below 1 mg/h\" is active"));
   EXPECT_TRUE(says(told, "is a prediction"));
   EXPECT_TRUE(says(told, "1 of 3 settings could not be run"));
-  OptimumReport free = some();
+  Optimum free = some();
   free.limits[0].binds = false;
   EXPECT_TRUE(says(sentences(free), "is not active"));
 }
 
 TEST(OptimumReport, says_no_more_than_that_the_best_is_told) {
-  OptimumReport told = some();
-  told.settings[1].probability_best = 1;
-  for (OptimumKey& k : told.keys) k.model = k.best;
+  Optimum told = some();
+  told.trials[1].probability_best = 1;
+  for (KeyOptimum& k : told.keys) k.text.model = k.text.best;
   EXPECT_TRUE(says(sentences(told), "distinguished from all others"));
   EXPECT_FALSE(says(sentences(told), "the expected loss is"));
   EXPECT_FALSE(says(sentences(told), "prediction"));
 }
 
 TEST(OptimumReport, says_that_there_is_no_best) {
-  OptimumReport none = some();
+  Optimum none = some();
   none.best.reset();
   EXPECT_TRUE(says(sentences(none), "likely to satisfy the limits"));
   none.failed = 3;
@@ -171,11 +176,11 @@ TEST(OptimumReport, table_has_the_best_and_its_means) {
 }
 
 TEST(OptimumReport, an_interval_without_width_is_told_as_an_end_of_the_range_or_as_its_value) {
-  OptimumReport found = some();  // both intervals are points, the first key's at an end
+  Optimum found = some();  // both intervals are points, the first key's at an end
   EXPECT_TRUE(holds(optimum_table(found), "at the end of its range"));
   EXPECT_TRUE(holds(optimum_page(found, "1"), "at the end of its range</td>"));
   EXPECT_FALSE(holds(optimum_page(found, "1"), "-3 to -3"));
-  found.keys[0].high = "210 rpm";
+  found.keys[0].text.high = "210 rpm";
   EXPECT_TRUE(holds(optimum_table(found), "200 rpm to 210 rpm"));
 }
 
@@ -210,39 +215,37 @@ TEST(OptimumReport, history_is_the_best_until_then) {
   EXPECT_EQ(history.series.front().x.size(), 2U);  // without the one that failed
 }
 
-MatchReport matched() {
-  MatchReport made{.title_a = "A", .title_b = "B", .file_a = "a.toml", .file_b = "b.toml"};
+MatchResult matched() {
+  MatchResult made{.title_a = "A", .title_b = "B", .file_a = "a.toml", .file_b = "b.toml"};
   made.by_powder = true;
-  made.dose_a = {100, 5};
-  made.dose_b = {110, 5};
-  made.energy_a = made.energy_b = {1e-3, 1e-4};
-  made.dose = {1.1, 1.02, 1.19};
-  made.half_power = {1, 0.9, 1.1};
-  made.overlap = 0.87;
-  made.distance = 0.15;
-  made.p_value = 0.31;
-  made.within_scatter = true;
-  made.edges = {1, 2, 4, 8};
-  made.shares_a = {0.5, 0.5, 0};
-  made.shares_b = {0.2, 0.8, 0};
+  campaign::Difference& d = made.difference;
+  d.dose_a = {100, 5};
+  d.dose_b = {110, 5};
+  d.energy_a = d.energy_b = {1e-3, 1e-4};
+  d.dose = {1.1, 1.02, 1.19};
+  d.half_power = {1, 0.9, 1.1};
+  d.overlap = 0.87;
+  d.distance = 0.15;
+  d.p_value = 0.31;
+  made.a.mean.shares = {0.5, 0.5, 0};
+  made.b.mean.shares = {0.2, 0.8, 0};
   made.search = some();
   return made;
 }
 
 TEST(MatchReport, says_whether_the_mills_do_the_same) {
-  MatchReport found = matched();
+  MatchResult found = matched();
   EXPECT_TRUE(says(sentences(found), "cannot be distinguished"));
   EXPECT_TRUE(says(sentences(found), "31 of 100"));
   EXPECT_TRUE(says(sentences(found), "mill.speed could not be matched within its range"));
-  found.within_scatter = false;
-  found.p_value = 0.001;
+  found.difference.p_value = 0.001;
   EXPECT_TRUE(says(sentences(found), "still differ"));
-  found.p_value = unknown;
+  found.difference.p_value = NAN;
   EXPECT_TRUE(says(sentences(found), "scatter is unknown"));
 }
 
 TEST(MatchReport, tells_of_a_best_outside_the_validity_of_its_engine_and_counts_both_mills) {
-  MatchReport found = matched();
+  MatchResult found = matched();
   found.search = invalid_best();
   found.notices = {{invalid("long-contacts", "They touch."), 1}};
   EXPECT_TRUE(says(sentences(found), "The optimum is not certain"));

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "mahlwerk/report/campaign/plots.hpp"
 #include "unit/report/campaign_fake.hpp"
 #include "unit/report/html.hpp"
@@ -11,24 +9,11 @@
 namespace mahlwerk::report::sensitivity_test {
 namespace {
 
-/// x and width of the bars, in drawing order.
-std::vector<std::pair<double, double>> bars(const std::string& picture) {
-  std::vector<std::pair<double, double>> list;
-  for (std::size_t at = picture.find("<rect x=\""); at != std::string::npos;
-       at = picture.find("<rect x=\"", at + 1)) {
-    const std::size_t wide = picture.find("width=\"", at) + 7;
-    const std::string rest = picture.substr(at, picture.find("/>", at) - at);
-    if (!has(rest, "fill-opacity")) continue;  // of the legend
-    list.emplace_back(std::strtod(picture.c_str() + at + 9, nullptr),
-                      std::strtod(picture.c_str() + wide, nullptr));
-  }
-  return list;
-}
+using nlohmann::json;
 
-/// y of a text.
-double place_of(const std::string& picture, const std::string& text) {
-  const std::size_t at = picture.rfind(" y=\"", picture.find(text));
-  return std::strtod(picture.c_str() + at + 4, nullptr);
+/// The groups of bars of the first picture.
+json groups_of(const Sensitivity& s) {
+  return json::parse(sensitivity_pictures(s)[0].json)["groups"];
 }
 
 Sensitivity one_at_a_time() {
@@ -52,16 +37,17 @@ Sensitivity one_at_a_time() {
 TEST(Tornado, bars_go_from_the_case_to_the_ends_the_longest_on_top) {
   const std::vector<Picture> pictures = sensitivity_pictures(one_at_a_time());
   ASSERT_EQ(pictures.size(), 1U);
-  EXPECT_EQ(pictures[0].name, "tornado-dissipated_power");
-  const std::string& svg = pictures[0].svg;
-  EXPECT_TRUE(well_formed(svg));
-  EXPECT_TRUE(in_order(svg, {">mill.speed<", ">200 rpm<", ">400 rpm<", ">contact.friction<"}));
-  const auto drawn = bars(svg);
-  ASSERT_EQ(drawn.size(), 4U);
-  const double foot = drawn[1].first;
-  EXPECT_NEAR(drawn[0].first + drawn[0].second, foot, 0.11);  // written to a tenth
-  // 12 - 4 = 8 to the left, 28 - 12 = 16 to the right.
-  EXPECT_NEAR(drawn[0].second / drawn[1].second, 0.5, 0.005);
+  const json bars = json::parse(pictures[0].json);
+  EXPECT_EQ(bars["title"], "dissipated power");
+  EXPECT_EQ(bars["base"], 12);
+  EXPECT_EQ(bars["groups"][0]["name"], "mill.speed");
+  const json& speed = bars["groups"][0]["bars"];
+  EXPECT_EQ(speed[0]["end"], 4);
+  EXPECT_EQ(speed[0]["note"], "200 rpm");
+  EXPECT_EQ(speed[1]["end"], 28);
+  EXPECT_EQ(speed[1]["note"], "400 rpm");
+  EXPECT_NEAR(speed[1]["low"], 27.4, 1e-6);
+  EXPECT_EQ(bars["groups"][1]["name"], "contact.friction");
   EXPECT_TRUE(has(pictures[0].caption, "Base case: 12.00 ± 0.30 W."));
   EXPECT_TRUE(has(pictures[0].caption, "data-v=\"28\">28.00 ± 0.60<"));
 }
@@ -107,7 +93,8 @@ TEST(Tornado, says_once_which_keys_change_nothing) {
   power.effects[0].inactive = size.effects[0].inactive = true;
   c.sensitivities = {power, size};
   std::string html = campaign_page(c, "1");
-  EXPECT_TRUE(in_order(html, {"<p>Without effect in this case: contact.friction.</p>", "<svg"}));
+  EXPECT_TRUE(in_order(
+      html, {"<p>Without effect in this case: contact.friction.</p>", "class=\"picture\""}));
   EXPECT_FALSE(has(html, "Not significant"));
   // Now the key changes one of the two quantities.
   c.sensitivities[1].effects[0].inactive = false;
@@ -120,11 +107,10 @@ TEST(Tornado, an_effect_up_at_both_ends_is_drawn_as_two_bars) {
   Sensitivity s = one_at_a_time();
   s.effects[0].low.value = 20;
   s.effects[0].high.value = 30;
-  const std::string svg = sensitivity_pictures(s)[0].svg;
-  const auto drawn = bars(svg);
-  ASSERT_EQ(drawn.size(), 4U);
-  EXPECT_EQ(drawn[2].first, drawn[3].first) << "both from the case to the right";
-  EXPECT_NEAR(drawn[2].second / drawn[3].second, 8.0 / 18, 0.005);
+  const json bars = json::parse(sensitivity_pictures(s)[0].json);
+  EXPECT_EQ(bars["side_by_side"], true) << "both from the case to the right";
+  EXPECT_EQ(bars["groups"][1]["bars"][0]["end"], 20);
+  EXPECT_EQ(bars["groups"][1]["bars"][1]["end"], 30);
   EXPECT_TRUE(has(sensitivity_words(s), "mill.speed matters most")) << "24 W over 18 W";
 }
 
@@ -132,20 +118,20 @@ TEST(Tornado, ends_in_one_place_do_not_hide_each_other) {
   Sensitivity s = one_at_a_time();
   s.effects[0].low = s.effects[0].high = s.base;
   s.effects[0].inactive = true;
-  const std::string idle = sensitivity_pictures(s)[0].svg;
-  EXPECT_TRUE(has(idle, ">0.2, 0.8<"));
-  EXPECT_FALSE(has(idle, ">0.2<"));
-  EXPECT_EQ(bars(idle)[0].first + bars(idle)[0].second, bars(idle)[1].first) << "on one line";
+  const json idle = groups_of(s)[1]["bars"];
+  EXPECT_EQ(idle[0]["note"], "") << "both ends in one note";
+  EXPECT_EQ(idle[1]["note"], "0.2, 0.8");
   // The case is at the low end of the range.
   s.effects[0].high.value = 14;
   s.effects[0].inactive = false;
-  const std::string one_end = sensitivity_pictures(s)[0].svg;
-  EXPECT_TRUE(in_order(one_end, {">0.2<", ">0.8<"}));
-  EXPECT_NE(place_of(one_end, ">0.2<"), place_of(one_end, ">0.8<")) << "below each other";
+  const json one_end = json::parse(sensitivity_pictures(s)[0].json);
+  EXPECT_EQ(one_end["groups"][1]["bars"][0]["note"], "0.2");
+  EXPECT_EQ(one_end["groups"][1]["bars"][1]["note"], "0.8");
+  EXPECT_EQ(one_end["side_by_side"], true) << "below each other";
 }
 
 TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::morris};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::morris};
   s.effects.push_back({.key = "contact.friction",
                        .mean_absolute = observe::IntervalEstimate::around(5e-7, 6e-7),
                        .mean = observe::IntervalEstimate::around(1e-7, 6e-7),
@@ -162,14 +148,16 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
                        .significant = true});
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 2U);
-  EXPECT_EQ(pictures[1].name, "tornado-d50-scatter");
-  const auto drawn = bars(pictures[0].svg);
-  ASSERT_EQ(drawn.size(), 2U);
-  EXPECT_NEAR(drawn[1].second / drawn[0].second, 5e-7 / 8e-6, 0.001);
+  const json bars = groups_of(s);
+  EXPECT_EQ(bars[0]["bars"][0]["end"], 8) << "µm";
+  EXPECT_NEAR(bars[1]["bars"][0]["end"], 0.5, 1e-7);
   EXPECT_TRUE(has(pictures[0].caption, "data-v=\"-8e-06\">-8.00 ± 0.60<"));
   EXPECT_TRUE(in_order(pictures[0].caption, {">from noise<", ">effects<", ">8.00 ± 0.60<",
                                              "data-v=\"5e-07\">0.5000<", "data-v=\"12\">12<"}));
-  EXPECT_TRUE(in_order(pictures[1].svg, {">mill.speed<", ">contact.friction<", "<circle"}));
+  const json scatter = json::parse(pictures[1].json);
+  EXPECT_EQ(scatter["series"][0]["name"], "mill.speed");
+  EXPECT_EQ(scatter["series"][0]["y"], json::parse("[1]")) << "sigma in µm";
+  EXPECT_EQ(scatter["series"][1]["name"], "contact.friction");
   EXPECT_EQ(sensitivity_words(s),
             "D50: mill.speed matters most (on average 8.00 ± 0.60 µm over "
             "its range). Not significant: the effect of "
@@ -177,7 +165,7 @@ TEST(Tornado, of_morris_has_bars_of_mean_sizes_and_a_scatter) {
 }
 
 TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects.push_back({.key = "mill.speed",
                        .first_order = observe::IntervalEstimate::around(0.5, 0.04),
                        .total = {0.75, 0.73, 0.79},
@@ -191,11 +179,11 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
   s.effects.push_back({.key = "jar.material"});  // with unknown effects
   const std::vector<Picture> pictures = sensitivity_pictures(s);
   ASSERT_EQ(pictures.size(), 1U);
-  EXPECT_TRUE(well_formed(pictures[0].svg));
-  EXPECT_FALSE(has(pictures[0].svg, "nan"));
-  const auto drawn = bars(pictures[0].svg);
-  ASSERT_EQ(drawn.size(), 4U);
-  EXPECT_NEAR(drawn[0].second / drawn[1].second, 2.0 / 3, 0.005);
+  const json bars = groups_of(s);
+  EXPECT_EQ(bars[0]["bars"][0]["end"], 0.5);
+  EXPECT_EQ(bars[0]["bars"][1]["end"], 0.75);
+  EXPECT_EQ(bars[2]["name"], "jar.material");
+  EXPECT_EQ(bars[2]["bars"][1]["end"], json()) << "unknown";
   EXPECT_EQ(sensitivity_words(s),
             "D50: mill.speed matters most (0.750 ± "
             "0.030 of the variance, with interactions). Not significant: the effect of "
@@ -207,7 +195,7 @@ TEST(Tornado, of_sobol_has_a_pair_of_bars_a_key) {
 }
 
 TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects = {{.key = "mill.speed", .total = {.value = 0.75}, .count = 64},
                {.key = "contact.friction", .total = {.value = 0.02}, .count = 64}};
   const std::string below = sensitivity_pictures(s)[0].caption;
@@ -216,25 +204,17 @@ TEST(Tornado, says_once_how_much_was_used_where_that_is_the_same_for_all) {
 }
 
 TEST(Tornado, draws_an_interval_that_lies_unevenly) {
-  Sensitivity s{.quantity = "d50", .unit = "m", .method = Method::sobol, .noise = 0.125};
+  Sensitivity s{.quantity = "d50", .unit = "m", .design = Design::sobol_indices, .noise = 0.125};
   s.effects = {{.key = "mill.speed", .total = {0.5, 0.25, 1.25}}};
-  const std::string svg = sensitivity_pictures(s)[0].svg;
-  const auto drawn = bars(svg);
-  ASSERT_EQ(drawn.size(), 1U);
-  const auto [foot, unit] = std::pair(drawn[0].first, drawn[0].second / 0.5);
-  const std::size_t at = svg.find("<path d=\"M", svg.find("fill-opacity")) + 10;
-  char* rest = nullptr;
-  const double low = std::strtod(svg.c_str() + at, &rest);
-  const double high = std::strtod(std::strchr(rest, 'H') + 1, nullptr);
-  const double digit = 0.051;  // places and widths are written to a tenth, the unit is two widths
-  EXPECT_NEAR(low, foot + 0.25 * unit, (2 + 0.25 / 0.5) * digit);
-  EXPECT_NEAR(high, foot + 1.25 * unit, (2 + 1.25 / 0.5) * digit);
+  const json total = groups_of(s)[0]["bars"][1];
+  EXPECT_EQ(total["low"], 0.25);
+  EXPECT_EQ(total["high"], 1.25);
 }
 
 TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
   Sensitivity s{.quantity = "d50",
                 .unit = "m",
-                .method = Method::sobol,
+                .design = Design::sobol_indices,
                 .variance = -1e-14,
                 .noise = 1.1,
                 .effects = {{.key = "mill.speed", .count = 64, .significant = false}}};
@@ -248,7 +228,7 @@ TEST(Tornado, of_an_outcome_that_varies_no_more_than_its_errors_is_a_sentence) {
 }
 
 TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
-  Sensitivity s{.quantity = "dissipated_power", .unit = "W", .method = Method::morris};
+  Sensitivity s{.quantity = "dissipated_power", .unit = "W", .design = Design::morris};
   s.effects = {
       {.key = "mill.speed", .mean_absolute = {.value = 24}, .mean = {.value = -24}, .count = 1}};
   const std::vector<Picture> pictures = sensitivity_pictures(s);
@@ -257,13 +237,13 @@ TEST(Tornado, an_interval_that_is_not_known_is_not_shown) {
             "dissipated power: mill.speed matters most (on average 24.00 W over its range).");
 }
 
-TEST(Tornado, stands_on_the_page_and_among_the_figures) {
+TEST(Tornado, stands_on_the_page) {
   Campaign c = scattered(20);
   c.sensitivities = {one_at_a_time()};
   const std::string html = campaign_page(c, "1");
   EXPECT_TRUE(well_formed(html));
   EXPECT_TRUE(has(html, "<p>dissipated power: mill.speed matters most"));
-  EXPECT_TRUE(campaign_figures(c).contains("figures/tornado-dissipated_power.svg"));
+  EXPECT_EQ(picture_names(html).front(), "bars dissipated power");
 }
 
 }  // namespace

@@ -5,11 +5,12 @@
 
 import uPlot from "uplot";
 import { button, download, element, save } from "../dom.js";
-import { powerOfTen, short } from "../format.js";
+import { short } from "../format.js";
 import { colourOf, dashOf, drawSeries } from "./draw.js";
 import { nearest } from "./nearest.js";
+import { printed } from "./print.js";
 import { csv, fileName, picture } from "./save.js";
-import { limits, logarithmicMarks, mayBeLog } from "./scales.js";
+import { limits, logarithmicMarks, markText, mayBeLog } from "./scales.js";
 import { at, plain, rich, valueText } from "./words.js";
 
 const font = "12px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
@@ -17,12 +18,8 @@ const font = "12px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-
 function axis(colours, log, size, space) {
   const made = { stroke: colours.soft, font, grid: { stroke: colours.grid, width: 1 },
     ticks: { stroke: colours.grid, width: 1, size: 4 }, size, gap: 4, space,
-    values: (_, splits) => splits.map((each) => (each === null ? "" : short(each))) };
-  if (!log) return made;
-  const far = (each) => each >= 1e4 || each < 0.9e-3; // "10⁻⁵" instead of "1.0 × 10⁻⁵"
-  made.values = (_, splits) => splits.map((each) => far(each) && /^1e/.test(each.toExponential(6).replace(".000000", ""))
-    ? powerOfTen(Math.round(Math.log10(each))) : short(each));
-  return { ...made, filter: (_, splits) => splits, splits: (plot, number, least, most) =>
+    values: (_, splits) => splits.map((each) => (each === null ? "" : markText(each, log))) };
+  return !log ? made : { ...made, filter: (_, splits) => splits, splits: (plot, number, least, most) =>
     logarithmicMarks(least, most, number === 0 ? plot.width / 64 : plot.height / 30) };
 }
 
@@ -51,9 +48,8 @@ export class Chart {
     this.clear();
   }
 
-  /// Shows a plot as the program describes it (web/README.md, "Plots"); the zoom stays if the axes do. `print`: the
-  /// picture for print as SVG, or nothing.
-  show(plot, print = "") {
+  /// Shows a plot as the program describes it (web/README.md, "Pictures"); the zoom stays if the axes do.
+  show(plot) {
     const axes = JSON.stringify([plot.title, plot.x.label, plot.x.log, plot.y.label, plot.y.log]);
     const same = this.plot && axes === this.axes;
     if (same) for (const key of ["x", "y"]) plot[key].log = this.plot[key].log; // as chosen
@@ -63,8 +59,9 @@ export class Chart {
     this.above.replaceChildren(...rich(plot.y.label));
     this.below.replaceChildren(...rich(plot.x.label));
     this.present(true);
-    if (!same) this.head.replaceChildren(element("strong", {}, rich(plot.title)), this.tools(print));
+    if (!same) this.head.replaceChildren(element("strong", {}, rich(plot.title)), this.tools());
     if (stays) this.chart?.redraw();
+    else if (same && this.chart) this.rescale();
     else this.reset();
   }
 
@@ -87,7 +84,7 @@ export class Chart {
     return `${plain(this.plot.title)}: ${y} over ${x}. ${names.length > 0 ? `Series: ${names.join(", ")}.` : ""}`;
   }
 
-  tools(print) {
+  tools() {
     const name = fileName(this.plot.title);
     const logs = ["x", "y"].filter((key) => mayBeLog(this.plot, key)).map((key) => {
       const made = button(`log ${key}`, () => {
@@ -102,7 +99,7 @@ export class Chart {
       ["CSV", () => download(`${name}.csv`, csv(this.plot), "text/csv"), "Save the numbers"],
       ["PNG", () => picture(this.plot, this.chart.ctx.canvas, this.colours().isDark, devicePixelRatio)
         .toBlob((drawn) => save(`${name}.png`, drawn)), "Save the picture as shown"],
-      ...(print ? [["SVG", () => download(`${name}.svg`, print, "image/svg+xml"), "Save the whole plot for print"]] : [])]);
+      ["SVG", () => download(`${name}.svg`, printed(this.plot, this.view), "image/svg+xml"), "Save the picture for print"]]);
     made.prepend(...[this.more, this.whole].filter(Boolean), ...logs);
     return made;
   }
@@ -110,6 +107,21 @@ export class Chart {
   reset() {
     this.view = null;
     this.make();
+  }
+
+  /// Draws other numbers on the same axes, as while a run is computed.
+  rescale() {
+    this.view = { x: limits(this.plot, "x"), y: limits(this.plot, "y") };
+    const { view, chart } = this;
+    chart.batch(() => ["x", "y"].forEach((key) => chart.setScale(key, { min: view[key][0], max: view[key][1] })));
+    chart.redraw();
+    this.showLegend();
+  }
+
+  showLegend() {
+    const { isDark } = this.colours();
+    this.legend.replaceChildren(...this.plot.series.filter(({ name }) => name)
+      .map((series) => legendEntry(series, isDark)));
   }
 
   fit() {
@@ -141,8 +153,7 @@ export class Chart {
       cursor: { y: false, points: { show: false }, bind: { dblclick: () => null }, drag: { x: true, y: true, uni: 30, dist: 6 } },
       legend: { show: false } }, [[left, ...right], [null, null]], this.canvas);
     this.canvas.append(this.tip);
-    this.legend.replaceChildren(...this.plot.series.filter(({ name }) => name)
-      .map((series) => legendEntry(series, colours.isDark)));
+    this.showLegend();
     this.whole.hidden = this.isWhole(this.chart);
   }
 

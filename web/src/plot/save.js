@@ -3,7 +3,7 @@
 
 // What can be saved of a plot: its numbers, its picture as it is shown, and its picture for print.
 
-import { download, save } from "../dom.js";
+import { save } from "../dom.js";
 import { dashOf, colourOf } from "./draw.js";
 import { plain } from "./words.js";
 
@@ -24,8 +24,10 @@ export function csv(plot) {
     for (let i = 0; i < (mark === "steps" ? ys.length : xs.length); ++i)
       lines.push([plain(name), ...(bins ? [xs[i], mark === "steps" ? xs[i + 1] : xs[i]] : [xs[i]]), ys[i],
         ...(ends ? [low?.[i], high?.[i]] : [])]);
-  return lines.map((line) => line.map((each) => cell(String(each ?? ""))).join(",")).join("\n") + "\n";
+  return csvOf(lines);
 }
+
+export const csvOf = (rows) => rows.map((row) => row.map((each) => cell(String(each ?? ""))).join(",")).join("\n") + "\n";
 
 function drawLegend(pen, plot, isDark, left, top) {
   let x = left;
@@ -67,26 +69,12 @@ export function picture(plot, canvas, isDark, scale) {
   return made;
 }
 
-/// Saves an <svg> element as it is, or drawn into a PNG picture of twice its size.
-export const saveSvg = (name, svg) => download(`${name}.svg`, standalone(svg), "image/svg+xml");
+/// Saves an SVG text as a PNG picture of twice its size.
 export async function savePng(name, svg) {
-  const { width, height } = svg.viewBox.baseVal;
-  const image = new Image(2 * width, 2 * height);
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(standalone(svg, 2))}`;
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
   await image.decode();
-  const canvas = Object.assign(document.createElement("canvas"), { width: 2 * width, height: 2 * height });
-  const pen = canvas.getContext("2d");
-  pen.fillStyle = "#fff";
-  pen.fillRect(0, 0, canvas.width, canvas.height);
-  pen.drawImage(image, 0, 0, canvas.width, canvas.height);
+  const canvas = Object.assign(document.createElement("canvas"), { width: 2 * image.width, height: 2 * image.height });
+  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
   canvas.toBlob((made) => save(`${name}.png`, made));
-}
-
-function standalone(svg, times = 1) {
-  const copy = svg.cloneNode(true);
-  const { width, height } = svg.viewBox.baseVal;
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("width", times * width);
-  copy.setAttribute("height", times * height);
-  return new XMLSerializer().serializeToString(copy);
 }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The limits and marks of axes, as the pictures of the program have them (report/plot/scale.cpp).
+// The limits and marks of axes.
+
+import { powerOfTen, short } from "../format.js";
 
 const shows = (value, log) => Number.isFinite(value) && (!log || value > 1e-300);
 
@@ -50,4 +52,24 @@ export function logarithmicMarks(least, most, atMost) {
       if (at >= least * 0.999 && at <= most * 1.001 && (power - low) % step === 0) marks.push(at);
     }
   return marks;
+}
+
+/// Marks of a linear axis: about `wanted` round numbers.
+export function linearMarks(least, most, wanted) {
+  const rough = (most - least) / wanted;
+  if (!(rough > 1e-9 * Math.max(Math.abs(least), Math.abs(most)))) return [];
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].find((digit) => digit * power >= rough * 0.999) * power;
+  const first = Math.ceil(least / step - 1e-9), last = Math.floor(most / step + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, i) => (first + i) * step);
+}
+
+/// Place of a value on an axis: 0 at its lower end, 1 at its upper one.
+export const onAxis = (value, [least, most], log) => log
+  ? (Math.log(value) - Math.log(least)) / (Math.log(most) - Math.log(least)) : (value - least) / (most - least);
+
+/// The text of a mark: "10⁻⁵" instead of "1.0 × 10⁻⁵" on a logarithmic axis.
+export function markText(value, log) {
+  const far = log && (value >= 1e4 || value < 0.9e-3) && /^1e/.test(value.toExponential(6).replace(".000000", ""));
+  return far ? powerOfTen(Math.round(Math.log10(value))) : short(value);
 }

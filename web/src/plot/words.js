@@ -5,7 +5,7 @@
 
 import { short } from "../format.js";
 
-const marks = /\$([^$]*)\$|_\{([^}]*)\}|\^\{([^}]*)\}/g;
+export const marks = /\$([^$]*)\$|_\{([^}]*)\}|\^\{([^}]*)\}/g;
 const styled = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });
 
 /// Nodes of a label.

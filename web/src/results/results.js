@@ -9,9 +9,9 @@ import { Comparison } from "./comparison.js";
 import { Counters } from "./counters.js";
 import { Files } from "./files.js";
 import { NoticeBox } from "./notices.js";
-import { Powder } from "./powder.js";
 import { Quantities } from "./quantities.js";
 import { ReplayPanel } from "./replay_panel.js";
+import { ReportPanel } from "./report_panel.js";
 import { SeriesPlot } from "./series_plot.js";
 import { SpectrumPlot } from "./spectrum_plot.js";
 
@@ -30,7 +30,7 @@ export class Results {
     this.quantities = new Quantities(panels.quantities);
     this.comparison = new Comparison(panels.comparison, () => this.finished, () => this.redraw(),
       actions.restore);
-    this.powder = new Powder(panels.powder);
+    this.report = new ReportPanel(panels.report);
     this.about = new About(panels.about, actions.download);
     this.files = new Files(panels.files, actions);
     this.counters.show(null);
@@ -48,7 +48,7 @@ export class Results {
       this.quantities.show(null, false);
       this.spectrum.show(null);
       this.series.show(null);
-      this.powder.show(null, null);
+      this.report.show(null);
       this.files.show(null);
       this.finished = null;
     }
@@ -75,6 +75,7 @@ export class Results {
     this.counters.show(run);
     this.notices.show([]);
     this.files.show(null);
+    this.report.show(null);
     this.showAbout(run.checked, run.checked.notices);
     this.comparison.show(null);
   }
@@ -108,7 +109,7 @@ export class Results {
     this.notices.show(summary._about.notices ?? []);
     this.showAbout(run.checked, summary._about.notices ?? []);
     this.files.show(run.files);
-    this.powder.show(run.table("size_distribution"), run.table("grinding"));
+    this.report.show(run.files["report.html"] ?? null);
     this.comparison.show(this.comparison.kept ? this.finished : null);
     this.redraw();
   }

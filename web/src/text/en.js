@@ -153,14 +153,8 @@ export const text = {
     : state === "stopped" ? `Stopped after ${at} of ${count} values.`
       : `Computing value ${Math.min(at + 1, count)} of ${count}.`,
 
-  powder: "Powder",
-  powderHint: "Sizes of the powder need [powder], [capture], [breakage], [fragments] and [grinding] in " +
-    "the case: see the example \"How fine quartz gets\".",
-  passing: "Mass finer than a size",
-  passingAxis: "Mass that is finer",
-  grainSize: "Grain size",
-  sizesOverTime: "Sizes over milling time",
-  millingTime: "Milling time, min",
+  report: "All plots",
+  noReport: "The report of a run, with every plot and map, appears here when the run has ended.",
 
   about: "About these numbers",
   trust: "The intervals contain only the scatter of the simulation: a longer run makes them narrower. " +
@@ -185,9 +179,6 @@ export const text = {
   files: "Files",
   filesAbout: "Files of this result.",
   filesHint: "The files of a result appear here when a run has ended.",
-  report: "Report",
-  openReport: "Open the report",
-  close: "Close",
   openResult: "Open a result or a case",
   openAbout: "Results of the program: choose summary.json and what lies beside it, or drop the folder on the page.",
   opened: (title) => `Opened: ${title}.`,

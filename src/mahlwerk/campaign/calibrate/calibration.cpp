@@ -219,16 +219,16 @@ class Calibrator {
     for (const auto& emulator : emulators_) {
       PredictedOutcome& made = result_.outcomes.emplace_back();
       if (!emulator) continue;
+      double mean = 0;
       std::vector<double> values;
       for (const DesignPoint& point : thinned(result_.posterior, 1000)) {
         const Posterior guess = emulator->model.at(point);
         values.push_back(
             emulator->value_of(guess.mean + guess.deviation * standard_normal(random)));
-        made.mean += values.back();
+        mean += values.back();
       }
-      made.mean /= static_cast<double>(values.size());
-      made.low = quantile_of(values, 0.025);  // (cal.8)
-      made.high = quantile_of(values, 0.975);
+      mean /= static_cast<double>(values.size());
+      made.value = {mean, quantile_of(values, 0.025), quantile_of(values, 0.975)};  // (cal.8)
       made.emulator_error = emulator->leave_one_out_error();
     }
   }

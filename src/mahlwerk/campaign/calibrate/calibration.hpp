@@ -41,33 +41,31 @@ int usual_settings(std::size_t parameters);
 
 /// An outcome at the calibrated parameters.
 struct PredictedOutcome {
-  double mean = 0;
-  double low = 0, high = 0;  ///< 95 % interval from the posterior and the emulator (cal.8)
+  observe::IntervalEstimate value;  ///< with the interval from posterior and emulator (cal.8)
   /// Root mean square of the leave-one-out errors of the emulator, relative to the spread of the
   /// outcome over all settings.
   double emulator_error = 0;
 };
 
-struct CalibrationResult {
-  /// Values of the most central draw, with 95 % intervals of the posterior.
-  std::vector<FittedParameter> parameters;
-  std::vector<std::vector<double>> correlation;  ///< of the positions in the ranges
-  DesignPoint central;                           ///< position of the most central draw
-  std::vector<DesignPoint> draws;                ///< positions of some draws, for [uncertainty]
-  std::vector<DesignPoint> posterior;            ///< positions of all draws
-  std::vector<PredictedOutcome> outcomes;
+/// Values of the most central draw, with 95 % intervals of the posterior; the correlation is that
+/// of the positions in the ranges.
+struct CalibrationResult : ParameterEstimates {
+  DesignPoint central = {};                 ///< position of the most central draw
+  std::vector<DesignPoint> draws = {};      ///< positions of some draws, for [uncertainty]
+  std::vector<DesignPoint> posterior = {};  ///< positions of all draws
+  std::vector<PredictedOutcome> outcomes = {};
   double misfit = 0;  ///< root of chi square by degrees of freedom; NaN without degrees of freedom
-  std::vector<double>
-      scatter;                ///< by quantity: relative scatter of data without errors; else empty
+  std::vector<double> scatter =
+      {};                     ///< by quantity: relative scatter of data without errors; else empty
   double emulator_share = 0;  ///< largest share of the emulator in the variance of a datum
   int settings = 0, failed = 0, rounds = 0;
   bool converged = false;
-  std::vector<std::string> remarks;  ///< on the whole; sentences without a full stop
 };
 
 /// What a calibration is doing, for a progress line.
 struct CalibrationProgress {
   int settings = 0, of = 0, rounds = 0;
+  bool at_centre = false;  ///< runs of the calibrated case
 };
 
 struct CalibrationOptions {

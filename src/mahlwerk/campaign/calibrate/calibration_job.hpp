@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/calibrate/calibration.hpp"
-#include "mahlwerk/campaign/fit/measurements.hpp"
+#include "mahlwerk/campaign/fit/measurement_study.hpp"
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 
 // A case with measurements on the mill, and the runs that predict them.
@@ -52,6 +52,24 @@ std::vector<TrialResult> run_settings(const CalibrationJob& job,
                                       const std::vector<TrialRequest>& asked,
                                       const RunOptions& options, TrialStore& store,
                                       std::string_view version, results::NoticeCounts& notices);
+
+struct Calibration : MeasurementStudy {
+  CalibrationResult result = {};  ///< values and ranges in the units of the case
+  std::string condition_key = {},
+              condition_unit = {};            ///< the only key that varies, if it is a number
+  std::vector<double> condition_values = {};  ///< its values
+  int runs = 0;
+
+  double emulator_error() const;  ///< largest leave-one-out error of an emulator, by spread
+};
+
+/// Calibrates the keys of the job by runs of its settings under all conditions, and runs the case
+/// at the centre of the posterior with new seeds. Throws as `calibrate` of a goal does.
+Calibration calibrate(CalibrationJob& job, const Simulation& run,
+                      const CalibrationOptions& options);
+
+/// The case with the most central draw as values, and the others as [uncertainty].
+cases::Case calibrated_case(const CalibrationJob& job, const Calibration& found);
 
 /// [m] Height to which a ball of the first set rebounds from the first face of the jar (cal.2).
 double rebound_height(const cases::Case& mill_case, double fall);

@@ -14,27 +14,27 @@
 namespace mahlwerk::campaign {
 namespace {
 
-using Point = std::vector<double>;
-using LogDensity = std::function<double(const Point&)>;
+using Position = std::vector<double>;
+using LogDensity = std::function<double(const Position&)>;
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 constexpr std::uint32_t stream = 0x54000000;
 
 struct Walker {
-  Point point;
+  Position point;
   double log_density = nowhere;
 };
 
-double density_at(const LogDensity& log_density, const Point& point) {
+double density_at(const LogDensity& log_density, const Position& point) {
   if (std::ranges::any_of(point, [](double x) { return !(x > 0 && x < 1); })) return nowhere;
   const double value = log_density(point);
   return std::isnan(value) ? nowhere : value;
 }
 
 /// Walkers at the starts of the highest density, a little apart where there are fewer starts.
-std::vector<Walker> begin(const LogDensity& log_density, const std::vector<Point>& starts,
+std::vector<Walker> begin(const LogDensity& log_density, const std::vector<Position>& starts,
                           int count, Random& random) {
   std::vector<Walker> all;
-  for (const Point& point : starts) all.push_back({point, density_at(log_density, point)});
+  for (const Position& point : starts) all.push_back({point, density_at(log_density, point)});
   std::ranges::stable_sort(all, std::greater<>(), &Walker::log_density);
   std::erase_if(all, [](const Walker& w) { return w.log_density == nowhere; });
   if (all.empty()) throw std::invalid_argument("no start of the sampler has a density");
@@ -55,7 +55,7 @@ bool stretch(const LogDensity& log_density, Walker& walker, const Walker& other,
   constexpr double a = 2;
   const double root = 1 + (a - 1) * random.uniform();
   const double z = root * root / a;
-  Point point;
+  Position point;
   for (std::size_t i = 0; i < walker.point.size(); ++i)
     point.push_back(other.point[i] + z * (walker.point[i] - other.point[i]));
   const double chance = random.uniform();
@@ -70,7 +70,7 @@ bool stretch(const LogDensity& log_density, Walker& walker, const Walker& other,
 
 /// Potential scale reduction of a coordinate: the first against the second half of the points that
 /// each walker has kept (Gelman and Rubin 1992).
-double shrinkage_of(const std::vector<Point>& points, std::size_t coordinate) {
+double shrinkage_of(const std::vector<Position>& points, std::size_t coordinate) {
   const std::size_t half = points.size() / 2;
   if (half < 4) return 1;
   double mean[2] = {0, 0}, variance[2] = {0, 0};
@@ -89,7 +89,7 @@ double shrinkage_of(const std::vector<Point>& points, std::size_t coordinate) {
 
 }  // namespace
 
-DensitySample sample_density(const LogDensity& log_density, const std::vector<Point>& starts,
+DensitySample sample_density(const LogDensity& log_density, const std::vector<Position>& starts,
                              const SamplerSettings& settings) {
   Random random(settings.seed, stream);
   std::vector<Walker> walkers = begin(log_density, starts, settings.walkers, random);

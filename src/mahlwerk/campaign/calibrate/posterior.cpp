@@ -95,11 +95,10 @@ FittedParameter describe_parameter(const FreeParameter& parameter,
     return static_cast<double>(std::ranges::count_if(positions, beyond)) /
            static_cast<double>(positions.size());
   };
-  FittedParameter made{.name = parameter.name,
-                       .value = value_at(parameter, central),
-                       .low = value_at(parameter, low),
-                       .high = value_at(parameter, high),
-                       .remarks = {}};
+  FittedParameter made{parameter};
+  made.value = value_at(parameter, central);
+  made.low = value_at(parameter, low);
+  made.high = value_at(parameter, high);
   // A limit within the range means that the posterior falls off before the end (cal.7).
   made.open_low = share([&](double u) { return u < edge; }) > edge / 2;
   made.open_high = share([&](double u) { return u > 1 - edge; }) > edge / 2;

@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/powder/any_model.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::campaign {
@@ -43,7 +44,9 @@ std::vector<FreeParameter> free_parameters(const cases::Case& mill_case,
                           .least = least,
                           .most = most,
                           .min_is_natural = least == one.range.least,
-                          .max_is_natural = most == one.range.most});
+                          .max_is_natural = most == one.range.most,
+                          .unit = one.unit,
+                          .about = one.about});
   }
   return parameters;
 }
@@ -235,7 +238,31 @@ void widen_interval(double width, const FreeParameter& parameter, FittedParamete
         "longer run or more replicates reduce it");
 }
 
+/// Widens the interval by the scatter of the mills, given as a half-width of positions.
+void add_simulation_scatter(double width, const FreeParameter& parameter, FittedParameter& p) {
+  const double position = position_of(parameter, p.value);
+  widen_interval(width, parameter, p);
+  p.simulation_ci95 =  // value_at limits positions to the range
+      0.5 * (value_at(parameter, position + width) - value_at(parameter, position - width));
+  p.text = texts_of(p);
+}
+
+/// Number of digits with which two different numbers are shown as different.
+int digits_for(double low, double high) {
+  const double apart = std::abs(high - low), size = std::fmax(std::abs(low), std::abs(high));
+  if (!(apart > 0) || !(size > 0)) return 4;
+  return std::clamp(2 + static_cast<int>(std::ceil(math::log10(size / apart))), 3, 8);
+}
+
 }  // namespace
+
+ParameterTexts texts_of(const FittedParameter& p) {
+  const auto text = [&](double number) {
+    return show_rounded(number, p.unit, digits_for(p.low, p.high));
+  };
+  return {text(p.value), text(p.low), text(p.high), show_rounded(p.least, p.unit),
+          show_rounded(p.most, p.unit)};
+}
 
 Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
         const std::vector<FreeParameter>& parameters, const FitOptions& options) {
@@ -244,20 +271,26 @@ Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
                       .usual = usual_evaluations(parameters.size(), common_replicates(mills))};
   const Predictor predict(mills, parameters, data.values, options.threads);
   const ErrorScale scatter = data.errors_known() ? ErrorScale::known : ErrorScale::estimated;
-  Fit made{.result = least_squares(evaluator.residuals(predict), parameters, scatter),
-           .predicted = {},
-           .simulation_ci95 = {}};
-  made.predicted = predict(values_of(made.result));
-  made.simulation_ci95 = simulation_half_widths(mills, parameters, made.result, evaluator);
+  Fit made;
+  made.result = least_squares(evaluator.residuals(predict), parameters, scatter);
+  const std::vector<double> predicted = predict(values_of(made.result));
+  for (std::size_t i = 0; i < predicted.size(); ++i)
+    made.points.push_back(
+        {data.values[i], {.value = predicted[i]}, residual(data.values[i], predicted[i])});
+  const std::vector<double> widths =
+      simulation_half_widths(mills, parameters, made.result, evaluator);
   made.result.evaluations = evaluator.evaluations;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    FittedParameter& p = made.result.parameters[i];
-    const double width = made.simulation_ci95[i], position = position_of(parameters[i], p.value);
-    widen_interval(width, parameters[i], p);
-    made.simulation_ci95[i] =  // value_at limits positions to the range
-        0.5 *
-        (value_at(parameters[i], position + width) - value_at(parameters[i], position - width));
-  }
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    add_simulation_scatter(widths[i], parameters[i], made.result.parameters[i]);
+  for (const results::Outcome& mill : mills) results::count(made.notices, mill.notices);
+  results::sort(made.notices);
+  const auto unknown_scatter = [](const FittedParameter& p) {
+    return std::isnan(p.simulation_ci95);
+  };
+  if (std::ranges::any_of(made.result.parameters, unknown_scatter))
+    made.result.remarks.push_back(
+        "the mill ran one replicate: the contribution of its scatter to the intervals is not "
+        "known");
   return made;
 }
 

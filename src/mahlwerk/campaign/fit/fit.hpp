@@ -12,6 +12,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/fit/evaluations.hpp"
 #include "mahlwerk/campaign/fit/least_squares.hpp"
+#include "mahlwerk/campaign/fit/measurement_study.hpp"
 #include "mahlwerk/campaign/fit/measurements.hpp"
 #include "mahlwerk/campaign/fit/predictor.hpp"
 #include "mahlwerk/results/outcome.hpp"
@@ -49,14 +50,21 @@ struct FitOptions {
   FitEvaluations* kept = nullptr;  ///< keeps predictions, and supplies them
 };
 
-struct Fit {
-  LeastSquaresResult result;
-  std::vector<double> predicted;  ///< of each measurement, with the fitted parameters
-  /// Half-widths of the 95 % intervals that the scatter of the simulated mills alone gives each
-  /// parameter (fit.10), in its unit; NaN with fewer than two replicates. The intervals of `result`
-  /// include it.
-  std::vector<double> simulation_ci95;
+/// Model curve over time, or of `passing` over size.
+struct FitCurve {
+  std::string what;
+  std::size_t condition = 0;
+  double time = 0;  ///< [s] of a size distribution
+  std::vector<double> x, y;
 };
+
+struct Fit : MeasurementStudy {
+  LeastSquaresResult result = {};
+  std::vector<FitCurve> curves = {};
+};
+
+/// The numbers of a parameter as text, with as many digits as keep the ends of its interval apart.
+ParameterTexts texts_of(const FittedParameter& p);
 
 /// Fits the parameters to the measurements. Throws RunError if no values give any powder,
 /// Interrupted if options.stop is set.

@@ -25,4 +25,11 @@ struct FitJob {
 FitJob fit_job(const std::filesystem::path& file, const std::string& data_file,
                const cases::Catalogue& known, const std::vector<cases::Override>& set);
 
+/// Fits the parameters of the job to its measurements, with model curves through them. `mills` are
+/// the outcomes of those of the job. Throws as `fit` does.
+Fit fit(const FitJob& job, const std::vector<results::Outcome>& mills, const FitOptions& options);
+
+/// The case with the fitted values set and the list of parameters to fit cleared.
+cases::Case fitted_case(const FitJob& job, const Fit& found);
+
 }  // namespace mahlwerk::campaign

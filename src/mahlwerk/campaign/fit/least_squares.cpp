@@ -211,14 +211,13 @@ FittedParameter fitted(const BestFit& best_fit, const Minimiser& search,
   const double position = best_fit.best.position[i];
   Limits limits = best_fit.limits[i];
   const bool elsewhere = widen(limits, best_fit, search.evaluations(), i);
-  FittedParameter p{.name = range.name,
-                    .value = value_at(range, position),
-                    .low = value_at(range, limits[0].position),
-                    .high = value_at(range, limits[1].position),
-                    .open_low = limits[0].open,
-                    .open_high = limits[1].open,
-                    .determined = !(limits[0].open && limits[1].open),
-                    .remarks = {}};
+  FittedParameter p{range};
+  p.value = value_at(range, position);
+  p.low = value_at(range, limits[0].position);
+  p.high = value_at(range, limits[1].position);
+  p.open_low = limits[0].open;
+  p.open_high = limits[1].open;
+  p.determined = !(p.open_low && p.open_high);
   for (const std::vector<std::size_t>& flat : best_fit.curvature.flat) {
     if (std::ranges::find(flat, i) == flat.end()) continue;
     p.determined = false;
@@ -265,6 +264,17 @@ void remark_all(LeastSquaresResult& fit, ErrorScale scatter) {
 }
 
 }  // namespace
+
+std::string FittedParameter::interval_text() const {
+  if (!determined) return "not determined";
+  if (open_low) return "up to " + text.high;
+  if (open_high) return text.low + " or more";
+  return text.low + " to " + text.high;
+}
+
+bool ParameterEstimates::all_determined() const {
+  return std::ranges::all_of(parameters, &FittedParameter::determined);
+}
 
 LeastSquaresResult least_squares(const Residuals& residuals,
                                  const std::vector<FreeParameter>& parameters, ErrorScale scatter) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct FreeParameter {
   double least = 0, most = 1;                           ///< finite, least < most
   std::optional<double> start = std::nullopt;           ///< between the bounds; empty: their middle
   bool min_is_natural = false, max_is_natural = false;  ///< no value beyond it is possible
+  std::string unit = {}, about = {};                    ///< of its numbers, empty: none; what it is
 
   /// Whether the search uses the logarithm: the bounds are positive and a factor above 10 apart.
   bool logarithmic() const { return least > 0 && most > 10 * least; }
@@ -31,24 +33,43 @@ enum class ErrorScale {
   estimated  ///< a common unit: the residuals determine the scatter of the data
 };
 
-struct FittedParameter {
-  std::string name;
+/// Numbers of a parameter as text, with unit: "412 rpm".
+struct ParameterTexts {
+  std::string value, low, high;  ///< and ends of its 95 % interval
+  std::string least, most;       ///< ends of its range
+};
+
+/// A parameter with what the measurements say of it.
+struct FittedParameter : FreeParameter {
   double value = 0;
   double low = 0, high = 0;  ///< 95 % interval (fit.5); where it is open, the end of the range
   bool open_low = false, open_high = false;  ///< no such limit within the range
   bool determined = false;
-  std::vector<std::string> remarks;  ///< sentences without a full stop; why, if not determined
+  std::vector<std::string> remarks = {};  ///< sentences without a full stop; why, if not determined
+  /// Half-width of the 95 % interval that the scatter of the simulated mills alone gives it
+  /// (fit.10); NaN: unknown. The interval includes it.
+  double simulation_ci95 = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> posterior = {};  ///< of a calibration: its values in all draws
+  ParameterTexts text = {};
+
+  std::string interval_text() const;  ///< "0.4 to 0.6", "up to 0.6", "not determined"
 };
 
-struct LeastSquaresResult {
-  std::vector<FittedParameter> parameters;
-  std::vector<std::vector<double>> correlation;  ///< (fit.7)
-  std::vector<double> residuals;
+/// Parameters that were estimated together.
+struct ParameterEstimates {
+  std::vector<FittedParameter> parameters = {};
+  std::vector<std::vector<double>> correlation = {};  ///< (fit.7)
+  std::vector<std::string> remarks = {};  ///< on the whole; sentences without a full stop
+
+  bool all_determined() const;
+};
+
+struct LeastSquaresResult : ParameterEstimates {
+  std::vector<double> residuals = {};
   double sum_of_squares = 0;
   int degrees_of_freedom = 0;  ///< residuals less parameters
   double scatter = 0;          ///< [1] s of the residuals (fit.3); NaN without degrees of freedom
   int evaluations = 0;         ///< of the residuals
-  std::vector<std::string> remarks;  ///< on the whole fit; sentences without a full stop
 };
 
 /// Minimises the sum of squares (fit.1): the parameters, their intervals, and which of them the

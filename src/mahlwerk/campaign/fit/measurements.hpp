@@ -63,6 +63,9 @@ struct Measurements {
   bool errors_known() const;
 };
 
+/// "mill.speed = 300 rpm, ..."; empty without overrides.
+std::string condition_label(const std::vector<cases::Override>& condition);
+
 /// Reads a table of measurements, with columns of powder and of `known` quantities. Throws
 /// InputError with all faults found: line, what, remedy.
 Measurements read_measurements(const std::filesystem::path& file, const RunQuantities& known = {});

@@ -106,6 +106,15 @@ DesignMatrix rows_of(const cases::Sweep& sweep, std::uint64_t seed) {
 
 }  // namespace
 
+std::string unit_of_range(const cases::SweptKey& range) {
+  return std::string(number_text(range.values[1]).rest);
+}
+
+double number_in(const std::string& text, const std::string& unit) {
+  const double one = unit.empty() ? 1 : parse_quantity("1 " + unit).value;
+  return parse_quantity(text).value / one;
+}
+
 std::string value_in_range(const cases::SweptKey& range, double place, int digits) {
   const Ends ends = ends_of(range);
   double value = range.logarithmic ? ends.from * math::pow(ends.to / ends.from, place)

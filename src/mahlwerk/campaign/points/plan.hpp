@@ -55,6 +55,11 @@ std::vector<std::string> point_values(const Plan& plan, std::size_t point,
 /// Values of a plan's keys in the case; empty where it has none.
 std::vector<std::string> base_values(const Plan& plan, const cases::Case& mill_case);
 
+/// The unit of a range: that of its upper end; empty: none.
+std::string unit_of_range(const cases::SweptKey& range);
+/// A value of a range, "412 rpm", as a number in `unit`.
+double number_in(const std::string& text, const std::string& unit);
+
 /// The value at `place`, 0 to 1 from end to end of a range, as text with `digits` digits; a whole
 /// number for keys that count something. Throws InputError if an end is not a number, the units do
 /// not fit, or a logarithmic range is not above 0.

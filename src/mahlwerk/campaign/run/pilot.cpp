@@ -53,21 +53,20 @@ observe::Estimate estimate(const std::vector<Sample>& samples, const Value& valu
   return observe::time_series_estimate(rates);
 }
 
-ContactTimeEffect::Change change(const observe::Estimate& with, const observe::Estimate& shorter) {
+observe::Estimate change(const observe::Estimate& with, const observe::Estimate& shorter) {
   const double ratio = shorter.mean / with.mean;
   return {ratio - 1, ratio * math::hypot(with.ci95 / with.mean, shorter.ci95 / shorter.mean)};
 }
 
 /// Change of a ratio from the changes of its parts.
-ContactTimeEffect::Change quotient(const ContactTimeEffect::Change& of,
-                                   const ContactTimeEffect::Change& over) {
-  const double ratio = (1 + of.share) / (1 + over.share);
-  return {ratio - 1, ratio * math::hypot(of.ci95 / (1 + of.share), over.ci95 / (1 + over.share))};
+observe::Estimate quotient(const observe::Estimate& of, const observe::Estimate& over) {
+  const double ratio = (1 + of.mean) / (1 + over.mean);
+  return {ratio - 1, ratio * math::hypot(of.ci95 / (1 + of.mean), over.ci95 / (1 + over.mean))};
 }
 
-std::string change_in_words(const ContactTimeEffect::Change& change) {
-  if (!std::isfinite(change.share) || !std::isfinite(change.ci95)) return "an unknown amount";
-  return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.share, 100 * change.ci95);
+std::string change_in_words(const observe::Estimate& change) {
+  if (!std::isfinite(change.mean) || !std::isfinite(change.ci95)) return "an unknown amount";
+  return fmt::format("{:+.2g} % (± {:.2g} %)", 100 * change.mean, 100 * change.ci95);
 }
 
 }  // namespace
@@ -118,7 +117,7 @@ ContactTimeEffect contact_time_effect(const cases::Case& mill_case, const std::a
   shorter.contact.contact_time *= ContactTimeEffect::shorter;
   const Pilot first = pilot(mill_case, stop, most),
               second = pilot(shorter, stop, 4 * most, first.time);
-  const ContactTimeEffect::Change hits = change(first.hits, second.hits);
+  const observe::Estimate hits = change(first.hits, second.hits);
   return {change(first.power, second.power), hits,
           quotient(change(first.hit_power, second.hit_power), hits)};
 }

@@ -33,23 +33,22 @@ Pilot pilot(const cases::Case& mill_case, const std::atomic<bool>* stop,
 
 /// Effect of a shorter contact time t_c on a pilot run (man.8). Valid results do not depend on t_c.
 struct ContactTimeEffect {
-  /// A relative change with its 95 % half-width; NaN if it could not be measured.
-  struct Change {
-    double share = 0, ci95 = 0;
-    bool significant(double limit) const {  ///< exceeds the limit and its half-width
-      return (share < 0 ? -share : share) > limit && (share < 0 ? -share : share) > ci95;
-    }
-    bool known(double limit) const { return ci95 <= limit; }
-  };
-  Change power, hits;
-  Change energy;  ///< of the mean normal energy of hits above the threshold
+  observe::Estimate power, hits;  ///< [1] relative changes; NaN if they could not be measured
+  observe::Estimate energy;       ///< of the mean normal energy of hits above the threshold
 
   static constexpr double shorter = 0.25;  ///< the shorter t_c, relative to the case's
   static constexpr double most = 0.05;     ///< [1] the largest acceptable change
   bool matters() const {
-    return power.significant(most) || hits.significant(2 * most) || energy.significant(2 * most);
+    return exceeds(power, most) || exceeds(hits, 2 * most) || exceeds(energy, 2 * most);
   }
-  bool known() const { return power.known(2 * most); }
+  bool known() const { return power.ci95 <= 2 * most; }
+
+ private:
+  /// Whether a change exceeds the limit and its half-width.
+  static bool exceeds(const observe::Estimate& change, double limit) {
+    const double size = change.mean < 0 ? -change.mean : change.mean;
+    return size > limit && size > change.ci95;
+  }
 };
 
 /// Compares two pilot runs over the same time, with t_c and with a quarter of it. The first has at

@@ -87,9 +87,9 @@ double permutation_p_value(const MillSpectra& a, const MillSpectra& b, double se
   return static_cast<double>(as_large) / (deals + 1);
 }
 
-observe::Estimate energies(const MillSpectra& mill) {
+observe::Estimate mean_over(const MillSpectra& mill, double DoseSpectrum::*number) {
   std::vector<double> values;
-  for (const DoseSpectrum& m : mill.replicates) values.push_back(m.mean_energy);
+  for (const DoseSpectrum& m : mill.replicates) values.push_back(m.*number);
   return observe::estimate(values);
 }
 
@@ -158,10 +158,12 @@ double half_power_energy(const DoseSpectrum& m) {
 }
 
 Difference difference(const MillSpectra& a, const MillSpectra& b, std::uint64_t seed) {
-  Difference found{.dose = ratio(a, b, [](const DoseSpectrum& m) { return m.dose; }),
+  Difference found{.dose_a = mean_over(a, &DoseSpectrum::dose),
+                   .dose_b = mean_over(b, &DoseSpectrum::dose),
+                   .dose = ratio(a, b, [](const DoseSpectrum& m) { return m.dose; }),
                    .half_power = ratio(a, b, half_power_energy),
-                   .energy_a = energies(a),
-                   .energy_b = energies(b),
+                   .energy_a = mean_over(a, &DoseSpectrum::mean_energy),
+                   .energy_b = mean_over(b, &DoseSpectrum::mean_energy),
                    .spectral = spectral_distance(a.mean, b.mean),
                    .overlap = overlap(a.mean, b.mean),
                    .distance = distance(a.mean, b.mean),

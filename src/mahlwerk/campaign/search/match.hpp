@@ -3,8 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <vector>
 
+#include "mahlwerk/campaign/search/optimise.hpp"
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
@@ -41,17 +44,29 @@ double distance(const DoseSpectrum& a, const DoseSpectrum& b);
 /// [J] Energy below which half of the collision power is lost.
 double half_power_energy(const DoseSpectrum& m);
 
-/// Differences of mill b from mill a.
+/// Differences of mill b from mill a; NaN: unknown.
 struct Difference {
+  observe::Estimate dose_a, dose_b;      ///< [W/kg], or [W]
   observe::IntervalEstimate dose;        ///< b over a (opt.13)
   observe::IntervalEstimate half_power;  ///< of the half-power energies, b over a
   observe::Estimate energy_a, energy_b;  ///< [J] mean energies lost in a collision
-  double spectral = 0, overlap = 0, distance = 0;
+  double spectral = std::numeric_limits<double>::quiet_NaN();  ///< [1]
+  double overlap = spectral, distance = spectral;              ///< [1]
   /// p-value of a permutation test: replicates assigned to the two mills at random differ as much
   /// (opt.17). NaN with fewer than two replicates of either mill.
-  double p_value = 0;
+  double p_value = spectral;
   bool within_scatter() const { return p_value > 0.05; }
 };
 Difference difference(const MillSpectra& a, const MillSpectra& b, std::uint64_t seed = 1);
+
+/// Settings of mill b that do what mill a does, and how far that succeeds.
+struct MatchResult {
+  std::string title_a = {}, title_b = {}, file_a = {}, file_b = {};
+  bool by_powder = false;      ///< doses are per mass of powder, else powers
+  MillSpectra a = {}, b = {};  ///< b: run again at the best setting, with new seeds
+  Difference difference = {};
+  Optimum search = {};                 ///< the search that found the settings
+  results::NoticeCounts notices = {};  ///< of the two mills
+};
 
 }  // namespace mahlwerk::campaign

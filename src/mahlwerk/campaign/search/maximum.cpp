@@ -12,17 +12,17 @@
 namespace mahlwerk::campaign {
 namespace {
 
-using Point = std::vector<double>;
+using Position = std::vector<double>;
 
 /// Callback of NLopt. NLopt does not pass on exceptions of other libraries: the callback keeps
 /// them.
 struct NloptCallback {
-  const std::function<double(const Point&)>& function;
-  const Point &least, &most;
+  const std::function<double(const Position&)>& function;
+  const Position &least, &most;
   Maximum best = {{}, -std::numeric_limits<double>::infinity()};
   std::exception_ptr thrown = {};
 
-  double evaluate(Point point) {
+  double evaluate(Position point) {
     constexpr double lowest = -1e300;               // NLopt stops at values that are not finite
     for (std::size_t i = 0; i < point.size(); ++i)  // NLopt leaves the box by rounding
       point[i] = std::clamp(point[i], least[i], most[i]);
@@ -30,7 +30,7 @@ struct NloptCallback {
     if (value > best.value || best.point.empty()) best = {std::move(point), value};
     return std::isfinite(value) ? value : lowest;
   }
-  static double step(const Point& point, Point&, void* data) {
+  static double step(const Position& point, Position&, void* data) {
     NloptCallback& self = *static_cast<NloptCallback*>(data);
     try {
       return self.evaluate(point);
@@ -39,7 +39,7 @@ struct NloptCallback {
       throw nlopt::forced_stop();
     }
   }
-  void search(nlopt::opt& by, Point from) {
+  void search(nlopt::opt& by, Position from) {
     double value = 0;
     by.set_max_objective(step, this);
     try {
@@ -51,7 +51,7 @@ struct NloptCallback {
   }
 };
 
-nlopt::opt bounded_optimiser(nlopt::algorithm how, const Point& least, const Point& most,
+nlopt::opt bounded_optimiser(nlopt::algorithm how, const Position& least, const Position& most,
                              int evaluations) {
   nlopt::opt by(how, static_cast<unsigned>(least.size()));
   by.set_lower_bounds(least);
@@ -62,15 +62,15 @@ nlopt::opt bounded_optimiser(nlopt::algorithm how, const Point& least, const Poi
 
 }  // namespace
 
-Maximum find_maximum(const std::function<double(const Point&)>& function, const Point& least,
-                     const Point& most, const std::vector<Point>& starts,
+Maximum find_maximum(const std::function<double(const Position&)>& function, const Position& least,
+                     const Position& most, const std::vector<Position>& starts,
                      const EvaluationBudget& budget) {
   constexpr double first_step = 0.05, fine = 1e-4;  // relative to the box
   NloptCallback callback{function, least, most};
-  std::vector<Point> from = starts;
-  for (const Point& point : starts) callback.evaluate(point);
+  std::vector<Position> from = starts;
+  for (const Position& point : starts) callback.evaluate(point);
   if (budget.global > 0) {
-    Point middle;
+    Position middle;
     for (std::size_t i = 0; i < least.size(); ++i) middle.push_back((least[i] + most[i]) / 2);
     NloptCallback wide{function, least, most};
     nlopt::opt by = bounded_optimiser(nlopt::GN_DIRECT_L, least, most, budget.global);
@@ -79,9 +79,9 @@ Maximum find_maximum(const std::function<double(const Point&)>& function, const 
     if (wide.best.value > callback.best.value) callback.best = wide.best;
   }
   if (budget.local > 0)
-    for (const Point& point : from) {
+    for (const Position& point : from) {
       nlopt::opt by = bounded_optimiser(nlopt::LN_SBPLX, least, most, budget.local);
-      Point step, tolerance;
+      Position step, tolerance;
       for (std::size_t i = 0; i < least.size(); ++i) {
         step.push_back(first_step * (most[i] - least[i]));
         tolerance.push_back(fine * (most[i] - least[i]));

@@ -170,13 +170,9 @@ void check(const Goal& goal) {
 
 }  // namespace
 
-bool Trial::invalid() const {
-  return std::ranges::find(notices, Severity::invalid, &Notice::severity) != notices.end();
-}
-
 Optimum optimise(const Goal& goal, const Simulation& simulation) {
   check(goal);
-  Optimum found;
+  Optimum found{.maximise = goal.maximise};
   Trials trials(goal, simulation);
   for (const DesignPoint& point : sobol_points(goal.keys, 4 + 2 * goal.keys)) trials.ask(point);
   trials.run(0);

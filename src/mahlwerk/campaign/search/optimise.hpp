@@ -10,10 +10,12 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/campaign/search/gaussian_process.hpp"
+#include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
 
 // Bayesian optimisation of a noisy outcome over settings (docs/theory/optimum.md). A setting is a
-// point with coordinates 0 to 1, one for each key's range.
+// point with coordinates 0 to 1, one for each key's range. Texts are as in a case: "412 rpm".
 namespace mahlwerk::campaign {
 
 /// Bound of a further outcome.
@@ -57,13 +59,25 @@ struct Trial {
   int round = 0;  ///< of its first request; 0: initial design
   std::vector<observe::Estimate> observed =
       {};  ///< means of its replicates, by outcome; half-widths need two (sta.1)
-  observe::Estimate model = {};     ///< posterior of the objective
-  double probability_feasible = 1;  ///< probability that it satisfies all bounds, by the model
-  double probability_best = 0;      ///< probability that it is the best of those tried
-  Notices notices = {};             ///< of its runs, each code once
+  observe::Estimate model = {};          ///< posterior of the objective
+  double probability_feasible = 1;       ///< probability that it satisfies all bounds, by the model
+  double probability_best = 0;           ///< probability that it is the best of those tried
+  Notices notices = {};                  ///< of its runs, each code once
+  std::vector<std::string> values = {};  ///< of the keys, as text
+  std::vector<double> x = {};            ///< the same as numbers, in the keys' units
 
+  /// Mean of an outcome over its replicates: the objective is the first; unknown if it has none.
+  observe::Estimate outcome(std::size_t number) const;
   /// Whether its results are outside the validity of the engine that ran it.
   bool invalid() const;
+};
+
+/// Positions along a key as values of the case.
+struct KeyTexts {
+  std::string from = {}, to = {};             ///< the range
+  std::string best = {}, model = {};          ///< at the best setting tried, at the model's optimum
+  std::string low = {}, high = {};            ///< 95 % interval of the optimum's location
+  std::string good_low = {}, good_high = {};  ///< this key varied alone: value within 2 %
 };
 
 /// Position of the optimum along a key.
@@ -72,7 +86,29 @@ struct KeyOptimum {
   double good_low = 0, good_high = 1;  ///< within 2 % of the best, only this key varied
   bool flat = false;                   ///< the good range is more than half of the key's range
   bool at_low_end = false, at_high_end = false;  ///< position of the model's optimum
-  std::vector<observe::Estimate> slice;  ///< through the model's optimum, this key at 0, 1/40 ... 1
+  /// Through the model's optimum, this key at 0, 1/40 ... 1.
+  std::vector<observe::Estimate> slice = {};
+  std::string key = {}, unit = {};  ///< unit of `x`; empty: a plain number
+  bool logarithmic = false;
+  std::vector<double> x = {};  ///< values of the key along the slice
+  KeyTexts text = {};
+
+  /// Location of the optimum as text: "12 Hz to 13 Hz", "at the end of its range".
+  std::string range_text() const;
+};
+
+/// Limit of an outcome.
+struct OptimumLimit {
+  std::string quantity = {}, unit = {}, text = {};  ///< "below 1 mg/h"
+  bool binds = false;  ///< the model's optimum without bounds violates it
+};
+
+/// The best setting, run with the recommended engine.
+struct OptimumCheck {
+  cases::EngineName engine = cases::EngineName::soft;
+  observe::Estimate value = {};  ///< of the optimised quantity, by that engine
+  int replicates = 0;
+  std::string failure = {};  ///< reason why there is no value; empty: there is one
 };
 
 enum class StopReason {
@@ -81,17 +117,34 @@ enum class StopReason {
   failed      ///< no setting gave an outcome
 };
 
+/// An outcome that settings are judged by.
+struct SearchOutcome {
+  std::string name = {}, unit = {}, about = {};  ///< as in summary.json
+};
+
 struct Optimum {
-  std::vector<Trial> trials;
-  std::optional<std::size_t> best;  ///< index of the best, likely feasible trial; empty: none
-  DesignPoint model_point;          ///< optimum of the model
-  observe::Estimate model_value;    ///< a prediction: it was not run
-  std::vector<KeyOptimum> keys;
-  std::vector<bool> binds;   ///< by bound: the model's optimum without bounds violates it
+  std::string title = {}, case_file = {};
+  SearchOutcome outcome = {};  ///< what is optimised
+  bool maximise = true;
+  std::vector<Trial> trials = {};
+  std::optional<std::size_t> best =
+      std::nullopt;                    ///< index of the best, likely feasible trial; empty: none
+  DesignPoint model_point = {};        ///< optimum of the model
+  observe::Estimate model_value = {};  ///< a prediction: it was not run
+  std::vector<KeyOptimum> keys = {};
+  std::vector<OptimumLimit> limits = {};  ///< by bound
   double expected_gain = 0;  ///< acquisition of one more setting, at the end (opt.5, opt.6)
   double expected_loss = 0;  ///< of choosing `best` if another trial is better
   int failed = 0, rounds = 0;
   StopReason stop_reason = StopReason::settings;
+  results::NoticeCounts notices = {};                ///< of the trials
+  std::optional<OptimumCheck> check = std::nullopt;  ///< if the event engine ran the best
+
+  int runs() const;  ///< total number of replicates
+  /// Whether the best setting tried is distinguished from all others, by valid runs.
+  bool certain() const;
+  /// Whether check and search differ by more than their intervals.
+  bool disagrees() const;
 };
 
 /// Settings of a batch: a constant, so that the result does not depend on the number of cores.

@@ -96,7 +96,7 @@ void conclude(const Goal& goal, Optimum& found) {
   found.failed = static_cast<int>(
       std::ranges::count_if(found.trials, [](const Trial& t) { return !t.failure.empty(); }));
   found.keys.assign(goal.keys, {});
-  found.binds.assign(goal.bounds.size(), false);
+  found.limits.assign(goal.bounds.size(), {});
   if (found.failed == static_cast<int>(found.trials.size())) {
     found.stop_reason = StopReason::failed;
     return;
@@ -109,7 +109,7 @@ void conclude(const Goal& goal, Optimum& found) {
   const DesignPoint free = model.highest_mean(false);
   for (std::size_t b = 0; b < goal.bounds.size(); ++b) {
     const double value = model.constraint(b).at(free).mean;
-    found.binds[b] =
+    found.limits[b].binds =
         goal.bounds[b].below ? value > goal.bounds[b].value : value < goal.bounds[b].value;
   }
   const std::vector<DesignPoint> drawn = model.optimum_samples(kernels, paths);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +12,6 @@
 #include "mahlwerk/campaign/search/trial_runs.hpp"
 
 namespace mahlwerk::campaign {
-
-/// An outcome that settings are judged by.
-struct SearchOutcome {
-  std::string name, unit, about;  ///< as in summary.json
-};
 
 struct SearchJob {
   const TrialRuns* runs = nullptr;
@@ -36,5 +33,15 @@ Goal goal_of(const TrialRuns& runs, std::int64_t settings, std::int64_t replicat
 /// The search that [optimise] of the runs' case describes; the runs are kept by reference. Throws
 /// InputError if it names quantities that the case does not have.
 SearchJob optimise_job(const TrialRuns& runs);
+
+/// Finds the best setting of a job by its runs, with the values of its keys and their texts.
+Optimum optimise(const SearchJob& job, const Simulation& run);
+
+/// Runs a setting with another engine.
+using CheckRun = std::function<TrialResult(const TrialRuns& runs, const TrialRequest& one)>;
+/// Runs the best setting with the soft engine if the event engine ran it, unless that takes too
+/// long.
+std::optional<OptimumCheck> check_best(const SearchJob& job, const Optimum& found,
+                                       const CheckRun& run);
 
 }  // namespace mahlwerk::campaign

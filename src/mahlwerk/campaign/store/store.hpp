@@ -60,14 +60,20 @@ struct RunRecord {
 };
 
 /// A point of the plan with the record of its run.
-struct StoredPoint {
-  std::size_t number = 0;  ///< from 1
-  std::vector<std::string> values;
-  RunState state = RunState::waiting;
-  std::string engine, regime, folder, message;
-  std::string warnings;  ///< codes, separated by ";"
+struct Point {
+  std::size_t number = 0;                ///< from 1
+  std::vector<std::string> values = {};  ///< of the varied keys, as in the case: "400 rpm"
+  /// Of the requested quantities, in SI units; NaN for missing values, trailing ones may be
+  /// omitted.
+  std::vector<double> value = {}, ci95 = {};
+  RunState state = RunState::done;
+  std::string engine = {}, regime = {};  ///< regime: one word, "cataracting"; empty: none
+  std::string warnings = {};             ///< codes, separated by ";"
+  std::string folder = {};  ///< of its own result, relative to the campaign folder; empty: not kept
+  std::string failure = {};  ///< reason of the failure; empty: none
   double wall_seconds = 0, cpu_seconds = 0;
-  std::vector<double> value, ci95;  ///< of the requested quantities; NaN where there is none
+
+  bool waiting() const { return state == RunState::waiting; }  ///< not run yet
 };
 
 struct RunCounts {
@@ -116,7 +122,7 @@ class Store {
   results::NoticeCounts notices() const;
   /// Calls `take` for each point of the plan, in order, with the named quantities.
   void read(const std::vector<std::string>& quantities,
-            const std::function<void(const StoredPoint&)>& take) const;
+            const std::function<void(const Point&)>& take) const;
   /// Writes the rows of the view `results` as comma-separated text with a heading.
   void write_csv(std::ostream& out) const;
 

@@ -110,7 +110,7 @@ std::vector<results::Quantity> Store::quantities() const {
 }
 
 void Store::read(const std::vector<std::string>& quantities,
-                 const std::function<void(const StoredPoint&)>& take) const {
+                 const std::function<void(const Point&)>& take) const {
   const std::lock_guard lock(mutex_);
   const std::vector<SweptColumn> keys = swept();
   std::string columns =
@@ -132,7 +132,7 @@ void Store::read(const std::vector<std::string>& quantities,
                   columns));
   constexpr int fixed = 9;
   while (asked.step()) {
-    StoredPoint point;
+    Point point;
     point.number = static_cast<std::size_t>(asked.integer(0));
     const std::string status = asked.text(1);
     point.state = status == "done"     ? RunState::done
@@ -141,7 +141,7 @@ void Store::read(const std::vector<std::string>& quantities,
     point.engine = asked.text(2);
     point.regime = asked.text(3);
     point.folder = asked.text(4);
-    point.message = asked.text(5);
+    if (point.state == RunState::failed) point.failure = asked.text(5);
     point.wall_seconds = asked.number(6);
     point.cpu_seconds = asked.number(7);
     point.warnings = asked.text(8);

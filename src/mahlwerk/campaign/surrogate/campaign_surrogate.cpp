@@ -28,7 +28,7 @@ std::optional<double> SurrogateKey::position(const std::string& text) const {
   return std::clamp(place, 0.0, 1.0);
 }
 
-Prediction predict(const SurrogateQuantity& quantity, const DesignPoint& point) {
+observe::IntervalEstimate predict(const SurrogateQuantity& quantity, const DesignPoint& point) {
   constexpr double z95 = 1.959963984540054;
   const OutcomeEmulator& emulator = quantity.emulator;
   const Posterior p = emulator.model.at(point);
@@ -118,13 +118,13 @@ std::optional<Quantity> quantity_in(const std::string& text) {
 
 /// The range of a key over the points; empty if it has one value only.
 std::optional<SurrogateKey> ranged_key(const std::string& key, std::size_t at,
-                                       const std::vector<StoredPoint>& points,
+                                       const std::vector<Point>& points,
                                        const std::string& folder) {
   constexpr double much = 10;  // largest over smallest value
   SurrogateKey made{.key = key};
   double low = INFINITY, high = -INFINITY;
   std::optional<Dimension> dimension;
-  for (const StoredPoint& point : points) {
+  for (const Point& point : points) {
     const std::optional<Quantity> value = quantity_in(point.values[at]);
     if (!value || (dimension && value->dimension != *dimension))
       throw no_surrogate(
@@ -166,12 +166,12 @@ SettingSample sample_of_setting(DesignPoint point, double mean, double ci95, dou
 }
 
 SurrogateQuantity emulated(const results::Quantity& quantity, std::size_t column,
-                           std::size_t replicates, const std::vector<StoredPoint>& points,
+                           std::size_t replicates, const std::vector<Point>& points,
                            const std::vector<DesignPoint>& places, bool of_draws,
                            const std::string& folder) {
   double least = INFINITY, most = -INFINITY;
   std::size_t count = 0;
-  for (const StoredPoint& p : points) {
+  for (const Point& p : points) {
     if (!std::isfinite(p.value[column])) continue;
     ++count;
     least = std::min(least, p.value[column]);
@@ -193,10 +193,10 @@ SurrogateQuantity emulated(const results::Quantity& quantity, std::size_t column
   return {quantity.name, quantity.unit, quantity.about, std::move(emulator), others};
 }
 
-std::vector<StoredPoint> ended_points(const Store& store, const std::vector<std::string>& names,
-                                      std::size_t& failed) {
-  std::vector<StoredPoint> points;
-  store.read(names, [&](const StoredPoint& point) {
+std::vector<Point> ended_points(const Store& store, const std::vector<std::string>& names,
+                                std::size_t& failed) {
+  std::vector<Point> points;
+  store.read(names, [&](const Point& point) {
     if (point.state == RunState::failed) ++failed;
     if (point.state == RunState::done) points.push_back(point);
   });
@@ -204,9 +204,9 @@ std::vector<StoredPoint> ended_points(const Store& store, const std::vector<std:
 }
 
 std::string digest_of(const std::vector<std::string>& keys, const std::vector<std::string>& names,
-                      const std::vector<StoredPoint>& points) {
+                      const std::vector<Point>& points) {
   std::string all = fmt::format("{}\n{}\n", fmt::join(keys, ","), fmt::join(names, ","));
-  for (const StoredPoint& p : points) {
+  for (const Point& p : points) {
     all += fmt::format("{}", fmt::join(p.values, ","));
     for (std::size_t i = 0; i < p.value.size(); ++i)
       all += fmt::format(",{},{}", shortest(p.value[i]), shortest(p.ci95[i]));
@@ -238,7 +238,7 @@ std::vector<results::Quantity> chosen_quantities(const Store& store, const std::
 }
 
 void take_keys(CampaignSurrogate& made, const Store& store, const std::string& folder,
-               const std::vector<StoredPoint>& points, std::vector<DesignPoint>& places) {
+               const std::vector<Point>& points, std::vector<DesignPoint>& places) {
   const std::vector<std::string> keys = store.keys();
   for (std::size_t k = 0; k < keys.size(); ++k) {
     if (store.follows(keys[k])) {
@@ -266,7 +266,7 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
   CampaignSurrogate made{.title = store.title(), .version = std::string(version)};
   std::vector<std::string> names = quantities;
   names.push_back("replicates");
-  const std::vector<StoredPoint> points = ended_points(store, names, made.failed);
+  const std::vector<Point> points = ended_points(store, names, made.failed);
   if (points.size() < fewest)
     throw no_surrogate(
         folder,
@@ -281,7 +281,7 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
         "sweep with design = \"sobol\" and fewer samples");
   made.settings = points.size();
   made.digest = digest_of(store.keys(), names, points);
-  for (const StoredPoint& p : points)
+  for (const Point& p : points)
     if (!p.engine.empty() && std::ranges::find(made.engines, p.engine) == made.engines.end())
       made.engines.push_back(p.engine);
   std::vector<DesignPoint> places(points.size());
@@ -297,7 +297,7 @@ CampaignSurrogate surrogate_of(const Store& store, const std::string& folder,
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     made.quantities.push_back(
         emulated(chosen[i], i, chosen.size(), points, places, of_draws, folder));
-    if (std::ranges::none_of(points, [&](const StoredPoint& p) { return p.ci95[i] > 0; }))
+    if (std::ranges::none_of(points, [&](const Point& p) { return p.ci95[i] > 0; }))
       exact += (exact.empty() ? "" : ", ") + chosen[i].name;
   }
   if (!exact.empty())

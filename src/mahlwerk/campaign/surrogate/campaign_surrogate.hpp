@@ -9,6 +9,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/search/outcome_emulator.hpp"
 #include "mahlwerk/campaign/store/store.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 
 // Surrogate of a campaign: quantities as functions of the swept keys, without further runs
 // (docs/campaigns.md, "A surrogate to take away").
@@ -32,10 +33,7 @@ struct SurrogateQuantity {
 };
 
 /// Mean of a quantity over replicates at a setting, with the 95 % interval of this mean.
-struct Prediction {
-  double mean = 0, low = 0, high = 0;
-};
-Prediction predict(const SurrogateQuantity& quantity, const DesignPoint& point);
+observe::IntervalEstimate predict(const SurrogateQuantity& quantity, const DesignPoint& point);
 
 struct CampaignSurrogate {
   static constexpr std::size_t most_settings = 1000;

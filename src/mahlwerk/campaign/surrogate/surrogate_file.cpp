@@ -159,7 +159,7 @@ SurrogateQuantity quantity_of(const FileReader& read, const Json::Member& in, st
        read.as_member<bool>(q, "logarithm")},
       others};
   const OutcomeModel& model = made.emulator.model;
-  const Prediction middle = predict(made, DesignPoint(keys, 0.5));
+  const observe::IntervalEstimate middle = predict(made, DesignPoint(keys, 0.5));
   if (!(model.scale > 0 && kernel.amplitude > 0 && std::isfinite(middle.low) &&
         std::isfinite(middle.high)))
     throw read.damaged(fmt::format("the numbers of {} give no result", in.key));

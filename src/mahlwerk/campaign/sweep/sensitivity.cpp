@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/quantities/means.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -105,6 +106,12 @@ double of_noise(const Steps& steps) {
 
 }  // namespace
 
+observe::IntervalEstimate mean_of_points(const std::vector<double>& outcomes) {
+  results::Quantity mean;
+  results::combine(mean, outcomes, results::Interval::of_mean);
+  return observe::IntervalEstimate::around(mean.value, mean.ci95);
+}
+
 std::vector<double> standard_errors(const std::vector<double>& outcomes,
                                     const std::vector<double>& ci95,
                                     const std::vector<double>& replicates) {
@@ -121,7 +128,8 @@ std::vector<double> standard_errors(const std::vector<double>& outcomes,
   return errors;
 }
 
-Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci95) {
+Sensitivity one_at_a_time_effects(const std::vector<double>& outcomes,
+                                  const std::vector<double>& ci95) {
   const std::size_t keys = outcomes.size() / 2;
   check(2 * keys + 1, outcomes, ci95);
   const auto at = [&](std::size_t row) {
@@ -133,30 +141,31 @@ Swings swings(const std::vector<double>& outcomes, const std::vector<double>& ci
     if (!std::isfinite(change) || !std::isfinite(joined)) return std::nullopt;
     return change > joined;
   };
-  Swings found{.base = at(0), .keys = {}, .failed = count_failed(outcomes)};
+  Sensitivity found{.base = at(0), .failed = count_failed(outcomes)};
   for (std::size_t row = 1; row < outcomes.size(); row += 2)
-    found.keys.push_back(
-        {.at_low = at(row),
-         .at_high = at(row + 1),
+    found.effects.push_back(
+        {.low = at(row),
+         .high = at(row + 1),
          .significant = either(differs(row), differs(row + 1)),
          .inactive = outcomes[row] == outcomes[0] && outcomes[row + 1] == outcomes[0]});
   return found;
 }
 
-ElementaryEffects elementary_effects(const DesignMatrix& design,
-                                     const std::vector<double>& outcomes,
-                                     const std::vector<double>& errors) {
+Sensitivity elementary_effects(const DesignMatrix& design, const std::vector<double>& outcomes,
+                               const std::vector<double>& errors) {
   check(design.size(), outcomes, errors);
-  ElementaryEffects found{.keys = {}, .failed = count_failed(outcomes)};
+  Sensitivity found{.design = cases::Design::morris,
+                    .base = mean_of_points(outcomes),
+                    .failed = count_failed(outcomes)};
   for (const Steps& steps : steps_of(design, outcomes, errors)) {
-    KeyEffects& effects = found.keys.emplace_back();
-    effects.mean_absolute = mean_of(steps.sizes);  // (sen.3)
-    effects.mean = mean_of(steps.effects);
-    effects.deviation = deviation_of(steps.effects);  // (sen.4)
-    effects.of_noise = of_noise(steps);
-    effects.count = steps.effects.size();
-    effects.significant = is_significant(effects.of_noise, effects.mean_absolute);
-    effects.inactive = effects.mean_absolute.value == 0;
+    Effect& effect = found.effects.emplace_back();
+    effect.mean_absolute = mean_of(steps.sizes);  // (sen.3)
+    effect.mean = mean_of(steps.effects);
+    effect.deviation = deviation_of(steps.effects);  // (sen.4)
+    effect.of_noise = of_noise(steps);
+    effect.count = steps.effects.size();
+    effect.significant = is_significant(effect.of_noise, effect.mean_absolute);
+    effect.inactive = effect.mean_absolute.value == 0;
   }
   return found;
 }

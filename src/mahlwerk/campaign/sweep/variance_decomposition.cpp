@@ -119,7 +119,7 @@ bool is_inactive(const std::vector<Group>& groups, std::size_t key) {
 }
 
 /// Errors that are not subtracted look like a share of variance.
-std::optional<bool> is_significant(const SobolIndices& shares, bool errors_known) {
+std::optional<bool> is_significant(const Effect& shares, bool errors_known) {
   if (shares.count < 2) return std::nullopt;
   if (!(shares.total.low > 0)) return false;
   return errors_known ? std::optional(true) : std::nullopt;
@@ -151,23 +151,21 @@ BootstrapSample bootstrap(const std::vector<Group>& groups, std::size_t keys, st
   return made;
 }
 
-SobolIndices with_intervals(const IndexPair& best, std::vector<double> firsts,
-                            std::vector<double> totals) {
+Effect with_intervals(const IndexPair& best, std::vector<double> firsts,
+                      std::vector<double> totals) {
   if (best.count < 2) firsts = totals = {};  // one group gives no scatter
-  return {.first = percentile_interval(best.first, std::move(firsts)),
+  return {.first_order = percentile_interval(best.first, std::move(firsts)),
           .total = percentile_interval(best.total, std::move(totals)),
-          .count = best.count,
-          .significant = std::nullopt};
+          .count = best.count};
 }
 
 }  // namespace
 
-VarianceDecomposition variance_decomposition(std::size_t keys, const std::vector<double>& outcomes,
-                                             const std::vector<double>& errors,
-                                             std::uint64_t seed) {
+Sensitivity variance_decomposition(std::size_t keys, const std::vector<double>& outcomes,
+                                   const std::vector<double>& errors, std::uint64_t seed) {
   if (outcomes.size() % (keys + 2) != 0 || (!errors.empty() && errors.size() != outcomes.size()))
     throw std::invalid_argument("a design and its outcomes have different numbers of rows");
-  VarianceDecomposition found;
+  Sensitivity found{.design = cases::Design::sobol_indices, .base = mean_of_points(outcomes)};
   found.failed =
       static_cast<int>(std::ranges::count_if(outcomes, [](double y) { return !std::isfinite(y); }));
   const std::vector<Group> groups = groups_of(keys, outcomes, errors);
@@ -178,12 +176,12 @@ VarianceDecomposition variance_decomposition(std::size_t keys, const std::vector
   found.noise = errors.empty() ? unknown : spread.noise / (spread.variance + spread.noise);
   BootstrapSample again = bootstrap(groups, keys, seed);
   for (std::size_t key = 0; key < keys; ++key) {
-    SobolIndices& shares = found.keys.emplace_back(
-        with_intervals(indices_of(groups, all, spread, key), std::move(again.firsts[key]),
-                       std::move(again.totals[key])));
+    Effect& shares = found.effects.emplace_back(with_intervals(indices_of(groups, all, spread, key),
+                                                               std::move(again.firsts[key]),
+                                                               std::move(again.totals[key])));
     shares.inactive = is_inactive(groups, key);
     if (shares.inactive && std::isfinite(shares.total.value))
-      shares.first = shares.total = {0, 0, 0};
+      shares.first_order = shares.total = {0, 0, 0};
     shares.significant = is_significant(shares, !errors.empty());
   }
   return found;

@@ -119,8 +119,8 @@ Json answer_json(const CampaignSurrogate& s, const std::vector<cases::Override>&
   Json setting = Json::object(), quantities = Json::object();
   for (const cases::Override& one : set) setting[one.key] = one.value;
   for (const SurrogateQuantity& q : asked) {
-    const campaign::Prediction p = campaign::predict(q, point);
-    quantities[q.name] = Json::object({{"value", p.mean},
+    const observe::IntervalEstimate p = campaign::predict(q, point);
+    quantities[q.name] = Json::object({{"value", p.value},
                                        {"low", p.low},
                                        {"high", p.high},
                                        {"unit", q.unit},
@@ -142,15 +142,15 @@ std::string answer_words(const CampaignSurrogate& s, const std::vector<cases::Ov
   text += "\n\n";
   std::vector<std::array<std::string, 4>> lines{{"", "value", "95 % interval", "hold-out error"}};
   for (const SurrogateQuantity& q : asked) {
-    const campaign::Prediction p = campaign::predict(q, point);
+    const observe::IntervalEstimate p = campaign::predict(q, point);
     const results::Range range = results::range_of(q.name);
     const auto shown = [&](double value) {
       return report::readable(std::clamp(value, range.least, range.most), NAN, q.unit,
-                              std::abs(p.mean))
+                              std::abs(p.value))
           .number;
     };
-    const std::string unit = report::readable(p.mean, 0, q.unit).unit;
-    lines.push_back({report::label(q.name), fmt::format("{} {}", shown(p.mean), unit),
+    const std::string unit = report::readable(p.value, 0, q.unit).unit;
+    lines.push_back({report::label(q.name), fmt::format("{} {}", shown(p.value), unit),
                      fmt::format("{} to {} {}", shown(p.low), shown(p.high), unit),
                      percent(q.hold_out.error)});
   }
@@ -169,7 +169,7 @@ int ask(const AskArguments& given) {
   }
   const campaign::DesignPoint point = s.point(given.set);
   for (const SurrogateQuantity& q : asked) {
-    const campaign::Prediction p = campaign::predict(q, point);
+    const observe::IntervalEstimate p = campaign::predict(q, point);
     if (!std::isfinite(p.low) || !std::isfinite(p.high))
       throw InputError(Fault{given.file, fmt::format("the file gives no number for {}", q.name),
                              "make the surrogate again: mahlwerk surrogate FOLDER --out FILE",

@@ -30,12 +30,12 @@ void print_failures(const std::vector<fs::path>& stores) {
   for (const fs::path& file : stores) {
     const campaign::Store store(file, campaign::Store::Access::read);
     const std::vector<std::string> keys = store.keys();
-    store.read({}, [&](const campaign::StoredPoint& point) {
+    store.read({}, [&](const campaign::Point& point) {
       if (point.state != campaign::RunState::failed || ++found > most) return;
       std::string values;
       for (std::size_t k = 0; k < keys.size(); ++k)
         values += fmt::format("{}{} = {}", k > 0 ? ", " : "", keys[k], point.values[k]);
-      to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.message));
+      to_stdout(fmt::format("\npoint {}: {}\n  {}\n", point.number, values, point.failure));
     });
   }
   if (found > most)
@@ -190,7 +190,7 @@ int merge_shards(const Running& running, const fs::path& place) {
   std::size_t taken = 0;
   for (const fs::path& shard : shards) taken += store.merge(shard);
   const campaign::RunCounts counts = store.counts();
-  const report::Campaign campaign = campaign_of(store);
+  const campaign::Campaign campaign = campaign::campaign_of(store, catalogue());
   write_pages(store, campaign, place);
   if (running.json) {
     print_campaign(store, place, nullptr);

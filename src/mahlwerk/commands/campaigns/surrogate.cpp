@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> varying(const campaign::Store& store,
                                  const std::vector<std::string>& names) {
   std::vector<double> least(names.size(), INFINITY), most(names.size(), -INFINITY);
-  store.read(names, [&](const campaign::StoredPoint& point) {
+  store.read(names, [&](const campaign::Point& point) {
     if (point.state != campaign::RunState::done) return;
     for (std::size_t i = 0; i < names.size(); ++i) {
       least[i] = std::fmin(least[i], point.value[i]);

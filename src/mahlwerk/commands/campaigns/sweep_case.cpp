@@ -44,7 +44,7 @@ campaign::Shard shard_of(const std::string& text) {
 
 /// Prints the summary of a finished campaign.
 void print_summary(const campaign::CampaignFolder& folder, const campaign::RunCounts& counts,
-                   const report::Campaign& campaign, const campaign::WorkSummary& worked) {
+                   const campaign::Campaign& campaign, const campaign::WorkSummary& worked) {
   to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
   const fs::path& place = folder.path();
   fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
@@ -172,7 +172,7 @@ void print_campaign(const campaign::Store& store, const fs::path& place,
   json_to_stdout(said);
 }
 
-std::string table_with_warnings(const report::Campaign& campaign) {
+std::string table_with_warnings(const campaign::Campaign& campaign) {
   const std::string warned =
       report::notice_lines(campaign.notices, campaign.points.size(), "point");
   return report::campaign_table(campaign) + '\n' + warned + (warned.empty() ? "" : "\n");
@@ -211,7 +211,7 @@ int sweep_case(const Running& running, const CampaignPart& part, const fs::path&
   if (!fs::exists(place / "campaign.sqlite"))
     throw InputError(Fault{place.string(), "the folder was removed while the campaign ran",
                            "start it again", "cannot-write"});
-  const report::Campaign campaign = campaign_of(folder.store());
+  const campaign::Campaign campaign = campaign::campaign_of(folder.store(), catalogue());
   write_pages(folder.store(), campaign, place);
   if (running.json) print_campaign(folder.store(), place, &worked);
   if (running.prints_text()) print_summary(folder, counts, campaign, worked);

@@ -48,6 +48,6 @@ std::string counted(std::size_t n, std::string_view what);
 void print_campaign(const campaign::Store& store, const std::filesystem::path& place,
                     const campaign::WorkSummary* worked);
 
-std::string table_with_warnings(const report::Campaign& campaign);
+std::string table_with_warnings(const campaign::Campaign& campaign);
 
 }  // namespace mahlwerk::commands

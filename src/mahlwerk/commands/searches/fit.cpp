@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // fit: fits parameters of a case to measurements.
-#include "mahlwerk/campaign/fit/fit.hpp"
+#include "mahlwerk/report/fit.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/calibrate/calibration_job.hpp"
+#include "mahlwerk/campaign/fit/job.hpp"
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/compute.hpp"
@@ -19,8 +20,8 @@
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/calibrate.hpp"
-#include "mahlwerk/commands/searches/fit_report.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
+#include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 
 namespace mahlwerk::commands {
@@ -55,7 +56,7 @@ campaign::Fit find(const Running& running, const campaign::FitJob& job,
     to_stderr(fmt::format("resuming a fit with {} kept evaluations\n", kept.count()));
   ProgressLine line(running.quiet);
   return campaign::fit(
-      mills, job.data, job.parameters,
+      job, mills,
       {.threads = running.threads,
        .stop = &stop_wanted(),
        .progress =
@@ -81,21 +82,12 @@ std::string best_so_far(const campaign::FitJob& job, const campaign::FitEvaluati
                      kept.count(), list, kept.best()->sum);
 }
 
-void write(results::Folder& folder, const campaign::FitJob& job, const report::FitReport& found) {
-  folder.write("fit.json", fit_json(found, version()).text(2) + '\n');
+void write(results::Folder& folder, const campaign::FitJob& job, const campaign::Fit& found) {
+  folder.write("fit.json", report::fit_json(found, version()).text(2) + '\n');
   folder.write("fit.csv", report::fit_csv(found));
   folder.write("fit.html", report::fit_page(found, version()));
-  results::write_case(folder, fitted_case(job, found), "fitted.toml");
+  results::write_case(folder, campaign::fitted_case(job, found), "fitted.toml");
   folder.commit();
-}
-
-void print_summary(const report::FitReport& found, const fs::path& place, bool written) {
-  to_stdout(fmt::format("{}\n\n{}\n", found.title, report::fit_table(found)));
-  if (!written) return;
-  fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / "fit.html").string());
-  fmt::print("numbers:  {}\n", (place / "fit.json").string());
-  fmt::print("case:     {}\n", (place / "fitted.toml").string());
 }
 
 /// A fit needs complete runs of all mills: reports a run that was stopped.
@@ -122,15 +114,16 @@ int fit_powder(const FitArguments& given, const campaign::FitJob& job, results::
   try {
     const campaign::Fit found = find(running, job, mills, evaluations);
     not_kept.repeat();
-    const report::FitReport report = fit_report(job, mills, found);
-    const std::vector<Fault> unwritten = write_result([&] { write(folder, job, report); });
+    const std::vector<Fault> unwritten = write_result([&] { write(folder, job, found); });
     if (unwritten.empty())
       kept.remove();
     else
       evaluations.flush();
     const auto print = [&] {
-      if (running.json) json_to_stdout(fit_json(report, version()));
-      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+      if (running.json) json_to_stdout(report::fit_json(found, version()));
+      if (running.prints_text())
+        print_found(found.title, report::fit_table(found), folder.target(), "fitted.toml",
+                    unwritten.empty());
     };
     return print_result(print, unwritten, success);
   } catch (const Interrupted&) {

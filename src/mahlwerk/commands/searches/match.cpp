@@ -17,11 +17,10 @@
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
-#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/match.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/folder.hpp"
-#include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 
 namespace mahlwerk::commands {
@@ -92,60 +91,7 @@ campaign::SearchJob search_job(const MatchJob& job) {
   return made;
 }
 
-observe::Estimate dose_of(const campaign::MillSpectra& spectra) {
-  std::vector<double> values;
-  for (const campaign::DoseSpectrum& m : spectra.replicates) values.push_back(m.dose);
-  return observe::estimate(values);
-}
-
-void compare_mills(const MatchJob& job, const campaign::MillSpectra& b, report::MatchReport& made) {
-  const campaign::Difference d = campaign::difference(job.spectra, b, job.runs->base().seed);
-  made.by_powder = job.by_powder;
-  made.dose_a = dose_of(job.spectra);
-  made.dose_b = dose_of(b);
-  made.energy_a = d.energy_a;
-  made.energy_b = d.energy_b;
-  made.dose = d.dose;
-  made.half_power = d.half_power;
-  made.overlap = d.overlap;
-  made.spectral = d.spectral;
-  made.distance = d.distance;
-  made.p_value = d.p_value;
-  made.within_scatter = d.within_scatter();
-  made.shares_a = job.spectra.mean.shares;
-  made.shares_b = b.mean.shares;
-  for (int bin = 0; bin <= observe::LogHistogram::bins; ++bin)
-    made.edges.push_back(observe::LogHistogram::lower(bin));
-}
-
-results::Json match_json(const report::MatchReport& found) {
-  using results::Json;
-  const auto told = [](const observe::Estimate& t) {
-    return Json::object({{"value", t.mean}, {"ci95", t.ci95}});
-  };
-  const auto ratio = [](const observe::IntervalEstimate& r) {
-    return Json::object({{"value", r.value}, {"low", r.low}, {"high", r.high}});
-  };
-  return Json::object({{"a", found.file_a},
-                       {"b", found.file_b},
-                       {"dose_unit", found.by_powder ? "W/kg" : "W"},
-                       {"dose_a", told(found.dose_a)},
-                       {"dose_b", told(found.dose_b)},
-                       {"dose_ratio", ratio(found.dose)},
-                       {"energy_lost_mean_a", told(found.energy_a)},
-                       {"energy_lost_mean_b", told(found.energy_b)},
-                       {"half_power_energy_ratio", ratio(found.half_power)},
-                       {"overlap", found.overlap},
-                       {"spectral_distance", found.spectral},
-                       {"distance", found.distance},
-                       {"chance", found.p_value},
-                       {"within_scatter", found.within_scatter},
-                       {"remarks", report::sentences(found)},
-                       {"notices", results::notices_json(found.notices)},
-                       {"search", optimum_json(found.search, version())}});
-}
-
-void print_summary(const report::MatchReport& found, const fs::path& place, bool written) {
+void print_summary(const campaign::MatchResult& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b,
                         report::match_table(found)));
   if (!written) return;
@@ -157,8 +103,9 @@ void print_summary(const report::MatchReport& found, const fs::path& place, bool
 
 /// Searches the settings of B, runs B at the best setting with new seeds, and writes the results of
 /// both mills. `unwritten` takes why they cannot be written.
-report::MatchReport find(const MatchArguments& given, MatchJob& job, const results::Folder& folder,
-                         ResumableSearch& kept, std::vector<Fault>& unwritten) {
+campaign::MatchResult find(const MatchArguments& given, MatchJob& job,
+                           const results::Folder& folder, ResumableSearch& kept,
+                           std::vector<Fault>& unwritten) {
   constexpr int anew = 1'000'000;  // first replicate, beyond those that the search uses
   const cases::Case& base = job.runs->base();
   const results::Outcome a = whole(given, job.like, "A", folder, kept.runs());
@@ -169,12 +116,13 @@ report::MatchReport find(const MatchArguments& given, MatchJob& job, const resul
   search.measure_name =
       fmt::format("like {} by {}", campaign::hash_text(campaign::run_hash(job.like, version())),
                   job.by_powder ? "powder" : "mill");
-  const campaign::Optimum found = run_search(given.running, search, kept);
-  report::MatchReport made{.title_a = a.mill_case.title,
-                           .title_b = base.title,
-                           .file_a = a.mill_case.file,
-                           .file_b = base.file,
-                           .search = report_of(search, found)};
+  campaign::MatchResult made{.title_a = a.mill_case.title,
+                             .title_b = base.title,
+                             .file_a = a.mill_case.file,
+                             .file_b = base.file,
+                             .a = job.spectra,
+                             .search = run_search(given.running, search, kept)};
+  const campaign::Optimum& found = made.search;
   made.search.check = check_best(given.running, search, found, kept);
   results::count(made.notices, a.notices);
   unwritten = write_result([&] { report::write(folder, a, version(), "a/"); });
@@ -183,7 +131,9 @@ report::MatchReport find(const MatchArguments& given, MatchJob& job, const resul
   const int count = static_cast<int>(base.match->replicates);
   const results::Outcome b =
       whole(given, without_streams(job.runs->at(point, anew, count)), "B", folder, kept.runs());
-  compare_mills(job, campaign::mill_spectra(b, job.by_powder), made);
+  made.by_powder = job.by_powder;
+  made.b = campaign::mill_spectra(b, job.by_powder);
+  made.difference = campaign::difference(made.a, made.b, base.seed);
   results::count(made.notices, b.notices);
   results::sort(made.notices);
   if (unwritten.empty())
@@ -222,17 +172,17 @@ int match(const MatchArguments& given) {
   ResumableSearch kept(folder.target());
   try {
     std::vector<Fault> unwritten;
-    const report::MatchReport found = find(given, job, folder, kept, unwritten);
+    const campaign::MatchResult found = find(given, job, folder, kept, unwritten);
     if (unwritten.empty())
       unwritten = write_result([&] {
-        folder.write("match.json", match_json(found).text(2) + '\n');
+        folder.write("match.json", report::match_json(found, version()).text(2) + '\n');
         folder.write("settings.csv", report::optimum_csv(found.search));
         folder.write("match.html", report::match_page(found, version()));
         folder.commit();
       });
     if (unwritten.empty()) kept.remove();
     const auto print = [&] {
-      if (running.json) json_to_stdout(match_json(found));
+      if (running.json) json_to_stdout(report::match_json(found, version()));
       if (running.prints_text()) print_summary(found, folder.target(), unwritten.empty());
     };
     return print_result(print, unwritten, found.search.best ? success : stopped_by_physics);

@@ -11,6 +11,8 @@
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/searches/searching.hpp"
+#include "mahlwerk/report/optimum.hpp"
+#include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 #include "mahlwerk/results/files/writer.hpp"
 
@@ -19,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write(const results::Folder& folder, const report::OptimumReport& found) {
-  folder.write("optimise.json", optimum_json(found, version()).text(2) + '\n');
+void write(const results::Folder& folder, const campaign::Optimum& found) {
+  folder.write("optimise.json", report::optimum_json(found, version()).text(2) + '\n');
   folder.write("settings.csv", report::optimum_csv(found));
   folder.write("optimise.html", report::optimum_page(found, version()));
 }
 
-void print_summary(const report::OptimumReport& found, const fs::path& place, bool written) {
+void print_summary(const campaign::Optimum& found, const fs::path& place, bool written) {
   to_stdout(fmt::format("{}\n\n{}\n", found.title, report::optimum_table(found)));
   if (!written) return;
   fmt::print("results:  {}\n", place.string());
@@ -55,11 +57,10 @@ int optimise(const CaseArguments& given) {
   folder.reserve();
   ResumableSearch kept(folder.target());
   try {
-    const campaign::Optimum found = run_search(running, job, kept);
-    report::OptimumReport report = report_of(job, found);
-    report.check = check_best(running, job, found, kept);
+    campaign::Optimum found = run_search(running, job, kept);
+    found.check = check_best(running, job, found, kept);
     const std::vector<Fault> unwritten = write_result([&] {
-      write(folder, report);
+      write(folder, found);
       if (found.best) {
         const int count = static_cast<int>(runs.base().run.replicates);
         results::write_case(folder, runs.at(found.trials[*found.best].point, 0, count),
@@ -69,8 +70,8 @@ int optimise(const CaseArguments& given) {
     });
     if (unwritten.empty()) kept.remove();
     const auto print = [&] {
-      if (running.json) json_to_stdout(optimum_json(report, version()));
-      if (running.prints_text()) print_summary(report, folder.target(), unwritten.empty());
+      if (running.json) json_to_stdout(report::optimum_json(found, version()));
+      if (running.prints_text()) print_summary(found, folder.target(), unwritten.empty());
     };
     return print_result(print, unwritten, found.best ? success : stopped_by_physics);
   } catch (const Interrupted&) {

@@ -8,10 +8,8 @@
 #include "mahlwerk/campaign/run/resumable_runs.hpp"
 #include "mahlwerk/campaign/search/search_job.hpp"
 #include "mahlwerk/commands/arguments.hpp"
-#include "mahlwerk/report/optimum.hpp"
-#include "mahlwerk/results/files/json_value.hpp"
 
-// Search for settings and its report, shared by optimise and match.
+// Search for settings, shared by optimise and match.
 namespace mahlwerk::commands {
 
 /// Files that a search keeps beside its results until the results are written: finished trials and
@@ -49,15 +47,14 @@ campaign::Optimum run_search(const Running& running, const campaign::SearchJob& 
 
 /// Runs the best setting with the soft engine if the event engine ran it, unless that takes too
 /// long. Throws Interrupted.
-std::optional<report::OptimumCheck> check_best(const Running& running,
-                                               const campaign::SearchJob& job,
-                                               const campaign::Optimum& found,
-                                               const ResumableSearch& kept);
+std::optional<campaign::OptimumCheck> check_best(const Running& running,
+                                                 const campaign::SearchJob& job,
+                                                 const campaign::Optimum& found,
+                                                 const ResumableSearch& kept);
 
-/// The unit of a range: that of its upper end.
-std::string unit_of(const cases::SweptKey& range);
-
-report::OptimumReport report_of(const campaign::SearchJob& job, const campaign::Optimum& found);
-results::Json optimum_json(const report::OptimumReport& found, std::string_view version);
+/// Prints the summary of a fit or a calibration; `table` is its result, `case_name` the file with
+/// the case.
+void print_found(const std::string& title, const std::string& table,
+                 const std::filesystem::path& place, const char* case_name, bool written);
 
 }  // namespace mahlwerk::commands

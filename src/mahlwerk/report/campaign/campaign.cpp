@@ -9,7 +9,7 @@
 #include "mahlwerk/report/campaign/sheet.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
-#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/plot/picture_json.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -20,7 +20,7 @@ std::string panels(const std::vector<Picture>& pictures) {
   for (const Picture& p : pictures) {
     const std::string below =
         p.caption.empty() ? "" : fmt::format("<figcaption>{}</figcaption>\n", p.caption);
-    text += fmt::format("<figure>\n{}{}</figure>\n", drawing(p.svg, p.json), below);
+    text += fmt::format("<figure>\n{}{}</figure>\n", drawing(p.json), below);
   }
   return text.empty() ? "" : fmt::format("<div class=\"panels\">\n{}</div>\n", text);
 }
@@ -73,18 +73,6 @@ std::string campaign_page(const Campaign& c, std::string_view version) {
   return page(c.title, body,
               fmt::format("Mahlwerk {}. All quantities of all points are in campaign.csv.",
                           escaped(version)));
-}
-
-std::map<std::string, std::string> campaign_figures(const Campaign& c) {
-  const Sheet sheet(c);
-  const Layout layout = layout_of(sheet);
-  std::vector<Picture> all = sensitivity_figures(c);
-  for (Picture& p : regime_map(sheet)) all.push_back(std::move(p));
-  for (const std::size_t column : sheet.shown)
-    for (Picture& p : quantity_pictures(sheet, layout, column)) all.push_back(std::move(p));
-  std::map<std::string, std::string> figures;
-  for (Picture& p : all) figures["figures/" + p.name + ".svg"] = std::move(p.svg);
-  return figures;
 }
 
 }  // namespace mahlwerk::report

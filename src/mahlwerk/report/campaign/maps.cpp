@@ -6,8 +6,6 @@
 #include <set>
 
 #include "mahlwerk/report/campaign/plots.hpp"
-#include "mahlwerk/report/plot/cell_map.hpp"
-#include "mahlwerk/report/plot/colours.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -27,94 +25,74 @@ std::string values_text(const Sheet& sheet, const Point& p) {
   return text;
 }
 
-CellMap empty_map(const Sheet& sheet, std::size_t x, std::size_t y) {
-  CellMap map;
-  map.x_label = axis_label(sheet.campaign.keys[x]);
-  map.y_label = axis_label(sheet.campaign.keys[y]);
-  map.x = tick_texts(sheet.keys[x]);
-  map.y = tick_texts(sheet.keys[y]);
-  map.cells.resize(map.x.size() * map.y.size());
+MapPanel empty_panel(const Sheet& sheet, std::size_t x, std::size_t y) {
+  MapPanel panel;
+  panel.x = {.label = axis_label(sheet.campaign.keys[x]), .names = tick_texts(sheet.keys[x])};
+  panel.y = {.label = axis_label(sheet.campaign.keys[y]), .names = tick_texts(sheet.keys[y])};
+  const std::size_t cells = panel.x.names.size() * panel.y.names.size();
+  panel.values.resize(cells, NAN);
+  panel.told.resize(cells);
+  panel.failed.resize(cells);
+  return panel;
+}
+
+/// A map whose colours span the values of a quantity; logarithmic if they span two decades or more.
+ColourMap empty_map(const Sheet& sheet, std::size_t column) {
+  constexpr double far = 100;
+  ColourMap map;
+  const Multiple& m = sheet.multiples[column];
+  map.title = map.quantity = column_label(sheet.campaign.columns[column], m);
+  map.least = INFINITY, map.most = -INFINITY;
+  for (const Point& p : sheet.campaign.points) {
+    const double v = value_at(p, column) / m.factor;
+    if (!std::isfinite(v)) continue;
+    map.least = std::min(map.least, v);
+    map.most = std::max(map.most, v);
+  }
+  map.logarithmic = map.least > 0 && map.most >= far * map.least;
   return map;
 }
 
-/// Colour scale over the range of a quantity; logarithmic if it spans two decades or more.
-struct Scale {
-  double least = INFINITY, most = -INFINITY;
-  bool logarithmic = false;
-  double share(double v) const {
-    if (!(most > least)) return 0.5;
-    return logarithmic ? std::log(v / least) / std::log(most / least)
-                       : (v - least) / (most - least);
-  }
-};
-Scale scale_of(const Sheet& sheet, std::size_t column) {
-  constexpr double far = 100;
-  Scale s;
-  for (const Point& p : sheet.campaign.points) {
-    const double v = value_at(p, column);
-    if (!std::isfinite(v)) continue;
-    s.least = std::min(s.least, v);
-    s.most = std::max(s.most, v);
-  }
-  s.logarithmic = s.least > 0 && s.most >= far * s.least;
-  return s;
-}
-
-/// Three digits, or all digits from 1000 to a million.
-std::string brief(double v) {
-  const double size = std::abs(v);
-  return size >= 999.5 && size < 1e6 ? fmt::format("{:.0f}", v) : fmt::format("{:.3g}", v);
-}
-
-void put(Cell& cell, const Sheet& sheet, std::size_t column, const Point& p, const Scale& scale) {
-  constexpr double levels = 64;  // few distinct colours for many cells
+void put(MapPanel& panel, std::size_t cell, const Sheet& sheet, std::size_t column,
+         const Point& p) {
   const double v = value_at(p, column);
   const Column& what = sheet.campaign.columns[column];
-  cell.title = fmt::format("{}: ", values_text(sheet, p));
-  if (p.waiting) return;
-  cell.failed = !std::isfinite(v);
-  if (cell.failed) {
-    cell.title += p.failure.empty() ? "no value" : "failed: " + p.failure;
+  const Multiple& m = sheet.multiples[column];
+  std::string& told = panel.told[cell];
+  told = values_text(sheet, p) + ": ";
+  if (p.waiting()) return;
+  panel.failed[cell] = !std::isfinite(v);
+  if (panel.failed[cell]) {
+    told += p.failure.empty() ? "no value" : "failed: " + p.failure;
     return;
   }
-  const double share = std::round(scale.share(v) * levels) / levels;
-  const Multiple& m = sheet.multiples[column];
-  cell.colour = viridis(share);
-  cell.ink = ink_on_viridis(share);
-  cell.text = brief(v / m.factor);
-  cell.title += label(what.name) + " " +
-                readable_within(v, half_width_at(p, column), what.unit,
-                                results::range_of(what.name), m.unit == "1" ? 0 : m.factor)
-                    .text();
+  panel.values[cell] = v / m.factor;
+  told += label(what.name) + " " +
+          readable_within(v, half_width_at(p, column), what.unit, results::range_of(what.name),
+                          m.unit == "1" ? 0 : m.factor)
+              .text();
 }
 
 }  // namespace
 
 std::vector<Picture> heat_maps(const Sheet& sheet, const Layout& layout, std::size_t column) {
   const std::size_t x = layout.axis, y = layout.second;
-  const Scale scale = scale_of(sheet, column);
-  const Column& what = sheet.campaign.columns[column];
-  const Multiple& m = sheet.multiples[column];
-  std::map<std::string, CellMap> maps;
+  const ColourMap empty = empty_map(sheet, column);
+  std::map<std::string, ColourMap> maps;
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
     const std::string others = sheet.others(i, {x, y});
-    const auto [at, is_new] = maps.try_emplace(others);
-    CellMap& map = at->second;
+    const auto [at, is_new] = maps.try_emplace(others, empty);
+    ColourMap& map = at->second;
     if (is_new) {
-      map = empty_map(sheet, x, y);
-      map.title = column_label(what, m) + (others.empty() ? "" : ", " + others);
-      const auto end = [&](double v) { return std::isfinite(v) ? brief(v / m.factor) : ""; };
-      map.legend = {
-          end(scale.least), end(scale.most), scale.logarithmic ? "logarithmic scale" : "", {}};
+      map.title += others.empty() ? "" : ", " + others;
+      map.panels = {empty_panel(sheet, x, y)};
     }
-    put(map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]], sheet, column,
-        sheet.campaign.points[i], scale);
+    MapPanel& panel = map.panels.front();
+    put(panel, sheet.keys[y].of[i] * panel.x.names.size() + sheet.keys[x].of[i], sheet, column,
+        sheet.campaign.points[i]);
   }
   std::vector<Picture> list;
-  for (const auto& [others, map] : maps) {
-    const std::string number = list.empty() ? "" : fmt::format("-{}", list.size() + 1);
-    list.push_back({what.name + "-map" + number, svg(map), ""});
-  }
+  for (const auto& [others, map] : maps) list.push_back({picture_json(map)});
   return list;
 }
 
@@ -128,24 +106,20 @@ std::vector<std::string> regimes_of(const Campaign& c) {
   return {words.begin(), words.end()};
 }
 
-std::string regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
-                         const std::vector<std::string>& words) {
-  CellMap map = empty_map(sheet, x, y);
-  map.title = "Regime";
-  for (std::size_t k = 0; k < words.size(); ++k)
-    map.legend.words.emplace_back(kind_colour(k), words[k]);
+ColourMap regime_cells(const Sheet& sheet, std::size_t x, std::size_t y,
+                       const std::vector<std::string>& words) {
+  ColourMap map{.title = "Regime", .quantity = "regime", .words = words};
+  map.panels = {empty_panel(sheet, x, y)};
+  MapPanel& panel = map.panels.front();
   for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
     const Point& p = sheet.campaign.points[i];
-    Cell& cell = map.cells[sheet.keys[y].of[i] * map.x.size() + sheet.keys[x].of[i]];
-    const auto kind = static_cast<std::size_t>(std::ranges::find(words, p.regime) - words.begin());
-    cell.failed = p.regime.empty() && !p.waiting;
-    cell.title = values_text(sheet, p) + ": " + (cell.failed ? "none" : p.regime);
-    if (p.regime.empty()) continue;
-    cell.colour = kind_colour(kind);
-    cell.text = p.regime;
-    cell.ink = ink_on_kind(kind);
+    const std::size_t cell = sheet.keys[y].of[i] * panel.x.names.size() + sheet.keys[x].of[i];
+    panel.failed[cell] = p.regime.empty() && !p.waiting();
+    panel.told[cell] = values_text(sheet, p) + ": " + (panel.failed[cell] ? "none" : p.regime);
+    if (!p.regime.empty())
+      panel.values[cell] = static_cast<double>(std::ranges::find(words, p.regime) - words.begin());
   }
-  return svg(map);
+  return map;
 }
 
 Plot regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
@@ -177,9 +151,9 @@ std::vector<Picture> regime_map(const Sheet& sheet) {
   if (words.empty() || sheet.free.size() != 2) return {};
   std::size_t x = sheet.free[0], y = sheet.free[1];
   if (sheet.axis() == y) std::swap(x, y);  // the key with more values on the x axis
-  if (sheet.grid) return {{"regimes", regime_cells(sheet, x, y, words), ""}};
+  if (sheet.grid) return {{picture_json(regime_cells(sheet, x, y, words))}};
   if (!sheet.keys[x].numeric() || !sheet.keys[y].numeric()) return {};
-  return {picture_of("regimes", regime_dots(sheet, x, y, words))};
+  return {{picture_json(regime_dots(sheet, x, y, words))}};
 }
 
 }  // namespace mahlwerk::report

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/report/plot/axis_labels.hpp"
-#include "mahlwerk/report/plot/plot_json.hpp"
+#include "mahlwerk/report/plot/picture_json.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -86,8 +86,7 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
   for (Series& series : plot.series) drawn += thin(series, max_marks / plot.series.size());
   for (Series& curve : fitted.curves) plot.series.push_back(std::move(curve));
   make_room(plot);
-  return picture_of(sheet.campaign.columns[column].name, plot,
-                    drawn_of(drawn, sheet.campaign.points.size()) + fitted.table);
+  return {picture_json(plot), drawn_of(drawn, sheet.campaign.points.size()) + fitted.table};
 }
 
 /// Limits the axis to the range of the levels: it does not start at zero.
@@ -117,7 +116,7 @@ Picture ray_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   plot.series[0].band = true;
   settle_axes(plot);
   close_in(plot.x, sheet.keys[key]);
-  return picture_of(sheet.campaign.columns[column].name, plot);
+  return {picture_json(plot)};
 }
 
 /// Index of a key with few words, by which dots are coloured; the number of keys if there is none.
@@ -143,21 +142,18 @@ Picture dot_plot(const Sheet& sheet, std::size_t key, std::size_t column, std::s
   settle_axes(plot);
   close_in(plot.x, sheet.keys[key]);
   make_room(plot);
-  return picture_of(sheet.campaign.columns[column].name, plot,
-                    drawn_of(std::min(points, most), points));
+  return {picture_json(plot), drawn_of(std::min(points, most), points)};
 }
 
-std::vector<Picture> dot_plots(const Sheet& sheet, const Layout& layout, std::size_t column) {
+std::vector<Picture> dot_plots(const Sheet& sheet, std::size_t column) {
   std::vector<std::size_t> keys;
   for (const std::size_t key : sheet.free)
     if (sheet.keys[key].numeric()) keys.push_back(key);
   const std::size_t most =
       std::clamp<std::size_t>(max_total_specks / (keys.size() * sheet.shown.size()), 1, max_specks);
   std::vector<Picture> list;
-  for (const std::size_t key : keys) {
+  for (const std::size_t key : keys)
     list.push_back(sheet.star ? ray_plot(sheet, key, column) : dot_plot(sheet, key, column, most));
-    if (key != layout.axis) list.back().name += "-" + sheet.campaign.keys[key].key;
-  }
   return list;
 }
 
@@ -209,17 +205,13 @@ Series series_of(const Sheet& sheet, const std::vector<std::size_t>& points, std
   return series;
 }
 
-Picture picture_of(std::string name, const Plot& plot, std::string caption) {
-  return {std::move(name), svg(plot), std::move(caption), plot_json(plot)};
-}
-
 std::vector<Picture> quantity_pictures(const Sheet& sheet, const Layout& layout,
                                        std::size_t column) {
   std::vector<Picture> list;
   if (layout.lines) list.push_back(line_plot(sheet, layout, column));
   if (layout.maps)
     for (Picture& map : heat_maps(sheet, layout, column)) list.push_back(std::move(map));
-  if (layout.dots) list = dot_plots(sheet, layout, column);
+  if (layout.dots) list = dot_plots(sheet, column);
   return list;
 }
 

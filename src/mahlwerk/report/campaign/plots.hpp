@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "mahlwerk/report/campaign/sheet.hpp"
-#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/plot/picture_json.hpp"
 
 // Pictures of a campaign's page.
 namespace mahlwerk::report {
 
-/// A picture: its file name without "figures/" and ".svg", its caption (HTML), and its data for the
-/// script of the page, if it is a plot.
+/// A picture as JSON (picture_json.hpp), and its caption (HTML).
 struct Picture {
-  std::string name, svg, caption, json = {};
+  std::string json, caption = {};
 };
-/// The picture of a plot.
-Picture picture_of(std::string name, const Plot& plot, std::string caption = "");
 
 /// How the quantities of a campaign are drawn: lines over the key with the most values if there are
 /// few lines; maps if two keys have at least three values each; else dots over each key, joined if

@@ -75,11 +75,12 @@ std::string row(const Sheet& sheet, std::size_t point, bool regimes, bool warnin
           : fmt::format("<tr><td class=\"n\"><a href=\"{}\">{}</a></td>",
                         escaped((fs::path(p.folder) / "report.html").generic_string()), p.number);
   for (std::size_t i = 0; i < c.keys.size(); ++i) text += value_cell(sheet, point, i);
-  if (!p.failure.empty() || p.waiting)
+  if (!p.failure.empty() || p.waiting())
     return text + fmt::format("<td colspan=\"{}\" data-v=\"\"{}>{}</td></tr>\n",
                               std::max<std::size_t>(
                                   sheet.shown.size() + (regimes ? 1 : 0) + (warnings ? 1 : 0), 1),
-                              p.waiting ? "" : " class=\"failed\"", escaped(missing_reason(p, 80)));
+                              p.waiting() ? "" : " class=\"failed\"",
+                              escaped(missing_reason(p, 80)));
   if (regimes) text += fmt::format("<td>{}</td>", escaped(p.regime));
   for (const std::size_t i : sheet.shown) {
     const double v = value_at(p, i);

@@ -12,9 +12,9 @@ namespace mahlwerk::report {
 namespace {
 
 Multiple multiple_of(const Sensitivity& s) {
-  if (s.method == Method::sobol) return {1, "1"};
+  if (s.design == Design::sobol_indices) return {1, "1"};
   double most = 0;
-  if (std::isfinite(s.base.value) && s.method == Method::one_at_a_time)
+  if (std::isfinite(s.base.value) && s.design == Design::one_at_a_time)
     most = std::abs(s.base.value);
   for (const Effect& e : s.effects)
     for (const double v : {e.low.value, e.high.value, e.mean_absolute.value})
@@ -130,10 +130,10 @@ bool counts_agree(const Sensitivity& s) {
 
 /// A sentence above the table: information common to all its numbers.
 std::string lead(const Sensitivity& s, const Multiple& m) {
-  if (s.method == Method::one_at_a_time)
+  if (s.design == Design::one_at_a_time)
     return fmt::format("Base case: {}.",
                        readable(s.base.value, s.base.half_width(), s.unit, m.factor).text());
-  const bool shares = s.method == Method::sobol;
+  const bool shares = s.design == Design::sobol_indices;
   std::string text = counts_agree(s)
                          ? fmt::format("{}: {}.", shares ? "Groups of runs" : "Effects of each key",
                                        s.effects.front().count)
@@ -148,8 +148,8 @@ std::string lead(const Sensitivity& s, const Multiple& m) {
 }
 
 std::vector<std::string> heads(const Sensitivity& s) {
-  if (s.method == Method::one_at_a_time) return {"low end", "value", "high end", "value"};
-  const bool shares = s.method == Method::sobol;
+  if (s.design == Design::one_at_a_time) return {"low end", "value", "high end", "value"};
+  const bool shares = s.design == Design::sobol_indices;
   std::vector<std::string> names = shares ? std::vector<std::string>{"S1", "ST (interval)"}
                                           : std::vector<std::string>{"µ*", "from noise", "µ", "σ"};
   if (!counts_agree(s)) names.emplace_back(shares ? "groups" : "effects");
@@ -157,11 +157,12 @@ std::vector<std::string> heads(const Sensitivity& s) {
 }
 
 std::string cells(const Effect& e, const Sensitivity& s, const Multiple& m) {
-  if (s.method == Method::one_at_a_time)
+  if (s.design == Design::one_at_a_time)
     return end_cells(e.low_end, e.low, s, m) + end_cells(e.high_end, e.high, s, m);
   const std::string count =
       counts_agree(s) ? "" : number_cell(static_cast<double>(e.count), fmt::format("{}", e.count));
-  if (s.method == Method::sobol) return cell(e.first_order, m, "") + total_cell(e.total) + count;
+  if (s.design == Design::sobol_indices)
+    return cell(e.first_order, m, "") + total_cell(e.total) + count;
   return cell(e.mean_absolute, m, s.unit) + cell({.value = e.of_noise}, m, s.unit) +
          cell(e.mean, m, s.unit) + cell(e.deviation, m, s.unit) + count;
 }
@@ -183,8 +184,8 @@ std::string numbers(const Sensitivity& s, const Multiple& m) {
 }  // namespace
 
 double magnitude(const Effect& e, const Sensitivity& s) {
-  if (s.method == Method::morris) return e.mean_absolute.value;
-  if (s.method == Method::sobol)
+  if (s.design == Design::morris) return e.mean_absolute.value;
+  if (s.design == Design::sobol_indices)
     return std::isfinite(e.total.value) ? e.total.value : e.first_order.value;
   double least = INFINITY, most = -INFINITY;
   for (const double v : {e.low.value, e.high.value, s.base.value})
@@ -205,18 +206,12 @@ std::vector<Picture> sensitivity_pictures(const Sensitivity& s) {
   const auto known = [&](const Effect& e) { return std::isfinite(magnitude(e, s)); };
   if (std::ranges::none_of(s.effects, known)) return {};
   const Multiple m = multiple_of(s);
-  const std::string name = "tornado-" + s.quantity;
   const std::string below = numbers(s, m);
-  switch (s.method) {
-    case Method::morris:
-      return {{name, svg(morris(s, m)), below}, picture_of(name + "-scatter", scatter_of(s, m))};
-    case Method::sobol:
-      return {{name, svg(sobol(s)), below}};
-    case Method::one_at_a_time:
-      break;
-  }
+  if (s.design == Design::morris)
+    return {{picture_json(morris(s, m)), below}, {picture_json(scatter_of(s, m))}};
+  if (s.design == Design::sobol_indices) return {{picture_json(sobol(s)), below}};
   if (!std::isfinite(s.base.value)) return {};  // no base for the bars
-  return {{name, svg(one_at_a_time(s, m)), below}};
+  return {{picture_json(one_at_a_time(s, m)), below}};
 }
 
 }  // namespace mahlwerk::report

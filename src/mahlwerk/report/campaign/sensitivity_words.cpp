@@ -21,10 +21,10 @@ bool is_insignificant(const Effect& e) {
 
 std::string how_much(const Effect& e, const Sensitivity& s) {
   const double size = magnitude(e, s);
-  if (s.method == Method::sobol)
+  if (s.design == Design::sobol_indices)
     return fmt::format("{} of the variance, with interactions",
                        readable(size, e.total.half_width(), "").text());
-  if (s.method == Method::morris)
+  if (s.design == Design::morris)
     return fmt::format("on average {} over its range",
                        readable(size, e.mean_absolute.half_width(), s.unit).text());
   return fmt::format("changes it by {} over its range", readable(size, NAN, s.unit).text());

@@ -12,7 +12,6 @@
 #include <set>
 
 #include "mahlwerk/base/number_text.hpp"
-#include "mahlwerk/results/quantities/key_quantities.hpp"
 
 namespace mahlwerk::report {
 namespace {
@@ -85,25 +84,6 @@ bool is_star(const Sheet& s) {
   return true;
 }
 
-bool has_numbers(const Campaign& c, std::size_t column) {
-  return std::ranges::any_of(c.points,
-                             [&](const Point& p) { return std::isfinite(value_at(p, column)); });
-}
-
-std::vector<std::size_t> shown_of(const Campaign& c) {
-  std::vector<std::size_t> list;
-  for (const std::string& name : results::usual_columns()) {
-    const auto at = std::ranges::find(c.columns, name, &Column::name);
-    const auto column = static_cast<std::size_t>(at - c.columns.begin());
-    if (at != c.columns.end() && has_numbers(c, column)) list.push_back(column);
-  }
-  constexpr std::size_t few = 6;  // without any usual quantity: the first few columns
-  if (list.empty())
-    for (std::size_t i = 0; i < c.columns.size() && list.size() < few; ++i)
-      if (has_numbers(c, i)) list.push_back(i);
-  return list;
-}
-
 Multiple multiple_of(const Campaign& c, std::size_t column) {
   double most = 0;
   for (const Point& p : c.points)
@@ -113,14 +93,7 @@ Multiple multiple_of(const Campaign& c, std::size_t column) {
 
 }  // namespace
 
-std::vector<std::string> compared_quantities(const Campaign& campaign) {
-  std::vector<std::string> names;
-  for (const std::size_t column : shown_of(campaign))
-    names.push_back(campaign.columns[column].name);
-  return names;
-}
-
-Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_of(c)) {
+Sheet::Sheet(const Campaign& c) : campaign(c), shown(shown_columns(c)) {
   for (std::size_t key = 0; key < c.keys.size(); ++key) {
     keys.push_back(is_number(c, key) ? numbers_of(c, key) : words_of(c, key));
     if (keys.back().size() > 1 && !c.keys[key].follows) free.push_back(key);
@@ -165,14 +138,6 @@ std::string distinct_key_words(const Campaign& c, std::size_t key) {
   return words;
 }
 
-double value_at(const Point& point, std::size_t column) {
-  return column < point.value.size() ? point.value[column] : NAN;
-}
-
-double half_width_at(const Point& point, std::size_t column) {
-  return column < point.ci95.size() ? point.ci95[column] : NAN;
-}
-
 bool any_warnings(const Campaign& c) {
   return !std::ranges::all_of(c.points, [](const Point& p) { return p.warnings.empty(); });
 }
@@ -205,7 +170,7 @@ std::string shortened(std::string_view message, std::size_t letters) {
 }
 
 std::string missing_reason(const Point& p, std::size_t letters) {
-  if (p.waiting) return "not run yet";
+  if (p.waiting()) return "not run yet";
   const std::string_view reason = p.failure;
   return "failed: " + shortened(reason.substr(0, reason.find('\n')), letters);
 }

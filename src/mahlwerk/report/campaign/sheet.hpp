@@ -41,10 +41,6 @@ struct Sheet {
   std::string others(std::size_t point, const std::vector<std::size_t>& but) const;
 };
 
-/// Value and half-width of a column; NaN if the point has none.
-double value_at(const Point& point, std::size_t column);
-double half_width_at(const Point& point, std::size_t column);
-
 /// Whether the points have different regimes.
 bool regimes_differ(const Campaign& campaign);
 

@@ -39,7 +39,7 @@ std::vector<std::string> line_of(const Campaign& c, const Point& p,
   constexpr std::size_t enough = 60;
   std::vector<std::string> line = p.values;
   line.resize(c.keys.size());
-  if (!p.failure.empty() || p.waiting) {
+  if (!p.failure.empty() || p.waiting()) {
     line.push_back(missing_reason(p, enough));
     return line;
   }

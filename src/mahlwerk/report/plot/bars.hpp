@@ -12,7 +12,7 @@ namespace mahlwerk::report {
 /// A bar from the base of its plot to `end`, with the error bar of its end.
 struct Bar {
   double end = NAN, ci95 = NAN;
-  std::size_t colour = 0;  ///< index for kind_colour (colours.hpp)
+  std::size_t colour = 0;  ///< index, as of a series
   std::string note = {};   ///< text beside its end: "200 rpm"
   /// Asymmetric interval, replaces `ci95`.
   double low = NAN, high = NAN;
@@ -38,8 +38,5 @@ struct BarPlot {
   std::vector<std::string> legend =
       {};  ///< meaning of the colours, from the first on; empty: no legend
 };
-
-/// The plot as one <svg> element.
-std::string svg(const BarPlot& plot);
 
 }  // namespace mahlwerk::report

@@ -65,8 +65,4 @@ struct Plot {
   double font = 12;                  ///< [px] font size
 };
 
-/// The plot as one <svg> element on a white ground, in the colours of Okabe and Ito, which most
-/// colour-blind readers can distinguish. All colours are plain attributes (colours.hpp).
-std::string svg(const Plot& plot);
-
 }  // namespace mahlwerk::report
