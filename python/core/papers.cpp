@@ -27,6 +27,7 @@
 #include "mahlwerk/report/plot/rich_text.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "outcome.hpp"
 
@@ -133,7 +134,7 @@ std::vector<Fault> campaign_faults(const std::string& text, const std::filesyste
   return faults;
 }
 
-/// The notices of campaigns in these folders: lines for the terminal, and boxes of a page.
+/// The notices of campaigns in these folders: lines for the terminal, boxes of a page, and JSON.
 py::tuple notice_texts(const std::vector<std::filesystem::path>& folders, const std::string& what) {
   results::NoticeCounts all;
   std::size_t points = 0;
@@ -145,7 +146,7 @@ py::tuple notice_texts(const std::vector<std::filesystem::path>& folders, const 
   }
   results::sort(all);
   return py::make_tuple(report::notice_lines(all, points, what),
-                        report::notice_boxes(all, points, what));
+                        report::notice_boxes(all, points, what), results::notices_json(all).text());
 }
 
 int report_end(int code, const std::string& words, const std::vector<Fault>& faults, bool as_json) {

@@ -166,7 +166,8 @@ def test_text_is_wrapped_between_words_by_what_is_seen():
     from mahlwerk.papers.style import wrapped
 
     assert wrapped("one two three", 7) == ["one two", "three"]
-    assert wrapped("energy, $E_{n}$ (mJ)", 10) == ["energy, $E_{n}$", "(mJ)"]
+    assert wrapped("energy, $E_{n}$ (mJ)", 15) == ["energy, $E_{n}$ (mJ)"]
+    assert len(wrapped("energy, $E_{n}$ (mJ)", 14)) == 2
     assert wrapped("incomprehensible word", 5) == ["incomprehensible", "word"]
     assert wrapped("", 5) == []
 

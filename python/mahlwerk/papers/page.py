@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import base64
 import html
-from dataclasses import dataclass
-from typing import Any, Optional
+from dataclasses import dataclass, field
+from typing import Any
 
 from .. import _core
 from .figures import MadeFigure
@@ -29,7 +29,8 @@ class PaperResult:
     seconds: dict[str, float]  #: [s] of CPU time by campaign
     changed: list[str]  #: overrides of the campaigns' settings, "run.time = 2 s"
     warnings: str  #: lines for the terminal
-    notices: str  #: boxes of the page
+    boxes: str  #: of warnings and notes on the page
+    notices: list[Any] = field(default_factory=list)  #: the same as JSON
 
     def judged(self, own: bool) -> list[tuple[Check, Verdict]]:
         return [(c, v) for c, v in zip(self.paper.checks, self.verdicts) if c.own == own]
@@ -145,7 +146,7 @@ def page(result: PaperResult, svg: dict[str, bytes]) -> str:
     body = f'<p class="lead">{html.escape(paper.source)}. {html.escape(result.score)}</p>\n'
     if result.changed:
         body += f'<div class="box warn"><p>{html.escape(result.changes)}</p></div>\n'
-    body += result.notices
+    body += result.boxes
     if paper.about:
         body += f'<section class="box"><p>{html.escape(paper.about)}</p></section>\n'
     body += "<h2>Claims of the paper and findings</h2>\n" + checks_table(result, False)
@@ -160,8 +161,8 @@ def page(result: PaperResult, svg: dict[str, bytes]) -> str:
     return _core.page(paper.title, body, f"Mahlwerk {_core.version}, {whole} s of CPU time.")
 
 
-def as_json(result: PaperResult, folder: str, notices: Optional[Any] = None) -> dict[str, Any]:
+def as_json(result: PaperResult, folder: str) -> dict[str, Any]:
     return {"title": result.paper.title, "results": folder,
             "claims": [{"figure": c.figure, "says": c.says, "found": v.finding, "holds": v.holds}
                        for c, v in zip(result.paper.checks, result.verdicts)],
-            "notices": notices or []}
+            "notices": result.notices}

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import tempfile
@@ -105,13 +106,13 @@ class PaperJob:
 def result_of(paper: Paper, campaigns: Mapping[str, Campaign], changes: Mapping[str, str]) -> PaperResult:
     """The figures, tables and verdicts of a paper from campaigns that have run."""
     points = {name: points_of(campaign) for name, campaign in campaigns.items()}
-    lines, boxes = _core.notice_texts([os.fspath(c.folder) for c in campaigns.values()], "point")
+    lines, boxes, notices = _core.notice_texts([os.fspath(c.folder) for c in campaigns.values()], "point")
     return PaperResult(
         paper, [check.rule.judge(points[check.rule.campaign]) for check in paper.checks],
         made_figures(paper, points),
         [(table, table.content.made(points[table.content.campaign])) for table in paper.tables],
         {name: seconds_of(campaign) for name, campaign in campaigns.items()},
-        [f"{key} = {value}" for key, value in changes.items()], lines, boxes)
+        [f"{key} = {value}" for key, value in changes.items()], lines, boxes, json.loads(notices))
 
 
 def seconds_of(campaign: Campaign) -> float:
