@@ -3,11 +3,12 @@
 """Reading of paper.py, what is wrong in it, and what a paper writes."""
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import mahlwerk
-from mahlwerk.papers import Paper, PaperCampaign, Verdict
+from mahlwerk.papers import Paper, PaperCampaign, Verdict, captures
 from mahlwerk.papers.captures import CaptureBounds, counted_bins, Bin, has_bounds
 from mahlwerk.papers.lines import Point, Points
 from mahlwerk.papers.overview import overview_csv, overview_markdown, rows_of, score
@@ -180,6 +181,18 @@ def test_bins_outside_the_bounds_are_counted():
         return Bin("balls.1", other, 1e-3, 1.0, grains, 0.0, 0.0)
     bins = [bin_of(low), bin_of(high), bin_of(0.9 * low), bin_of(1.1 * high), bin_of(1.0, "jar")]
     assert counted_bins(bounds, bins) == (4, 2)
+
+
+@pytest.mark.parametrize("factors, holds", [((1.0, 1.1), "yes"), ((1.0, 0.5), "partly"), ((0.5, 0.9), "no"),
+                                            ((), "undecided")])
+def test_captures_are_judged_by_the_bins_of_all_points(monkeypatch, factors, holds):
+    case = captured_case()
+    low, _ = CaptureBounds(case).at("balls.1", "jar.side", 1e-3)
+    bins = [Bin("balls.1", "jar.side", 1e-3, 1.0, factor * low, 0.0, 0.0) for factor in factors]
+    monkeypatch.setattr(captures, "result_at", lambda spot: SimpleNamespace(case=case))
+    monkeypatch.setattr(captures, "bins_of", lambda result: bins)
+    points = Points(["powder.size"], {}, [Point(["40 um"], {}, {})])
+    assert C.captures_within_bounds().judge(points).holds == holds
 
 
 def result(changed=()):

@@ -120,6 +120,7 @@ def write_overview(given: argparse.Namespace, rows: list[Row]) -> None:
 
 
 def work(given: argparse.Namespace) -> int:
+    """Runs the papers that are asked for, one after the other. Returns the exit code."""
     code, rows, told = SUCCESS, [], []
     for job in jobs(given):
         began = time.monotonic()
@@ -148,6 +149,9 @@ def main(words: Optional[list[str]] = None) -> int:
         return work(given)
     except InputError as error:
         return ended(BAD_INPUT, _core.describe_faults(error.faults), error.faults)
+    except BrokenPipeError:  # who read the output has enough
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")
+        return SUCCESS
     except (Interrupted, KeyboardInterrupt):
         if given.quiet and not given.json:
             return INTERRUPTED
