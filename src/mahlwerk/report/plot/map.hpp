@@ -18,7 +18,7 @@ struct MapAxis {
 
 /// One grid of cells.
 struct MapPanel {
-  std::string title;
+  std::string title = {};
   MapAxis x = {}, y = {};
   bool polar = false;                  ///< x is an angle [rad], y a radius
   std::vector<double> values = {};     ///< row by row from below; NaN: no value
@@ -34,7 +34,7 @@ struct MapPanel {
 
 /// Cells whose colours are values of one quantity, or words.
 struct ColourMap {
-  std::string title, quantity, unit;
+  std::string title, quantity = {}, unit = {};
   double least = 0, most = 1;           ///< ends of the scale of colours
   bool logarithmic = false;             ///< the scale of colours
   std::string note = {};                ///< beside the scale: "the longest arrow is 1.2 m/s"
