@@ -69,10 +69,6 @@ Json estimate_json(const observe::Estimate& e) {
   return Json::object({{"value", e.mean}, {"ci95", e.ci95}});
 }
 
-Json interval_json(const observe::IntervalEstimate& e) {
-  return Json::object({{"value", e.value}, {"low", e.low}, {"high", e.high}});
-}
-
 /// null if the best setting was not checked.
 Json check_json(const campaign::Optimum& found) {
   if (!found.check) return nullptr;
@@ -122,90 +118,101 @@ Json limits_json(const campaign::Optimum& found) {
   return limits;
 }
 
+/// Adds members to the head of a study.
+Json with(Json head, std::initializer_list<Json::Member> members) {
+  for (const Json::Member& one : members) head[one.key] = one.value;
+  return head;
+}
+
 }  // namespace
 
+Json study_head(std::string_view study, std::string_view version, std::string_view title,
+                std::string_view case_file) {
+  return Json::object(
+      {{"study", study}, {"mahlwerk", version}, {"title", title}, {"case", case_file}});
+}
+
+Json interval_json(const observe::IntervalEstimate& e) {
+  return Json::object({{"value", e.value}, {"low", e.low}, {"high", e.high}});
+}
+
 Json fit_json(const campaign::Fit& fit, std::string_view version) {
-  return Json::object({{"mahlwerk", version},
-                       {"title", fit.title},
-                       {"case", fit.case_file},
-                       {"data", fit.data_file},
-                       {"all_determined", fit.result.all_determined()},
-                       {"numbers", fitted_numbers(fit)},
-                       {"correlation", fit.result.correlation},
-                       {"conditions", fit.conditions},
-                       {"values", fit.points.size()},
-                       {"freedom", fit.result.degrees_of_freedom},
-                       {"scatter", fit.result.scatter},
-                       {"errors_known", fit.errors_known},
-                       {"evaluations", fit.result.evaluations},
-                       {"remarks", fit.result.remarks},
-                       {"notices", results::notices_json(fit.notices)}});
+  return with(study_head("fit", version, fit.title, fit.case_file),
+              {{"data", fit.data_file},
+               {"all_determined", fit.result.all_determined()},
+               {"numbers", fitted_numbers(fit)},
+               {"correlation", fit.result.correlation},
+               {"conditions", fit.conditions},
+               {"values", fit.points.size()},
+               {"freedom", fit.result.degrees_of_freedom},
+               {"scatter", fit.result.scatter},
+               {"errors_known", fit.errors_known},
+               {"evaluations", fit.result.evaluations},
+               {"remarks", fit.result.remarks},
+               {"notices", results::notices_json(fit.notices)}});
 }
 
 Json calibration_json(const campaign::Calibration& found, std::string_view version) {
   const campaign::CalibrationResult& result = found.result;
-  return Json::object({{"mahlwerk", version},
-                       {"title", found.title},
-                       {"case", found.case_file},
-                       {"data", found.data_file},
-                       {"all_determined", result.all_determined()},
-                       {"numbers", calibrated_numbers(found)},
-                       {"correlation", result.correlation},
-                       {"conditions", found.conditions},
-                       {"values", calibrated_points(found)},
-                       {"errors_known", found.errors_known},
-                       {"misfit", result.misfit},
-                       {"scatter", result.scatter},
-                       {"settings", result.settings},
-                       {"failed", result.failed},
-                       {"runs", found.runs},
-                       {"converged", result.converged},
-                       {"emulator_error", found.emulator_error()},
-                       {"emulator_share", result.emulator_share},
-                       {"draws", result.draws.size()},
-                       {"remarks", result.remarks},
-                       {"notices", results::notices_json(found.notices)}});
+  return with(study_head("calibration", version, found.title, found.case_file),
+              {{"data", found.data_file},
+               {"all_determined", result.all_determined()},
+               {"numbers", calibrated_numbers(found)},
+               {"correlation", result.correlation},
+               {"conditions", found.conditions},
+               {"values", calibrated_points(found)},
+               {"errors_known", found.errors_known},
+               {"misfit", result.misfit},
+               {"scatter", result.scatter},
+               {"settings", result.settings},
+               {"failed", result.failed},
+               {"runs", found.runs},
+               {"converged", result.converged},
+               {"emulator_error", found.emulator_error()},
+               {"emulator_share", result.emulator_share},
+               {"draws", result.draws.size()},
+               {"remarks", result.remarks},
+               {"notices", results::notices_json(found.notices)}});
 }
 
 Json optimum_json(const campaign::Optimum& found, std::string_view version) {
-  return Json::object({{"mahlwerk", version},
-                       {"title", found.title},
-                       {"case", found.case_file},
-                       {"quantity", found.outcome.name},
-                       {"unit", found.outcome.unit},
-                       {"maximise", found.maximise},
-                       {"best", best_json(found)},
-                       {"keys", keys_json(found)},
-                       {"limits", limits_json(found)},
-                       {"model_value", estimate_json(found.model_value)},
-                       {"expected_gain", found.expected_gain},
-                       {"expected_loss", found.expected_loss},
-                       {"settings", found.trials.size()},
-                       {"failed", found.failed},
-                       {"runs", found.runs()},
-                       {"remarks", sentences(found)},
-                       {"notices", results::notices_json(found.notices)}});
+  return with(study_head("optimise", version, found.title, found.case_file),
+              {{"quantity", found.outcome.name},
+               {"unit", found.outcome.unit},
+               {"maximise", found.maximise},
+               {"best", best_json(found)},
+               {"keys", keys_json(found)},
+               {"limits", limits_json(found)},
+               {"model_value", estimate_json(found.model_value)},
+               {"expected_gain", found.expected_gain},
+               {"expected_loss", found.expected_loss},
+               {"settings", found.trials.size()},
+               {"failed", found.failed},
+               {"runs", found.runs()},
+               {"remarks", sentences(found)},
+               {"notices", results::notices_json(found.notices)}});
 }
 
 Json match_json(const campaign::MatchResult& found, std::string_view version) {
   const campaign::Difference& d = found.difference;
-  return Json::object({{"a", found.file_a},
-                       {"b", found.file_b},
-                       {"dose_unit", found.by_powder ? "W/kg" : "W"},
-                       {"dose_a", estimate_json(d.dose_a)},
-                       {"dose_b", estimate_json(d.dose_b)},
-                       {"dose_ratio", interval_json(d.dose)},
-                       {"energy_lost_mean_a", estimate_json(d.energy_a)},
-                       {"energy_lost_mean_b", estimate_json(d.energy_b)},
-                       {"half_power_energy_ratio", interval_json(d.half_power)},
-                       {"overlap", d.overlap},
-                       {"spectral_distance", d.spectral},
-                       {"distance", d.distance},
-                       {"chance", d.p_value},
-                       {"within_scatter", d.within_scatter()},
-                       {"remarks", sentences(found)},
-                       {"notices", results::notices_json(found.notices)},
-                       {"search", optimum_json(found.search, version)}});
+  return with(study_head("match", version, found.title_b, found.file_b),
+              {{"a", found.file_a},
+               {"b", found.file_b},
+               {"dose_unit", found.by_powder ? "W/kg" : "W"},
+               {"dose_a", estimate_json(d.dose_a)},
+               {"dose_b", estimate_json(d.dose_b)},
+               {"dose_ratio", interval_json(d.dose)},
+               {"energy_lost_mean_a", estimate_json(d.energy_a)},
+               {"energy_lost_mean_b", estimate_json(d.energy_b)},
+               {"half_power_energy_ratio", interval_json(d.half_power)},
+               {"overlap", d.overlap},
+               {"spectral_distance", d.spectral},
+               {"distance", d.distance},
+               {"chance", d.p_value},
+               {"within_scatter", d.within_scatter()},
+               {"remarks", sentences(found)},
+               {"notices", results::notices_json(found.notices)},
+               {"search", optimum_json(found.search, version)}});
 }
 
 }  // namespace mahlwerk::report

@@ -14,6 +14,13 @@
 // program.
 namespace mahlwerk::report {
 
+/// An object with the head that the JSON of every study has: what it is ("fit"), the program, its
+/// title and its case.
+results::Json study_head(std::string_view study, std::string_view version, std::string_view title,
+                         std::string_view case_file);
+/// A value with the ends of its interval.
+results::Json interval_json(const observe::IntervalEstimate& e);
+
 results::Json fit_json(const campaign::Fit& fit, std::string_view version);  ///< fit.json
 /// fit.json of a calibration.
 results::Json calibration_json(const campaign::Calibration& found, std::string_view version);

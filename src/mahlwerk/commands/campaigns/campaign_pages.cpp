@@ -20,10 +20,11 @@ namespace fs = std::filesystem;
 void write_pages(const campaign::Store& store, const campaign::Campaign& campaign,
                  const fs::path& place) {
   const std::map<std::string, std::string> figures = report::campaign_figures(campaign);
-  std::vector<std::string> names{"campaign.csv", "campaign.html"};
+  std::vector<std::string> names{"campaign.csv", "campaign.json", "campaign.html"};
   for (const auto& [name, picture] : figures) names.push_back(name);
   results::list_files(place, names);
   write_table(store, place / "campaign.csv");
+  results::write_whole(place / "campaign.json", report::campaign_json(campaign, version()));
   results::write_whole(place / "campaign.html", report::campaign_page(campaign, version()));
   for (const auto& [name, picture] : figures) {
     results::make_folder((place / name).parent_path());

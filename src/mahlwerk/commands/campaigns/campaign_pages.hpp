@@ -9,8 +9,8 @@
 
 namespace mahlwerk::commands {
 
-/// Writes campaign.csv, campaign.html and its pictures into the folder. Throws InputError on write
-/// errors.
+/// Writes campaign.csv, campaign.json, campaign.html and its pictures into the folder. Throws
+/// InputError on write errors.
 void write_pages(const campaign::Store& store, const campaign::Campaign& campaign,
                  const std::filesystem::path& place);
 /// Writes the table of a campaign as CSV. Throws InputError on write errors.

@@ -27,6 +27,10 @@ std::map<std::string, std::string> campaign_figures(const Campaign& campaign);
 /// with all points if the table is cut.
 std::string campaign_table(const Campaign& campaign, std::string_view where = "campaign.csv");
 
+/// campaign.json (docs/formats.md): keys, columns, points, what matters to them. The points are
+/// left out if there are more than 5000.
+std::string campaign_json(const Campaign& campaign, std::string_view version);
+
 /// CSV table of a campaign without store: a row per point; the swept keys, then every quantity and
 /// its ci95.
 std::string campaign_csv(const Campaign& campaign);
