@@ -58,7 +58,7 @@ def version():
 
 
 BUILD.mkdir(parents=True, exist_ok=True)  # everything that is made here stays in the build folder
-setup(version=version(), packages=["mahlwerk"], package_dir={"": "python"},
+setup(version=version(), packages=["mahlwerk", "mahlwerk.papers"], package_dir={"": "python"},
       package_data={"mahlwerk": ["py.typed", "*.pyi"]},
       ext_modules=[Extension("mahlwerk._core", sources=[])],
       cmdclass={"build_ext": CMakeModule, "build_py": WithData},

@@ -20,7 +20,7 @@ set(CPACK_COMPONENTS_ALL program development)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME mahlwerk)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "librsvg2-bin")  # figures of papers as PDF and PNG
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "python3-mahlwerk, python3-matplotlib")  # papers
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulator of ball mills
 Mahlwerk computes how often the balls of a mill hit, how hard, at which angle
 and where, from a short text file that names mill, jar, balls and speed. From

@@ -53,6 +53,8 @@ void bind_case(py::module_& m) {
   py::class_<cases::Case>(m, "ResolvedCase", "A case with every value filled in.")
       .def("write", &cases::write)
       .def("origins", &origins)
+      .def("swept_keys", &swept_keys)
+      .def("quantities", &quantities)
       .def_property_readonly("sweeps", [](const cases::Case& c) { return !c.sweep.empty(); })
       .def_readonly("title", &cases::Case::title)
       .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });

@@ -83,6 +83,7 @@ PYBIND11_MODULE(_core, m) {
   bind_outcome(m);
   bind_run(m);
   bind_commands(m);
+  bind_papers(m);
 }
 
 }  // namespace mahlwerk::python

@@ -21,5 +21,11 @@ void bind_outcome(pybind11::module_& m);
 void bind_run(pybind11::module_& m);
 void bind_case(pybind11::module_& m);
 void bind_commands(pybind11::module_& m);
+void bind_papers(pybind11::module_& m);
+
+/// (key, values, whether they are the ends of a range) of the keys of [sweep].
+pybind11::list swept_keys(const cases::Case& whole);
+/// (name, unit) of the quantities that a run of the case gives.
+pybind11::list quantities(const cases::Case& whole);
 
 }  // namespace mahlwerk::python

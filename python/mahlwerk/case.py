@@ -212,10 +212,13 @@ class Case:
         return result
 
     def sweep(self, over: Optional[Changes] = None, out: Optional[Place] = None, *,
-              force: bool = False, threads: int = 0, progress: Progress = None) -> Campaign:
+              force: bool = False, threads: int = 0, films: bool = False,
+              checkpoint: Optional[float] = None, progress: Progress = None) -> Campaign:
         """Runs the campaign of the case's [sweep], or over the values in `over`, as `mahlwerk sweep`:
         `case.sweep({"mill.speed": ["300 rpm", "400 rpm"]})`. `over` takes what [sweep] takes. A second
-        call with the same folder runs only what is missing. Ctrl-C raises Interrupted; its `result`
+        call with the same folder runs only what is missing. `films`: the paths of the balls are kept in
+        film.json of each run (docs/formats.md). `checkpoint`: seconds between two saves of a run's state,
+        60 by default. Ctrl-C raises Interrupted; its `result`
         is the campaign so far."""
         from .campaign import Campaign
 
@@ -224,7 +227,7 @@ class Case:
         try:
             with case._source.as_file(place, force) as target:
                 command(["sweep"], case=target, set=case._titled(), out=place, force=force,
-                        threads=threads, progress=progress)
+                        threads=threads, films=films, checkpoint=checkpoint, progress=progress)
         except (Interrupted, RunError) as error:
             if (place / "campaign.sqlite").exists():
                 error.result = Campaign(place)

@@ -140,7 +140,7 @@ class Runner:
         words = shlex.split(text)
         folder = document.parent
         cases = [folder] if (folder / "case.toml").exists() else [
-            f for f in sorted(folder.rglob("*.toml")) if f.name != "paper.toml"]
+            f for f in sorted(folder.rglob("*.toml"))]
         if folder.parent not in (HOME / "examples", HOME / "papers") or words[-1].endswith("="):
             return
         self.run += 1

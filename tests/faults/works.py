@@ -12,23 +12,6 @@ import campaign  # noqa: E402
 
 BALL = campaign.CASE.replace("TIME", "0.3 s").partition("[sweep]")[0]
 RANGE = '{ from = "8 Hz", to = "16 Hz" }'
-PAPER = """title = "T"
-source = "S"
-[[claim]]
-figure = "1"
-says = "increasing"
-kind = "trend"
-campaign = "c"
-quantity = "dissipated_power"
-against = "mill.frequency"
-is = "rises"
-[[figure]]
-number = "1"
-title = "t"
-campaign = "c"
-quantity = "dissipated_power"
-against = "mill.frequency"
-"""
 PYTHON = """import ctypes, json, sys
 import mahlwerk
 case = mahlwerk.Case("ball.toml")
@@ -109,7 +92,6 @@ def works(home, package=""):
     fit = (cases / "fit.toml").read_text().replace('time = "10 s"', 'time = "1 s"')
     mill_fit = (cases / "mill-fit.toml").read_text().replace('"0.5 s"', '"0.1 s"').replace(
         '"0.2 s"', '"0.02 s"')
-    paper = {"mine/paper.toml": PAPER, "mine/c.toml": swept().replace("A ball", "C")}
     campaign = [["sweep", "sweep.toml", "--out", "campaign", "--quiet", "--results", "summary"]]
     settings = swept('"mill.frequency" = { from = "8 Hz", to = "16 Hz", steps = 9 }')
     power = ["dissipated power"]
@@ -148,7 +130,6 @@ def works(home, package=""):
                            "out"],
              {"mill-fit.toml": mill_fit, "mill-fit.csv": (cases / "mill-fit.csv").read_text()},
              marks=["contact.restitution"], most=12),
-        Work("papers", ["papers", "mine", "--out", "out"], paper, marks=["increasing"], most=40),
         Work("check", ["check", "ball.toml"], {"ball.toml": BALL}, threads=False),
         Work("new", ["new", "--mill", "retsch-mm400", "made.toml"], {},
              threads=False),

@@ -55,9 +55,8 @@ std::vector<std::string> cases_of_the_sources() {
   std::vector<std::filesystem::path> files;
   for (const char* folder : {"examples", "papers", "validation"})
     for (const auto& entry : std::filesystem::recursive_directory_iterator(home() / folder))
-      if (const auto& file = entry.path(); file.extension() == ".toml" &&
-                                           file.filename() != "paper.toml" &&
-                                           file.filename() != "expected.toml")
+      if (const auto& file = entry.path();
+          file.extension() == ".toml" && file.filename() != "expected.toml")
         files.push_back(file);
   std::ranges::sort(files);
   std::vector<std::string> texts;

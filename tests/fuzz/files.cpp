@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Files that a case or a command names: a mesh, a measured motion, measurements, a paper.
+// Files that a case or a command names: a mesh, a measured motion, measurements.
 #include "mahlwerk/campaign/fit/measurements.hpp"
 #include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/report/paper/paper.hpp"
 #include "targets.hpp"
 
 namespace mahlwerk::fuzz {
@@ -79,18 +78,6 @@ std::vector<std::string> measurements() {
           "mill.frequency,drawn_power [W],drawn_power_error [W]\n10 Hz,20,0.1\n20 Hz,40,0.1\n"};
 }
 
-std::vector<std::string> papers() {
-  std::vector<std::string> texts;
-  for (const char* folder : {"papers", "validation"})
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(home() / folder))
-      if (entry.path().filename() == "paper.toml") texts.push_back(contents(entry.path()));
-  return texts;
-}
-
-void read_paper(const std::string& text) {
-  report::read_paper_text(text, scratch() / "paper.toml");
-}
-
 }  // namespace
 
 Target mesh_target() {
@@ -101,9 +88,6 @@ Target motion_target() {
 }
 Target measurements_target() {
   return {"measurements", read_measurements, measurements};
-}
-Target paper_target() {
-  return {"paper", read_paper, papers};
 }
 
 }  // namespace mahlwerk::fuzz

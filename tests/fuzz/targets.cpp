@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 std::span<const Target> targets() {
   static const std::array all{case_target(),       sieves_target(),       mesh_target(),
-                              motion_target(),     measurements_target(), paper_target(),
-                              store_target(),      surrogate_target(),    event_state_target(),
-                              soft_state_target(), checkpoint_target(),   folder_target()};
+                              motion_target(),     measurements_target(), store_target(),
+                              surrogate_target(),  event_state_target(),  soft_state_target(),
+                              checkpoint_target(), folder_target()};
   return all;
 }
 

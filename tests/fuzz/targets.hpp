@@ -22,11 +22,11 @@ struct Target {
 
 /// All targets; those of a file are defined there.
 std::span<const Target> targets();
-Target case_target(), sieves_target();                                         // cases.cpp
-Target mesh_target(), motion_target(), measurements_target(), paper_target();  // files.cpp
-Target store_target(), surrogate_target();                                     // campaigns.cpp
-Target event_state_target(), soft_state_target(), checkpoint_target();         // states.cpp
-Target folder_target();                                                        // folders.cpp
+Target case_target(), sieves_target();                                  // cases.cpp
+Target mesh_target(), motion_target(), measurements_target();           // files.cpp
+Target store_target(), surrogate_target();                              // campaigns.cpp
+Target event_state_target(), soft_state_target(), checkpoint_target();  // states.cpp
+Target folder_target();                                                 // folders.cpp
 
 /// Why the input is refused; empty if it is read. Throws what is none of our errors.
 std::string refusal(const Target& target, const std::string& bytes);

@@ -48,12 +48,11 @@ std::vector<results::Outcome> compute(const Running& running,
 std::vector<results::Outcome> compute(const Running& running,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
-                                      campaign::ResumableRuns& kept, std::optional<double> interval,
-                                      bool replays_of_all, const OnEnd& on_end) {
+                                      campaign::ResumableRuns& kept,
+                                      std::optional<double> interval) {
   ProgressLine line(running.quiet);
   campaign::RunOptions options = run_options(running.threads);
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
-  options.replays_of_all = replays_of_all;
   WriteErrorReporter not_kept;
   const auto on_resume = [&](std::size_t begun) {
     const bool alone = points.size() == 1;
@@ -67,8 +66,7 @@ std::vector<results::Outcome> compute(const Running& running,
                                                         {.version = version(),
                                                          .interval = interval.value_or(1),
                                                          .on_resume = on_resume,
-                                                         .on_write_error = std::ref(not_kept),
-                                                         .on_end = on_end});
+                                                         .on_write_error = std::ref(not_kept)});
   not_kept.repeat();
   return outcomes;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +10,6 @@
 #include "mahlwerk/commands/arguments.hpp"
 
 namespace mahlwerk::commands {
-
-using OnEnd = std::function<void(std::size_t point, results::Outcome& ended)>;
 
 /// Options of runs: the number of threads (0: all cores), and stop on Ctrl-C.
 campaign::RunOptions run_options(int threads);
@@ -25,13 +22,12 @@ std::vector<results::Outcome> compute(const Running& running,
                                       campaign::Checkpoint* checkpoint = nullptr,
                                       const lammps::Launch& lammps = {});
 /// The same, resuming from the checkpoints in `kept`, of which one is written every `interval` [s]
-/// (empty: 1 s). `replays_of_all`: every replicate keeps frames (campaign::RunOptions). `on_end` as
-/// in ResumableRuns.
+/// (empty: 1 s).
 std::vector<results::Outcome> compute(const Running& running,
                                       const std::vector<cases::Case>& points,
                                       const campaign::Streams& streams,
-                                      campaign::ResumableRuns& kept, std::optional<double> interval,
-                                      bool replays_of_all = false, const OnEnd& on_end = {});
+                                      campaign::ResumableRuns& kept,
+                                      std::optional<double> interval);
 
 /// Reports on stderr if a run did not complete, and how it can be continued. Returns the exit code.
 int report_exit_status(const std::vector<results::Outcome>& outcomes,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/campaign/search/optimise.hpp"
-#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/plot/plot.hpp"
 
 // Result of a search for the best settings: text for the terminal, CSV table, page.
 namespace mahlwerk::report {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "mahlwerk/report/plot/map.hpp"
-#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/plot/plot.hpp"
 
 namespace mahlwerk::report {
 

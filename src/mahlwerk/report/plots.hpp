@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/plot/plot.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 // The plots of one outcome.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The replicates that stand for all in pictures.
-#include "mahlwerk/report/paper/representatives.hpp"
+#include "mahlwerk/report/representatives.hpp"
 
 #include <gtest/gtest.h>
 

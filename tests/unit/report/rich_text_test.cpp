@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Symbols, line breaks and axis labels.
+// Symbols, axis labels and equations of laws.
 #include "mahlwerk/report/plot/rich_text.hpp"
 
 #include <gtest/gtest.h>
@@ -12,32 +12,10 @@
 namespace mahlwerk::report::rich_text_test {
 namespace {
 
-using Lines = std::vector<std::string>;
-
-TEST(RichText, symbols_are_italic_with_upright_subscripts_and_raised_exponents) {
-  EXPECT_EQ(rich_text("$E_{n}$", 10),
-            "<tspan font-style=\"italic\">E</tspan><tspan dy=\"2.2\" "
-            "font-size=\"7.5\">n</tspan>");
-  // The text behind a subscript returns to the base line, and keeps its first space.
-  EXPECT_EQ(rich_text("d_{90} (m)", 10),
-            "d<tspan dy=\"2.2\" font-size=\"7.5\">90</tspan><tspan dy=\"-2.2\" "
-            "xml:space=\"preserve\"> (m)</tspan>");
+TEST(RichText, is_plain_without_its_marks) {
   EXPECT_EQ(plain_text("$E_{n}$ = 2 mJ ($f$/17 Hz)^{1.99}"), "En = 2 mJ (f/17 Hz)1.99");
-}
-
-TEST(RichText, marks_without_counterpart_are_text_and_tags_are_escaped) {
-  for (const char* text : {"5 $", "f_mat", "x_w_min ^ 2", "a_{b"}) {
-    EXPECT_EQ(rich_text(text, 10), text);
+  for (const char* text : {"5 $", "f_mat", "x_w_min ^ 2", "a_{b"})
     EXPECT_EQ(plain_text(text), text);
-  }
-  EXPECT_EQ(rich_text("<b>", 10), "&lt;b&gt;");
-}
-
-TEST(RichText, is_wrapped_between_words_by_what_is_seen) {
-  EXPECT_EQ(wrapped("one two three", 7), (Lines{"one two", "three"}));
-  EXPECT_EQ(wrapped("energy, $E_{n}$ (mJ)", 10), (Lines{"energy, $E_{n}$", "(mJ)"}));
-  EXPECT_EQ(wrapped("incomprehensible word", 5), (Lines{"incomprehensible", "word"}));
-  EXPECT_TRUE(wrapped("", 5).empty());
 }
 
 TEST(AxisLabels, have_name_symbol_and_unit) {

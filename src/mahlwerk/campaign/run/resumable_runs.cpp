@@ -82,7 +82,6 @@ std::vector<results::Outcome> ResumableRuns::compute(const std::vector<cases::Ca
   queue.done = [&](std::size_t i, results::Outcome&& ended) {
     if (states[i]) states[i]->flush();
     states[i].reset();  // its file stays until all is done
-    if (settings.on_end) settings.on_end(i, ended);
     outcomes[i] = std::move(ended);
   };
   queue.checkpoint_slot = [&](std::size_t i) {

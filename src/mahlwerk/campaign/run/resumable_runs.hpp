@@ -28,8 +28,6 @@ class ResumableRuns {
     double interval = 1;       ///< [s] between two saves of a state
     std::function<void(std::size_t begun)> on_resume = {};  ///< if points resume: how many
     std::function<void(const Fault&)> on_write_error;       ///< called if states cannot be written
-    /// Called with each outcome when its point ends, from several threads; may free parts of it.
-    std::function<void(std::size_t point, results::Outcome& ended)> on_end = {};
   };
   /// Computes all points together; the kept states of points that have ended are used. Points that
   /// record every collision, or frames, start from the beginning.

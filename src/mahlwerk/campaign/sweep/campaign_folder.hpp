@@ -41,9 +41,11 @@ struct WorkProgress {
 struct CampaignSettings {
   std::string version;  ///< of the program
   cases::Catalogue catalogue;
-  int threads = 0;              ///< 0: as many as the machine has
-  bool force = false;           ///< replace the content of the folder
-  std::optional<bool> folders;  ///< keep a folder of each run; by default for up to 1000 runs
+  int threads = 0;               ///< 0: as many as the machine has
+  bool force = false;            ///< replace the content of the folder
+  std::optional<bool> folders;   ///< keep a folder of each run; by default for up to 1000 runs
+  double checkpoint_every = 60;  ///< [s] between two saves of the state of an active run
+  bool films = false;            ///< every replicate keeps frames (RunOptions::replays_of_all)
   const std::atomic<bool>* stop = nullptr;  ///< when set: end regularly, keep what was computed
   /// Writes the results of a run.
   std::function<void(const results::Folder&, const results::Outcome&)> write;

@@ -22,8 +22,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double checkpoint_every = 60;  // [s]
-
 std::string now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -51,6 +49,7 @@ class CampaignFolder::ActiveRuns {
     RunOptions options;
     options.threads = thread_count(owner_.settings_.threads);
     options.stop = owner_.settings_.stop;
+    options.replays_of_all = owner_.settings_.films;
     options.progress = [&](const Progress& p) { show(p); };
     options.records = [&](std::size_t i, int r) {
       const ActiveRun& mine = active(i);
@@ -121,7 +120,7 @@ class CampaignFolder::ActiveRuns {
     const fs::path kept = place.string() + ".checkpoint";
     const auto no_state = [&] {
       made->checkpoint.emplace(kept, hash, static_cast<std::size_t>(mill_case.run.replicates),
-                               checkpoint_every, owner_.settings_.on_write_error);
+                               owner_.settings_.checkpoint_every, owner_.settings_.on_write_error);
     };
     no_state();
     if (!streams && fs::exists(kept)) try {

@@ -133,6 +133,8 @@ std::string slurm_script(const SweepArguments& given, const fs::path& case_file,
   for (const cases::Override& one : given.changes.overrides())
     set += " --set " + shell_word(one.key + "=" + one.value);
   if (!given.part.results.empty()) set += " --results " + given.part.results;
+  if (given.part.films) set += " --films";
+  if (given.part.checkpoint) set += fmt::format(" --checkpoint {:.6g}", *given.part.checkpoint);
   const std::string environment = std::getenv("MAHLWERK_CATALOGUE") != nullptr
                                       ? fmt::format("export MAHLWERK_CATALOGUE={}\n",
                                                     shell_path(std::getenv("MAHLWERK_CATALOGUE")))

@@ -70,6 +70,8 @@ Options sharing(SweepArguments& given) {
            .about = "what is kept of each run: all results (default up to 1000 points), or only "
                     "its summary in the store",
            .values = {"all", "summary"}},
+          {"--films", &given.part.films,
+           "keep the paths of the balls of each run in film.json, for pictures"},
           {"--shard", &given.part.shard,
            "run only this part of the campaign: 2/8 is the second of eight"},
           {.name = "--merge",
@@ -131,6 +133,9 @@ Command sweep_command() {
           joined({{target},
                   options_of(given->changes),
                   options_of(given->running),
+                  {checkpoint(given->part.checkpoint,
+                              "seconds between two checkpoints of a run, from which the same "
+                              "command resumes (default 60)")},
                   sharing(*given),
                   {json(given->running.json)}}),
           [given] { return sweep(*given); }, subcommands(given)};

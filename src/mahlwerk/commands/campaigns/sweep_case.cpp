@@ -16,6 +16,7 @@
 #include "mahlwerk/commands/compute.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
+#include "mahlwerk/report/film.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/results/files/json.hpp"
@@ -116,8 +117,10 @@ int end_shard(const Running& running, campaign::CampaignFolder& folder,
 campaign::CampaignSettings settings_of(const Running& running, const CampaignPart& part,
                                        std::optional<ProgressLine>& line,
                                        WriteErrorReporter& not_kept) {
-  const auto write = [](const results::Folder& folder, const results::Outcome& outcome) {
+  const auto write = [films = part.films](const results::Folder& folder,
+                                          const results::Outcome& outcome) {
     report::write(folder, outcome, version(), "", false);
+    if (films) folder.write("film.json", report::film_json(outcome));
   };
   const auto show = [&](const campaign::WorkProgress& p) {
     line->show(fmt::format(
@@ -132,6 +135,8 @@ campaign::CampaignSettings settings_of(const Running& running, const CampaignPar
           .threads = running.threads,
           .force = running.force,
           .folders = folders,
+          .checkpoint_every = part.checkpoint.value_or(60),
+          .films = part.films,
           .stop = &stop_wanted(),
           .write = write,
           .progress = show,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +23,11 @@ constexpr const char* merge_lock = "campaign.merge.lock";
 
 /// Which part of a campaign is run, and what is kept of it.
 struct CampaignPart {
-  std::string shard;        ///< "2/8": the second of eight parts; empty: all
-  std::string results;      ///< results kept: "all", "summary"; empty: by their number
-  bool merge = false;       ///< after a shard, merge all, if no point waits any more
+  std::string shard;                 ///< "2/8": the second of eight parts; empty: all
+  std::string results;               ///< results kept: "all", "summary"; empty: by their number
+  std::optional<double> checkpoint;  ///< [s] between two checkpoints; empty: 60 s
+  bool films = false;                ///< film.json of each run, for pictures
+  bool merge = false;                ///< after a shard, merge all, if no point waits any more
   std::string fingerprint;  ///< of the campaign when it was submitted; empty: it may have changed
 };
 

@@ -7,7 +7,7 @@
 
 #include "mahlwerk/report/plot/bars.hpp"
 #include "mahlwerk/report/plot/map.hpp"
-#include "mahlwerk/report/plot/svg_plot.hpp"
+#include "mahlwerk/report/plot/plot.hpp"
 
 // Pictures of a page as data, which the script of the page draws (web/README.md, "Pictures").
 namespace mahlwerk::report {
