@@ -11,40 +11,21 @@ namespace {
 
 using results::Json;
 
-/// The ends of the interval; null where it is open.
-Json low_end(const campaign::FittedParameter& p) {
-  return p.open_low ? Json() : Json(p.low);
-}
-Json high_end(const campaign::FittedParameter& p) {
-  return p.open_high ? Json() : Json(p.high);
-}
-
-Json fitted_numbers(const campaign::Fit& fit) {
-  Json numbers = Json::object();
-  for (const campaign::FittedParameter& p : fit.result.parameters)
-    numbers[p.name] = Json::object({{"value", p.value},
-                                    {"low", low_end(p)},
-                                    {"high", high_end(p)},
-                                    {"unit", p.unit},
-                                    {"determined", p.determined},
-                                    {"by_mills", p.simulation_ci95},
-                                    {"range", Json::array({p.least, p.most})},
-                                    {"remarks", p.remarks},
-                                    {"about", p.about}});
-  return numbers;
-}
-
-Json calibrated_numbers(const campaign::Calibration& found) {
-  Json numbers = Json::object();
-  for (const campaign::FittedParameter& p : found.result.parameters)
-    numbers[p.name] = Json::object({{"value", p.value},
-                                    {"low", low_end(p)},
-                                    {"high", high_end(p)},
-                                    {"unit", p.unit},
-                                    {"determined", p.determined},
-                                    {"range", Json::array({p.least, p.most})},
-                                    {"remarks", p.remarks}});
-  return numbers;
+/// The estimated parameters by name. `fitted`: with what only a fit knows of them.
+Json parameters_json(const campaign::ParameterEstimates& found, bool fitted) {
+  Json all = Json::object();
+  for (const campaign::FittedParameter& p : found.parameters) {
+    Json& one = all[p.name] = Json::object({{"value", p.value},
+                                            {"low", p.open_low ? Json() : Json(p.low)},
+                                            {"high", p.open_high ? Json() : Json(p.high)},
+                                            {"unit", p.unit},
+                                            {"determined", p.determined}});
+    if (fitted) one["by_mills"] = p.simulation_ci95;
+    one["range"] = Json::array({p.least, p.most});
+    one["remarks"] = p.remarks;
+    if (fitted) one["about"] = p.about;
+  }
+  return all;
 }
 
 Json calibrated_points(const campaign::Calibration& found) {
@@ -140,7 +121,7 @@ Json fit_json(const campaign::Fit& fit, std::string_view version) {
   return with(study_head("fit", version, fit.title, fit.case_file),
               {{"data", fit.data_file},
                {"all_determined", fit.result.all_determined()},
-               {"numbers", fitted_numbers(fit)},
+               {"numbers", parameters_json(fit.result, true)},
                {"correlation", fit.result.correlation},
                {"conditions", fit.conditions},
                {"values", fit.points.size()},
@@ -157,7 +138,7 @@ Json calibration_json(const campaign::Calibration& found, std::string_view versi
   return with(study_head("calibration", version, found.title, found.case_file),
               {{"data", found.data_file},
                {"all_determined", result.all_determined()},
-               {"numbers", calibrated_numbers(found)},
+               {"numbers", parameters_json(result, false)},
                {"correlation", result.correlation},
                {"conditions", found.conditions},
                {"values", calibrated_points(found)},

@@ -146,7 +146,7 @@ void add_sensitivities(Campaign& campaign, const cases::Sweep& sweep, const Desi
 }
 
 Campaign campaign_of(const Store& store, const cases::Catalogue& known) {
-  Campaign campaign{.title = store.title(), .case_file = store.case_file().generic_string()};
+  Campaign campaign{.title = store.title(), .case_file = store.case_file().filename().string()};
   std::vector<std::string> names;
   const bool all = store.counts().points <= many_points;
   const std::vector<std::string>& usual = results::usual_columns();

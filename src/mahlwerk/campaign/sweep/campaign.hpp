@@ -24,7 +24,7 @@ struct CampaignKey {
 };
 
 struct Campaign {
-  std::string title = {}, case_file = {};
+  std::string title = {}, case_file = {};  ///< name of the file, without its folder
   std::vector<CampaignKey> keys = {};
   std::vector<results::Column> columns = {};  ///< quantities of summary.json, in SI units
   std::vector<Point> points = {};

@@ -74,9 +74,14 @@ int calibrate(const FitArguments& given, const fs::path& file) {
     if (unwritten.empty()) kept.remove();
     const auto print = [&] {
       if (running.json) json_to_stdout(report::calibration_json(found, version()));
+      const fs::path& place = folder.target();
       if (running.prints_text())
-        print_found(found.title, report::calibration_table(found), folder.target(),
-                    "calibrated.toml", unwritten.empty());
+        print_found(found.title + "\n\n" + report::calibration_table(found),
+                    {{"results:", place},
+                     {"report:", place / "fit.html"},
+                     {"numbers:", place / "fit.json"},
+                     {"case:", place / "calibrated.toml"}},
+                    unwritten.empty());
     };
     return print_result(print, unwritten, success);
   } catch (const Interrupted&) {

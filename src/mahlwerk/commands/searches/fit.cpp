@@ -121,8 +121,13 @@ int fit_powder(const FitArguments& given, const campaign::FitJob& job, results::
       evaluations.flush();
     const auto print = [&] {
       if (running.json) json_to_stdout(report::fit_json(found, version()));
+      const fs::path& place = folder.target();
       if (running.prints_text())
-        print_found(found.title, report::fit_table(found), folder.target(), "fitted.toml",
+        print_found(found.title + "\n\n" + report::fit_table(found),
+                    {{"results:", place},
+                     {"report:", place / "fit.html"},
+                     {"numbers:", place / "fit.json"},
+                     {"case:", place / "fitted.toml"}},
                     unwritten.empty());
     };
     return print_result(print, unwritten, success);

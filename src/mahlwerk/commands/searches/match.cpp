@@ -92,13 +92,13 @@ campaign::SearchJob search_job(const MatchJob& job) {
 }
 
 void print_summary(const campaign::MatchResult& found, const fs::path& place, bool written) {
-  to_stdout(fmt::format("A: {}\nB: {}\n\n{}\n", found.title_a, found.title_b,
-                        report::match_table(found)));
-  if (!written) return;
-  fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / "match.html").string());
-  fmt::print("settings: {}\n", (place / "settings.csv").string());
-  if (found.search.best) fmt::print("case:     {}\n", (place / "best.toml").string());
+  std::vector<NamedPath> paths{{"results:", place},
+                               {"report:", place / "match.html"},
+                               {"settings:", place / "settings.csv"}};
+  if (found.search.best) paths.emplace_back("case:", place / "best.toml");
+  print_found(
+      fmt::format("A: {}\nB: {}\n\n{}", found.title_a, found.title_b, report::match_table(found)),
+      paths, written);
 }
 
 /// Searches the settings of B, runs B at the best setting with new seeds, and writes the results of

@@ -28,12 +28,11 @@ void write(const results::Folder& folder, const campaign::Optimum& found) {
 }
 
 void print_summary(const campaign::Optimum& found, const fs::path& place, bool written) {
-  to_stdout(fmt::format("{}\n\n{}\n", found.title, report::optimum_table(found)));
-  if (!written) return;
-  fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / "optimise.html").string());
-  fmt::print("settings: {}\n", (place / "settings.csv").string());
-  if (found.best) fmt::print("case:     {}\n", (place / "best.toml").string());
+  std::vector<NamedPath> paths{{"results:", place},
+                               {"report:", place / "optimise.html"},
+                               {"settings:", place / "settings.csv"}};
+  if (found.best) paths.emplace_back("case:", place / "best.toml");
+  print_found(fmt::format("{}\n\n{}", found.title, report::optimum_table(found)), paths, written);
 }
 
 int optimise(const CaseArguments& given) {

@@ -79,14 +79,10 @@ campaign::Optimum run_search(const Running& running, const campaign::SearchJob& 
   return found;
 }
 
-void print_found(const std::string& title, const std::string& table,
-                 const std::filesystem::path& place, const char* case_name, bool written) {
-  to_stdout(fmt::format("{}\n\n{}\n", title, table));
+void print_found(const std::string& summary, const std::vector<NamedPath>& paths, bool written) {
+  to_stdout(summary + '\n');
   if (!written) return;
-  fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / "fit.html").string());
-  fmt::print("numbers:  {}\n", (place / "fit.json").string());
-  fmt::print("case:     {}\n", (place / case_name).string());
+  for (const auto& [name, path] : paths) fmt::print("{:10}{}\n", name, path.string());
 }
 
 std::optional<campaign::OptimumCheck> check_best(const Running& running,

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "mahlwerk/campaign/run/resumable_runs.hpp"
 #include "mahlwerk/campaign/search/search_job.hpp"
@@ -52,9 +56,9 @@ std::optional<campaign::OptimumCheck> check_best(const Running& running,
                                                  const campaign::Optimum& found,
                                                  const ResumableSearch& kept);
 
-/// Prints the summary of a fit or a calibration; `table` is its result, `case_name` the file with
-/// the case.
-void print_found(const std::string& title, const std::string& table,
-                 const std::filesystem::path& place, const char* case_name, bool written);
+/// A file or folder of a result, with its name in the summary.
+using NamedPath = std::pair<std::string_view, std::filesystem::path>;
+/// Prints the summary of a result and, if it was `written`, where.
+void print_found(const std::string& summary, const std::vector<NamedPath>& paths, bool written);
 
 }  // namespace mahlwerk::commands

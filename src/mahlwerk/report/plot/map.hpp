@@ -9,7 +9,7 @@ namespace mahlwerk::report {
 
 /// An axis of a map: the edges of its cells, one more than cells, or a name for each cell.
 struct MapAxis {
-  std::string label;  ///< with the unit of the edges: "height (mm)"
+  std::string label = {};  ///< with the unit of the edges: "height (mm)"
   std::vector<double> edges = {};
   std::vector<std::string> names = {};
   bool logarithmic = false;
@@ -18,8 +18,8 @@ struct MapAxis {
 
 /// One grid of cells.
 struct MapPanel {
-  std::string title;
-  MapAxis x, y;
+  std::string title = {};
+  MapAxis x = {}, y = {};
   bool polar = false;                  ///< x is an angle [rad], y a radius
   std::vector<double> values = {};     ///< row by row from below; NaN: no value
   std::vector<std::string> told = {};  ///< of each cell: its values in words; empty: from the axes
@@ -34,7 +34,7 @@ struct MapPanel {
 
 /// Cells whose colours are values of one quantity, or words.
 struct ColourMap {
-  std::string title, quantity, unit;
+  std::string title, quantity = {}, unit = {};
   double least = 0, most = 1;           ///< ends of the scale of colours
   bool logarithmic = false;             ///< the scale of colours
   std::string note = {};                ///< beside the scale: "the longest arrow is 1.2 m/s"
