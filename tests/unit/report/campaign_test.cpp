@@ -120,34 +120,6 @@ TEST(CampaignJson, has_the_head_of_a_study_the_points_and_what_matters) {
   EXPECT_TRUE(has(text("points"), R"("values":["150 rpm","5 mm"],"status":"done")"));
   EXPECT_TRUE(has(text("points"), R"("failure":"too large","value":[null,null])"));
   EXPECT_TRUE(has(text("points"), R"("status":"waiting")"));
-  EXPECT_TRUE(has(text("sensitivities"), R"("mean_absolute":{"value":2,"low":1,"high":3})"));
-  EXPECT_TRUE(has(text("remarks"), "mill.speed matters most"));
-}
-
-TEST(CampaignJson, of_many_points_leaves_them_to_the_table) {
-  EXPECT_TRUE(has(campaign_json(speeds(5001), "1"), "\"points\":null"));
-}
-
-TEST(CampaignJson, has_the_head_of_a_study_the_points_and_what_matters) {
-  Campaign c = grid(2, 2);
-  c.case_file = "case.toml";
-  fail(c.points[1], "too large");
-  c.points[2].state = campaign::RunState::waiting;
-  c.sensitivities = {{.quantity = "d50",
-                      .unit = "m",
-                      .design = Design::morris,
-                      .effects = {{.key = "mill.speed", .mean_absolute = {2, 1, 3}, .count = 4}}}};
-  const results::Json made = results::Json::parse(campaign_json(c, "1.2.3"));
-  const auto text = [&](const char* key) { return made.find(key)->text(); };
-  EXPECT_EQ(text("study"), "\"sweep\"");
-  EXPECT_EQ(text("mahlwerk"), "\"1.2.3\"");
-  EXPECT_EQ(text("case"), "\"case.toml\"");
-  EXPECT_TRUE(has(text("keys"), R"({"key":"mill.speed","unit":"rpm","follows":false})"));
-  EXPECT_TRUE(has(text("columns"), R"({"name":"d50","unit":"m","about":"size of the)"));
-  EXPECT_EQ(std::get<results::Json::Array>(made.find("points")->value()).size(), 4U);
-  EXPECT_TRUE(has(text("points"), R"("values":["150 rpm","5 mm"],"status":"done")"));
-  EXPECT_TRUE(has(text("points"), R"("failure":"too large","value":[null,null])"));
-  EXPECT_TRUE(has(text("points"), R"("status":"waiting")"));
   EXPECT_TRUE(has(text("sensitivities"), R"("mean_absolute":{"value":2.0,"low":1.0,"high":3.0})"));
   EXPECT_TRUE(has(text("remarks"), "mill.speed matters most"));
 }
