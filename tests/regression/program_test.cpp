@@ -104,6 +104,23 @@ TEST_F(Program, an_existing_result_is_refused_unless_forced) {
   EXPECT_NE(text("out/summary.json"), before);
 }
 
+TEST_F(Program, report_gives_a_page_the_form_of_this_version) {
+  EXPECT_EQ(mahlwerk("run " + short_ + "--quiet").code, 0);
+  const std::string whole = text("out/report.html");
+  std::string old = whole;
+  const std::size_t style = old.find("<style>") + 7;
+  old.replace(style, old.find("</style>") - style, "b{}");
+  std::ofstream(here_ / "out/report.html") << old;
+  EXPECT_EQ(mahlwerk("report out").code, 0);
+  EXPECT_EQ(text("out/report.html"), whole);
+  std::ofstream(here_ / "out/report.html") << "cut";
+  const ProgramResult damaged = mahlwerk("report out");
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_NE(damaged.output.find("damaged"), std::string::npos) << damaged.output;
+  EXPECT_EQ(text("out/report.html"), "cut") << "nothing is written over it";
+  EXPECT_EQ(mahlwerk("report nowhere").code, 2);
+}
+
 TEST_F(Program, nonsense_is_refused_with_place_and_remedy) {
   expect_refused("run " + short_ + "--set balls.diameter=\"20 mm\"", "not smaller than");
   expect_refused("run " + short_ + "--set balls.diameter=\"0 mm\"", "balls.diameter");
