@@ -13,7 +13,7 @@ import { layOut, showRegion } from "./layout.js";
 import { Results } from "./results/results.js";
 import { SweepPanel } from "./results/sweep_panel.js";
 import { Pool } from "./run/engine_worker.js";
-import { OpenedRun, caseAmong, filesOf, filmOf } from "./run/opened_run.js";
+import { OpenedRun, caseAmong, filesOf, filmOf, studyAmong } from "./run/opened_run.js";
 import { Run } from "./run/run.js";
 import { RunBar } from "./run/run_bar.js";
 import { text } from "./text/en.js";
@@ -108,10 +108,18 @@ export class Page {
   }
 
   /// Shows a result that the program computed, or takes a case: files, or a folder, that were dropped or chosen.
+  /// The page of a campaign or a search stands beside the case, which stays.
+  showStudy(html) {
+    this.results.showStudy(html);
+    showRegion("result");
+    this.say(text.openedStudy);
+  }
+
   async open(items) {
     try {
       const files = await filesOf(items);
-      const toml = caseAmong(files), result = "summary.json" in files;
+      const toml = caseAmong(files), result = "summary.json" in files, study = studyAmong(files);
+      if (!result && study !== null) return this.showStudy(study);
       if (!result && toml === null) return this.say(text.nothingToOpen);
       if (this.edited() && !confirm(text.leaveChanges)) return;
       this.keep();

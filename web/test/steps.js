@@ -49,3 +49,10 @@ export async function saved(page, path, act) {
   await file.saveAs(path);
   return file.suggestedFilename();
 }
+
+/// Files as a drop gives them.
+export const dropped = (page, files) => page.evaluateHandle((all) => {
+  const made = new DataTransfer();
+  for (const [name, text] of Object.entries(all)) made.items.add(new File([text], name));
+  return made;
+}, files);

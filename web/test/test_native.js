@@ -4,10 +4,11 @@
 // The page computes the numbers of the program to the bit.
 
 import { execFileSync } from "node:child_process";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { write } from "../src/case/toml_text.js";
 import { expect, Skip } from "./check.js";
-import { openCase, runAgain, saved, tab } from "./steps.js";
+import { dropped, open, openCase, runAgain, saved, tab } from "./steps.js";
 
 const planetary = readFileSync(new URL("../examples/planetary-mill.toml", import.meta.url), "utf8");
 const values = { "run.time": "0.2 s", "run.settle": "0.1 s", "run.replicates": 2,
@@ -45,5 +46,34 @@ async function the_soft_engine_has_the_bits_of_the_program(given) {
   await sameBits(given, write(short, "run.engine", "soft"));
 }
 
-export const nativeTests = [the_event_engine_has_the_bits_of_the_program,
+const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
+const brief = ["run.time=0.02 s", "run.settle=0 s", "run.replicates=2", "run.sensitivity=off"];
+
+/// The files of the result of an example that runs for 20 ms.
+function filesOfExample(native, name, out) {
+  const command = name === "09-campaign" ? "sweep" : "run";
+  execFileSync(native, [command, `${examples}/${name}`, "--out", out, "--quiet", ...brief.flatMap((each) => ["--set", each])]);
+  const names = readdirSync(out).filter((file) => /\.(json|csv|toml|html)$/.test(file));
+  return Object.fromEntries(names.map((file) => [file, readFileSync(`${out}/${file}`, "utf8")]));
+}
+
+async function results_of_all_examples_are_shown({ page, url, folder, native }) {
+  if (!native || !existsSync(native)) throw new Skip("no program is named by --native");
+  const names = readdirSync(examples).filter((name) => /^\d\d-/.test(name));
+  expect("examples", names.length, 12);
+  await open(page, url);
+  for (const name of names) {
+    const files = filesOfExample(native, name, `${folder}/${name}`);
+    await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, files) });
+    await page.waitForFunction(() => document.querySelector("#status").textContent.startsWith("Opened: "));
+    await tab(page, "report");
+    const told = JSON.parse(files["summary.json"] ?? files["campaign.json"]), title = told._about?.title ?? told.title;
+    await page.frameLocator("iframe").locator("h1").filter({ hasText: title }).waitFor();
+    expect(`pictures of ${name}`, await page.frameLocator("iframe").locator(".chart").count() > 3);
+    if (told._about) expect(name, await page.textContent(".result .title"), title);
+    await page.evaluate(() => (document.querySelector("#status").textContent = ""));
+  }
+}
+
+export const nativeTests = [results_of_all_examples_are_shown,the_event_engine_has_the_bits_of_the_program,
   the_soft_engine_has_the_bits_of_the_program];

@@ -5,7 +5,7 @@
 
 import { readFileSync } from "node:fs";
 import { expect, Skip } from "./check.js";
-import { caseText, ended, limit, open, runAgain, saved, tab, writeCase } from "./steps.js";
+import { caseText, dropped, ended, limit, open, runAgain, saved, tab, writeCase } from "./steps.js";
 
 /// Sets a case that computes for a while: many replicates and a long time.
 const longCase = async (page) => writeCase(page, (await caseText(page))
@@ -190,13 +190,6 @@ async function about_these_numbers({ page, url }) {
     expect(part, text.includes(part));
 }
 
-/// Files as a drop gives them.
-const dropped = (page, files) => page.evaluateHandle((all) => {
-  const made = new DataTransfer();
-  for (const [name, text] of Object.entries(all)) made.items.add(new File([text], name));
-  return made;
-}, files);
-
 async function a_result_of_the_program_is_opened({ page, url }) {
   await open(page, url);
   await tab(page, "files");
@@ -215,6 +208,10 @@ async function a_result_of_the_program_is_opened({ page, url }) {
   expect("its case", (await caseText(page)).includes("vibration"));
   await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, { "summary.json": "{}" }) });
   await page.waitForFunction(() => document.querySelector("#status").textContent.includes("cannot be shown"));
+  const study = { "optimise.html": "<!doctype html><h1>The best</h1>", "best.toml": "title = 'other'" };
+  await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, study) });
+  expect("the page of a search", await page.frameLocator("iframe").locator("h1").textContent(), "The best");
+  expect("the case stays", (await caseText(page)).includes("vibration"));
   await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, { "a.png": "" }) });
   await page.waitForFunction(() => document.querySelector("#status").textContent.includes("neither"));
 }

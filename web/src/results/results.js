@@ -62,6 +62,12 @@ export class Results {
     this.tabs.badge("about", warnings > 0 ? String(warnings) : "", text.severity("warning"));
   }
 
+  showStudy(html) {
+    this.report.show(html);
+    this.tabs.choose("report");
+    this.tabs.list.scrollIntoView();
+  }
+
   openAbout() {
     this.tabs.choose("about");
     this.tabs.panels.about.scrollIntoView({ block: "center" });

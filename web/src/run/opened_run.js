@@ -5,7 +5,8 @@
 
 import { parseCsv } from "../csv.js";
 
-const wanted = /(?:^summary\.json|^report\.html|\.csv|\.toml)$/;
+const studies = ["campaign", "fit", "optimise", "match", "compare", "paper"].map((name) => `${name}.html`);
+const wanted = new RegExp(`(?:^summary\\.json|^report\\.html|^(?:${studies.join("|")})|\\.csv|\\.toml)$`);
 const largest = 1 << 26; // bytes of a file that is read
 
 /// Files of a drop or of a choice, also those in a folder: name -> text.
@@ -31,6 +32,9 @@ async function inFolder(entry) {
 /// The text of the case among files; null without one.
 export const caseAmong = (files) => files["case.resolved.toml"] ?? files["case.toml"] ??
   files[Object.keys(files).find((name) => name.endsWith(".toml"))] ?? null;
+
+/// The page of a campaign, a search or a comparison among files; null without one.
+export const studyAmong = (files) => files[studies.find((name) => name in files)] ?? null;
 
 /// The film of the replay in a report, or null. Its JSON holds no "<" (json_string of the program).
 export function filmOf(report = "") {

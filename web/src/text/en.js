@@ -180,8 +180,10 @@ export const text = {
   filesAbout: "Files of this result.",
   filesHint: "The files of a result appear here when a run has ended.",
   openResult: "Open a result or a case",
-  openAbout: "Results of the program: choose summary.json and what lies beside it, or drop the folder on the page.",
+  openAbout: "Results of the program: choose summary.json and what lies beside it, or drop the folder on the page. The page of a " +
+    "campaign, a fit or a search (campaign.html, ...) is shown, too.",
   opened: (title) => `Opened: ${title}.`,
+  openedStudy: "Opened: the page of a study, below \"All plots\".",
   openedCase: "This case came from a file. Press Run to compute it.",
   nothingToOpen: "Among these files is neither a summary.json nor a case (.toml).",
   cannotOpen: (why) => `This result cannot be shown: ${why}`,
