@@ -75,7 +75,7 @@ def one_at_a_time_leaves_the_case_as_it_is_and_can_be_checked(program):
         c.run("--quiet")
         assert asked(c.out, 'SELECT "contact.restitution", "mill.frequency_Hz" FROM results') == [
             (0.9, 10), (0.5, 10), (0.95, 10), (0.9, 8), (0.9, 12)]
-        assert (c.out / "figures" / "tornado-dissipated_power.svg").exists()
+        assert '"kind":"bars","title":"dissipated power"' in (c.out / "campaign.html").read_text()
 
 
 SENSITIVE = ('design = "%s"\nsamples = %d\n"mill.frequency" = { from = "8 Hz", to = "12 Hz" }\n'
@@ -93,7 +93,7 @@ def answers(c):
     """The page's sensitivity of the power to the keys: text, figure, and the row of each key."""
     page = (c.out / "campaign.html").read_text()
     part = page[page.index("What matters"):]
-    figure = [f for f in part.split("<figure>") if 'aria-label="dissipated power"' in f][0]
+    figure = [f for f in part.split("<figure>") if '"kind":"bars","title":"dissipated power"' in f][0]
     rows = {key: [float(v) if v else math.nan for v in re.findall(r'data-v="([^"]*)"', row)]
             for key, row in re.findall(r"<tr><td>([a-z_.]+)</td>(.*?)</tr>", figure)}
     return part[:part.index("<figure>")], figure, rows
