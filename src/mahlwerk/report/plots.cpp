@@ -71,7 +71,7 @@ Plot angle_plot(const results::Outcome& outcome) {
           .x = Axis{.label = "angle (°), 0 head-on, 90 grazing", .least = 0, .most = 90},
           .y = Axis{.label = "collisions per second and degree"},
           .series = {{"", edges, column(table, "rate_above_threshold"), {}, Mark::steps}},
-          .height = 260};
+          .shape = 0.36};
 }
 
 Plot rate_plot(const results::Outcome& outcome) {
@@ -85,7 +85,7 @@ Plot rate_plot(const results::Outcome& outcome) {
                       column(table, "collision_rate_above_threshold"),
                       {},
                       Mark::line}},
-          .height = 260};
+          .shape = 0.36};
 }
 
 Plot power_plot(const results::Outcome& outcome) {
@@ -103,7 +103,7 @@ Plot power_plot(const results::Outcome& outcome) {
                 column(table, "drawn_power", unit.factor),
                 {},
                 Mark::line}},
-          .height = 280};
+          .shape = 0.39};
 }
 
 }  // namespace mahlwerk::report

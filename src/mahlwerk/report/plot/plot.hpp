@@ -61,8 +61,7 @@ struct Plot {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
-  double width = 720, height = 360;  ///< [px] of the view box; it scales to the page
-  double font = 12;                  ///< [px] font size
+  double shape = 0.5;  ///< height over width
 };
 
 }  // namespace mahlwerk::report
