@@ -57,8 +57,7 @@ Plot energy_weighted_plot(const results::Outcome& outcome) {
             Axis{fmt::format("power per bin ({})", power.unit)},
             {{"normal motion", edges, column(table, "power_normal", power.factor), {}, Mark::steps},
              {"dissipated", edges, column(table, "power_lost", power.factor), {}, Mark::steps}},
-            720,
-            300};
+            0.42};
   if (edges.size() > 2 && edges[1] < edges.back() / decades) plot.x.least = edges.back() / decades;
   return plot;
 }
