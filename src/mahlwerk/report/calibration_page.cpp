@@ -92,7 +92,7 @@ Plot marginal(const FittedParameter& k) {
           .x = Axis{axis_text(k.name, k.unit), false, from, to},
           .y = Axis{"density, by that of the range"},
           .series = {series, prior},
-          .height = 260};
+          .shape = 0.36};
 }
 
 /// Draws of two keys.
@@ -108,7 +108,7 @@ Plot pair_plot(const FittedParameter& a, const FittedParameter& b) {
           .x = Axis{axis_text(a.name, a.unit)},
           .y = Axis{axis_text(b.name, b.unit)},
           .series = {dots},
-          .height = 320};
+          .shape = 0.44};
 }
 
 std::string figures(const Calibration& found) {

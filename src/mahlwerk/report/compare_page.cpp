@@ -126,7 +126,7 @@ Plot ratios(const std::vector<ComparedBin>& bins) {
           .x = Axis{"normal speed of impact (m/s)", true},
           .y = Axis{"ratio", true},
           .series = {ratio, one},
-          .height = 280};
+          .shape = 0.39};
 }
 
 std::string boxes(const char* engine, const EngineDiagnostics& side) {

@@ -131,7 +131,7 @@ Plot residuals(const Fit& fit) {
             .x = Axis{"line of the table of measurements"},
             .y = Axis{fit.errors_known ? "residual (measurement errors)" : "residual"},
             .series = {},
-            .height = 280};
+            .shape = 0.39};
   for (const DrawnQuantity& d : drawn_quantities(fit)) {
     Series series{.name = d.what, .mark = Mark::dots};
     for (const PredictedMeasurement& p : fit.points)

@@ -57,8 +57,7 @@ Plot energy_weighted_plot(const results::Outcome& outcome) {
             Axis{fmt::format("power per bin ({})", power.unit)},
             {{"normal motion", edges, column(table, "power_normal", power.factor), {}, Mark::steps},
              {"dissipated", edges, column(table, "power_lost", power.factor), {}, Mark::steps}},
-            720,
-            300};
+            0.42};
   if (edges.size() > 2 && edges[1] < edges.back() / decades) plot.x.least = edges.back() / decades;
   return plot;
 }
@@ -71,7 +70,7 @@ Plot angle_plot(const results::Outcome& outcome) {
           .x = Axis{.label = "angle (°), 0 head-on, 90 grazing", .least = 0, .most = 90},
           .y = Axis{.label = "collisions per second and degree"},
           .series = {{"", edges, column(table, "rate_above_threshold"), {}, Mark::steps}},
-          .height = 260};
+          .shape = 0.36};
 }
 
 Plot rate_plot(const results::Outcome& outcome) {
@@ -85,7 +84,7 @@ Plot rate_plot(const results::Outcome& outcome) {
                       column(table, "collision_rate_above_threshold"),
                       {},
                       Mark::line}},
-          .height = 260};
+          .shape = 0.36};
 }
 
 Plot power_plot(const results::Outcome& outcome) {
@@ -103,7 +102,7 @@ Plot power_plot(const results::Outcome& outcome) {
                 column(table, "drawn_power", unit.factor),
                 {},
                 Mark::line}},
-          .height = 280};
+          .shape = 0.39};
 }
 
 }  // namespace mahlwerk::report

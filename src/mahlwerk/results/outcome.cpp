@@ -31,19 +31,6 @@ std::vector<const Replicate*> grinding_replicates(const Outcome& outcome) {
   return chosen;
 }
 
-void release_statistics(Outcome& outcome) {
-  for (Replicate& r : outcome.replicates) {
-    r.tally.by_pair = observe::StatisticsByPair();
-    r.tally.wall_map = observe::WallMap(r.tally.wall_map.grid());
-    r.tally.pack();
-    r.charge = {};
-    r.stream = {};
-    r.recorders = {};
-    r.grinding.reset();
-    r.windows = std::vector<Window>();  // `= {}` would keep its memory
-  }
-}
-
 bool complete(const Outcome& outcome) {
   return !outcome.replicates.empty() &&
          std::all_of(outcome.replicates.begin(), outcome.replicates.end(),

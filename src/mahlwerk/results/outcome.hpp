@@ -125,10 +125,6 @@ double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) 
   return sum / static_cast<double>(replicates.size());
 }
 
-/// Frees the statistics of all replicates, which only tables and pages of this result need. The
-/// summary, the notices, the times and the frames for pictures stay.
-void release_statistics(Outcome& outcome);
-
 /// True if there are replicates, and all of them ran to their end.
 bool complete(const Outcome& outcome);
 

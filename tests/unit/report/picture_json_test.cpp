@@ -21,8 +21,7 @@ Plot plot() {
           .y = Axis{.label = "share", .range_least = 0, .range_most = 1},
           .series = {{"both", {1, 2}, {0.9, NAN}, {0.3, 0.1}, Mark::points, {}, true},
                      {"bins", {1, 2, 4}, {3, 0}, {}, Mark::steps, 9}},
-          .width = 400,
-          .height = 200};
+          .shape = 0.5};
 }
 
 TEST(PlotJson, holds_what_the_script_draws) {

@@ -254,7 +254,7 @@ report::Plot plot_of(const Outcome& outcome) {
                   report::column(table, "of_motion"),
                   {},
                   report::Mark::line}},
-      .height = 300};
+      .shape = 0.42};
 }
 
 std::string panel(const Outcome& outcome) {

@@ -74,7 +74,7 @@ Plot by_energy(const results::Outcome& outcome, std::string_view name, double fa
                       .logarithmic = true},
             .y = Axis{.label = "", .logarithmic = true},
             .series = {},
-            .height = 300};
+            .shape = 0.42};
   for (Kind& kind : kinds(table)) {
     std::erase_if(kind.rows.rows,
                   [&](const auto& row) { return row[2] < most / decades; });  // the energy
@@ -193,7 +193,7 @@ Plot captured_grains_plot(const results::Outcome& outcome) {
           .y = Axis{.label = "share in a bin (%)"},
           .series = {{"of their energy", edges, hard, {}, Mark::steps},
                      {"of the collisions", edges, often, {}, Mark::steps}},
-          .height = 280};
+          .shape = 0.39};
 }
 
 Plot sizes_plot(const results::Outcome& outcome) {
@@ -289,7 +289,7 @@ Plot surface_plot(const results::Outcome& outcome) {
   Plot plot = over_log_time(outcome);
   plot.title = "Specific surface over time of milling";
   plot.y.label = "m²/kg";
-  plot.height = 280;
+  plot.shape = 0.39;
   const Table table = results::grinding(outcome);
   const double longest = largest(column(table, "time"));
   for (const std::string_view method : method_prefixes)

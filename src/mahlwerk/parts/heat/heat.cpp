@@ -164,7 +164,7 @@ report::Plot temperature_plot(const Outcome& outcome) {
                       report::column(table, "jar"),
                       {},
                       report::Mark::line}},
-          .height = 280};
+          .shape = 0.39};
 }
 
 std::string panel(const Outcome& outcome) {

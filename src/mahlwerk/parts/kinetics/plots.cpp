@@ -29,7 +29,7 @@ Plot over_time(const results::Outcome& outcome, std::string_view name, double fa
       .y = report::Axis{.label = ""},
       .series =
           {{"", column(table, "time", unit.factor), column(table, name, factor), {}, Mark::line}},
-      .height = 280};
+      .shape = 0.39};
 }
 
 }  // namespace

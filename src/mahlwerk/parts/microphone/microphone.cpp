@@ -136,7 +136,7 @@ report::Plot plot_of(const Outcome& outcome) {
       .y = report::Axis{.label = "hits per second with at least this energy", .logarithmic = true},
       .series =
           {{"", report::column(table, "energy_low", unit.factor), rate, {}, report::Mark::line}},
-      .height = 300};
+      .shape = 0.42};
   constexpr double decades = 1e7;  // the weakest bounces of a settling ball are not drawn
   if (!energy.empty() && energy.front() < energy.back() / decades)
     plot.x.least = energy.back() / unit.factor / decades;

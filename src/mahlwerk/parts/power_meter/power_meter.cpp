@@ -204,7 +204,7 @@ report::Plot readings_plot(const Outcome& outcome, std::string title, std::strin
                       report::column(table, name, unit.factor),
                       {},
                       report::Mark::line}},
-          .height = 260};
+          .shape = 0.36};
 }
 
 std::string panel(const Outcome& outcome) {

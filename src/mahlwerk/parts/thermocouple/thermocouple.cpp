@@ -131,7 +131,7 @@ report::Plot plot_of(const Outcome& outcome) {
       .series =
           {{"reading", time, report::column(table, "reading"), {}, report::Mark::line},
            {"where it is", time, report::column(table, "surroundings"), {}, report::Mark::line}},
-      .height = 280};
+      .shape = 0.39};
 }
 
 std::string panel(const Outcome& outcome) {

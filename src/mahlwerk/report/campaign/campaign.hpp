@@ -28,8 +28,4 @@ std::string campaign_table(const Campaign& campaign, std::string_view where = "c
 /// left out if there are more than 5000.
 std::string campaign_json(const Campaign& campaign, std::string_view version);
 
-/// CSV table of a campaign without store: a row per point; the swept keys, then every quantity and
-/// its ci95.
-std::string campaign_csv(const Campaign& campaign);
-
 }  // namespace mahlwerk::report

@@ -128,8 +128,7 @@ Plot regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
             .x = Axis{.label = axis_label(sheet.campaign.keys[x])},
             .y = Axis{.label = axis_label(sheet.campaign.keys[y])},
             .series = {},
-            .width = 480,
-            .height = 340};
+            .shape = 0.7};
   for (std::size_t k = 0; k < words.size(); ++k) {
     Series series{.name = words[k], .mark = Mark::dots};
     for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {

@@ -28,17 +28,8 @@ Plot empty_plot(const Sheet& sheet, std::size_t key, std::size_t column) {
   const results::Range range = results::range_of(sheet.campaign.columns[column].name);
   plot.y.range_least = range.least / m.factor;
   plot.y.range_most = range.most / m.factor;
-  plot.width = 480;
-  plot.height = 300;
+  plot.shape = 0.625;
   return plot;
-}
-
-/// Increases the height of the plot for a legend of several rows.
-void make_room(Plot& plot) {
-  std::size_t letters = 0;
-  for (const Series& s : plot.series) letters += s.name.empty() ? 0 : width(s.name) + 7;
-  constexpr std::size_t row = 56;
-  if (letters > row) plot.height += 18.0 * static_cast<double>(letters / row);
 }
 
 void settle_axes(Plot& plot) {
@@ -85,7 +76,6 @@ Picture line_plot(const Sheet& sheet, const Layout& layout, std::size_t column) 
   std::size_t drawn = 0;
   for (Series& series : plot.series) drawn += thin(series, max_marks / plot.series.size());
   for (Series& curve : fitted.curves) plot.series.push_back(std::move(curve));
-  make_room(plot);
   return {picture_json(plot), drawn_of(drawn, sheet.campaign.points.size()) + fitted.table};
 }
 
@@ -141,7 +131,6 @@ Picture dot_plot(const Sheet& sheet, std::size_t key, std::size_t column, std::s
   }
   settle_axes(plot);
   close_in(plot.x, sheet.keys[key]);
-  make_room(plot);
   return {picture_json(plot), drawn_of(std::min(points, most), points)};
 }
 

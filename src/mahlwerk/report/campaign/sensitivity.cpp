@@ -87,16 +87,13 @@ Plot scatter_of(const Sensitivity& s, const Multiple& m) {
             .x = Axis{.label = with_unit("mean absolute effect, µ*", m), .least = 0},
             .y = Axis{.label = with_unit("standard deviation, σ", m), .least = 0},
             .series = {},
-            .width = 480,
-            .height = 320};
+            .shape = 0.65};
   for (const Effect& e : largest_first(s)) {
     Series series{.name = e.key, .mark = Mark::dots};
     series.x = {e.mean_absolute.value / m.factor};
     series.y = {e.deviation.value / m.factor};
     series.error = {e.deviation.half_width() / m.factor};
     plot.series.push_back(std::move(series));
-    const double row = 56;  // letters
-    plot.height += 18 * static_cast<double>(width(e.key) + 7) / row;
   }
   return plot;
 }

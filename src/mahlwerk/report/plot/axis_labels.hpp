@@ -7,7 +7,7 @@
 
 #include "mahlwerk/report/text/readable.hpp"
 
-// Labels of axes in figures: name, symbol and unit (marks as in rich_text.hpp).
+// Labels of axes in figures: name, symbol and unit (marks as in plot.hpp).
 namespace mahlwerk::report {
 
 /// Symbol of a quantity of summary.json, "$E_{n}$"; empty if it has none.

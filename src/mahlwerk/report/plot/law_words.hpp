@@ -15,7 +15,7 @@ struct LawAxes {
   Multiple multiple;  ///< of the unit of y
 };
 
-/// The equation of a law and its R2, with marks as in rich_text.hpp: "$E_{c}$ = 1.03 mJ ($f$/17
+/// The equation of a law and its R2, with marks as in plot.hpp: "$E_{c}$ = 1.03 mJ ($f$/17
 /// Hz)^{1.99}, $R$² = 0.9999". The coefficients of lines and parabolas are in the units of the
 /// axes.
 std::string law_words(const FittedLaw& law, const LawAxes& axes);

@@ -122,8 +122,7 @@ std::string picture_json(const Plot& plot) {
     series += (i > 0 ? "," : "") + series_json(plot.series[i], i, plot.y);
   return fmt::format(
       "{{\"kind\":\"plot\",\"title\":{},\"x\":{},\"y\":{},\"series\":[{}],\"shape\":{}}}",
-      json_string(plot.title), axis_json(plot.x), axis_json(plot.y), series,
-      number(plot.height / plot.width));
+      json_string(plot.title), axis_json(plot.x), axis_json(plot.y), series, number(plot.shape));
 }
 
 std::string picture_json(const BarPlot& plot) {

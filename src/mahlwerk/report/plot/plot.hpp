@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+// Curves as data, which the script of a page draws. Marks in labels: "$E_{n}$" is an italic E with
+// the upright subscript n, "f^{2}" a superscript; a mark without its counterpart stands as it is.
 namespace mahlwerk::report {
 
 enum class Mark {
@@ -28,7 +30,7 @@ struct Interval {
 };
 
 struct Series {
-  /// In the legend, with marks as in rich_text.hpp; empty: no entry.
+  /// In the legend, with marks; empty: no entry.
   std::string name;
   std::vector<double> x = {}, y = {};
   std::vector<double> error = {};  ///< half-widths of y, or empty
@@ -43,7 +45,7 @@ struct Series {
 /// Write its type where it is initialised inside a Plot, `.x = Axis{...}`: if a later member
 /// throws, g++ 12 destroys an axis without type twice.
 struct Axis {
-  /// With its unit, "impact energy (mJ)", and marks as in rich_text.hpp.
+  /// With its unit, "impact energy (mJ)", and marks.
   std::string label;
   bool logarithmic = false;
   /// Limits; NaN: from the data.
@@ -61,8 +63,7 @@ struct Plot {
   std::string title;
   Axis x, y;
   std::vector<Series> series;
-  double width = 720, height = 360;  ///< [px] of the view box; it scales to the page
-  double font = 12;                  ///< [px] font size
+  double shape = 0.5;  ///< height over width
 };
 
 }  // namespace mahlwerk::report

@@ -1,22 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Symbols, axis labels and equations of laws.
-#include "mahlwerk/report/plot/rich_text.hpp"
-
+// Labels of axes and equations of laws.
 #include <gtest/gtest.h>
 
 #include "mahlwerk/report/plot/axis_labels.hpp"
 #include "mahlwerk/report/plot/law_words.hpp"
 
-namespace mahlwerk::report::rich_text_test {
+namespace mahlwerk::report::labels_test {
 namespace {
-
-TEST(RichText, is_plain_without_its_marks) {
-  EXPECT_EQ(plain_text("$E_{n}$ = 2 mJ ($f$/17 Hz)^{1.99}"), "En = 2 mJ (f/17 Hz)1.99");
-  for (const char* text : {"5 $", "f_mat", "x_w_min ^ 2", "a_{b"})
-    EXPECT_EQ(plain_text(text), text);
-}
 
 TEST(AxisLabels, have_name_symbol_and_unit) {
   EXPECT_EQ(quantity_axis("energy_normal_mean_above_threshold", {1e-3, "mJ"}),
@@ -46,4 +38,4 @@ TEST(LawWords, are_the_equation_in_the_units_of_the_axes_and_its_r_squared) {
 }
 
 }  // namespace
-}  // namespace mahlwerk::report::rich_text_test
+}  // namespace mahlwerk::report::labels_test
