@@ -6,9 +6,16 @@
 
 #include "mahlwerk/report/plot/axis_labels.hpp"
 #include "mahlwerk/report/plot/law_words.hpp"
+#include "mahlwerk/report/plot/rich_text.hpp"
 
 namespace mahlwerk::report::labels_test {
 namespace {
+
+TEST(RichText, is_plain_without_its_marks) {
+  EXPECT_EQ(plain_text("$E_{n}$ = 2 mJ ($f$/17 Hz)^{1.99}"), "En = 2 mJ (f/17 Hz)1.99");
+  for (const char* text : {"5 $", "f_mat", "x_w_min ^ 2", "a_{b"})
+    EXPECT_EQ(plain_text(text), text);
+}
 
 TEST(AxisLabels, have_name_symbol_and_unit) {
   EXPECT_EQ(quantity_axis("energy_normal_mean_above_threshold", {1e-3, "mJ"}),
