@@ -94,7 +94,7 @@ MapPanel field(const PlaneField& f, double densest, double fastest, double ring)
 
 }  // namespace
 
-std::optional<ColourMap> wall_map(const results::Outcome& outcome) {
+std::optional<ColourMap> wall_power_map(const results::Outcome& outcome) {
   const results::WallRates rates = results::wall_rates(outcome);
   ColourMap map{.title = "Impacts on the wall", .quantity = "power lost per area", .unit = "W/m²"};
   std::vector<double> all;
@@ -110,7 +110,7 @@ std::optional<ColourMap> wall_map(const results::Outcome& outcome) {
   return map;
 }
 
-std::optional<ColourMap> field_map(const results::Outcome& outcome) {
+std::optional<ColourMap> charge_map(const results::Outcome& outcome) {
   const observe::Charge charge = results::charge_of(outcome);
   if (!(charge.mass_total > 0)) return std::nullopt;
   std::vector<double> found;
@@ -140,7 +140,7 @@ std::optional<ColourMap> field_map(const results::Outcome& outcome) {
   return map;
 }
 
-std::optional<ColourMap> normal_tangential_map(const results::Outcome& outcome) {
+std::optional<ColourMap> joint_energy_map(const results::Outcome& outcome) {
   const results::Table table = results::normal_tangential(outcome);
   if (table.rows.empty()) return std::nullopt;
   const auto octave = [](double low) {

@@ -11,13 +11,13 @@
 namespace mahlwerk::report {
 
 /// The jar's wall, unrolled, and its two ends, coloured by the power lost by impacts per area.
-std::optional<ColourMap> wall_map(const results::Outcome& outcome);
+std::optional<ColourMap> wall_power_map(const results::Outcome& outcome);
 
 /// Mass and mean velocity of the charge in the plane of motion, in the frames of the carrier and of
 /// the jar.
-std::optional<ColourMap> field_map(const results::Outcome& outcome);
+std::optional<ColourMap> charge_map(const results::Outcome& outcome);
 
 /// Joint histogram of collisions by normal and tangential energy.
-std::optional<ColourMap> normal_tangential_map(const results::Outcome& outcome);
+std::optional<ColourMap> joint_energy_map(const results::Outcome& outcome);
 
 }  // namespace mahlwerk::report

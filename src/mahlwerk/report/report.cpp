@@ -128,7 +128,7 @@ std::string spectra_section(const Outcome& outcome) {
              "bounces are not drawn; spectrum.csv has all of them, spectra_by_pair.csv by pair.") +
          figure(energy_weighted_plot(outcome),
                 "The same weighted by energy: shows which impacts carry the power.") +
-         figure(normal_tangential_map(outcome),
+         figure(joint_energy_map(outcome),
                 "Collisions per second by normal and tangential energy, one bin per octave; the "
                 "colours cover four decades.") +
          figure(angle_plot(outcome),
@@ -137,10 +137,10 @@ std::string spectra_section(const Outcome& outcome) {
 
 std::string maps_section(const Outcome& outcome) {
   std::string text =
-      figure(wall_map(outcome),
+      figure(wall_power_map(outcome),
              "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
              "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
-  text += figure(field_map(outcome),
+  text += figure(charge_map(outcome),
                  "Mean over the counted time in the plane of motion: mass per area as colour, "
                  "mean velocity as arrows. fields.csv has the numbers.");
   if (text.empty()) return "";
