@@ -47,12 +47,13 @@ async function the_soft_engine_has_the_bits_of_the_program(given) {
 }
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
-const brief = ["run.time=0.02 s", "run.settle=0 s", "run.replicates=2", "run.sensitivity=off"];
+const brief = (name) => [`run.time=${name === "06-powder-as-grains" ? 0.02 : 0.1} s`, "run.settle=0 s",
+  "run.replicates=2", "run.sensitivity=off"];
 
-/// The files of the result of an example that runs for 20 ms.
+/// The files of the result of an example that runs for a moment.
 function filesOfExample(native, name, out) {
   const command = name === "09-campaign" ? "sweep" : "run";
-  execFileSync(native, [command, `${examples}/${name}`, "--out", out, "--quiet", ...brief.flatMap((each) => ["--set", each])]);
+  execFileSync(native, [command, `${examples}/${name}`, "--out", out, "--quiet", ...brief(name).flatMap((each) => ["--set", each])]);
   const names = readdirSync(out).filter((file) => /\.(json|csv|toml|html)$/.test(file));
   return Object.fromEntries(names.map((file) => [file, readFileSync(`${out}/${file}`, "utf8")]));
 }
@@ -65,7 +66,10 @@ async function results_of_all_examples_are_shown({ page, url, folder, native }) 
   for (const name of names) {
     const files = filesOfExample(native, name, `${folder}/${name}`);
     await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, files) });
-    await page.waitForFunction(() => document.querySelector("#status").textContent.startsWith("Opened: "));
+    const opened = () => document.querySelector("#status").textContent.startsWith("Opened: ");
+    await page.waitForFunction(opened).catch(async () => {
+      throw new Error(`${name}: ${await page.textContent("#status")}`);
+    });
     await tab(page, "report");
     const told = JSON.parse(files["summary.json"] ?? files["campaign.json"]), title = told._about?.title ?? told.title;
     await page.frameLocator("iframe").locator("h1").filter({ hasText: title }).waitFor();

@@ -37,7 +37,7 @@ async function the_keyboard_suffices({ page, url }) {
   expect("it goes there", await page.evaluate(() => document.activeElement.id), "result");
   await page.focus("#tab-quantities");
   await page.keyboard.press("ArrowRight");
-  expect("arrows change the tab", await page.evaluate(() => document.activeElement.id), "tab-comparison");
+  expect("arrows change the tab", await page.evaluate(() => document.activeElement.id), "tab-report");
   await runAgain(page, () => page.keyboard.press("Control+Enter"));
 }
 

@@ -19,7 +19,7 @@ function binned(table, column) {
   const values = columnOf(table, column);
   const bins = new Map();
   lows?.forEach((low, i) => {
-    if (!(values[i] > 0)) return;
+    if (!(values[i] > 0 && low > 0)) return; // the lowest bin begins at 0
     const bin = Math.floor(Math.log2(low * 1.0001) / octaves);
     bins.set(bin, (bins.get(bin) ?? 0) + values[i] / octaves);
   });
