@@ -288,7 +288,7 @@ Fit fit(const std::vector<results::Outcome>& mills, const Measurements& data,
     return std::isnan(p.simulation_ci95);
   };
   if (std::ranges::any_of(made.result.parameters, unknown_scatter))
-    made.result.remarks.push_back(
+    made.result.remarks.emplace_back(
         "the mill ran one replicate: the contribution of its scatter to the intervals is not "
         "known");
   return made;
