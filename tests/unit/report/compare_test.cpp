@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "unit/report/html.hpp"
 #include "unit/results/fake.hpp"
 
 namespace mahlwerk::report::compare_test {

@@ -4,6 +4,7 @@
 // Verdicts on the vertical vibration mill are those of the mill, not of the seed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 
 #include "program.hpp"
