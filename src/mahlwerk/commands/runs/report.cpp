@@ -49,7 +49,7 @@ fs::path campaign_page_in(const fs::path& place) {
 /// The page of another result, whose words and numbers stay.
 fs::path renewed_page_in(const fs::path& place) {
   for (const char* name : pages) {
-    const fs::path file = place / name;
+    fs::path file = place / name;
     if (!fs::exists(file)) continue;
     const std::optional<std::string> made = report::renewed_page(content_of(file));
     if (!made)
