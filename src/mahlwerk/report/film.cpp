@@ -35,6 +35,7 @@ class FilmReplicate {
   FilmReplicate(const results::Outcome& outcome, std::size_t replicate)
       : film_(outcome.replicates[replicate].replay),
         mill_(cases::chamber(outcome.mill_case)),
+        // NOLINTNEXTLINE: the constructor of Charge, in another file, sets its fields
         charge_(mill_, outcome.replicates[replicate].tally.wall_map.grid().radius) {}
 
   double half() const { return charge_.in_jar.half(); }

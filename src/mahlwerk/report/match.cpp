@@ -61,7 +61,7 @@ std::vector<std::string> sentences(const MatchResult& found) {
   std::vector<std::string> all;
   if (!found.search.best) return sentences(found.search);
   if (!std::isfinite(found.difference.p_value))
-    all.push_back("With fewer than two replicates of each mill their scatter is unknown");
+    all.emplace_back("With fewer than two replicates of each mill their scatter is unknown");
   else if (found.difference.within_scatter())
     all.push_back(
         fmt::format("The two mills cannot be distinguished: with randomly permuted labels their "

@@ -63,7 +63,7 @@ std::vector<ReplicateGroup> split(const Outcome& outcome, const std::vector<cons
   if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) return {};
   const auto found = observe::two_groups(values);
   if (!found) return {};
-  double highest_low = -INFINITY, lowest_high = INFINITY;
+  double highest_low = -HUGE_VAL, lowest_high = HUGE_VAL;
   for (const double v : values)
     if (v > found->between)
       lowest_high = std::min(lowest_high, v);

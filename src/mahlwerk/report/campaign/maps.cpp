@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "mahlwerk/report/campaign/plots.hpp"
@@ -42,7 +43,7 @@ ColourMap empty_map(const Sheet& sheet, std::size_t column) {
   ColourMap map;
   const Multiple& m = sheet.multiples[column];
   map.title = map.quantity = column_label(sheet.campaign.columns[column], m);
-  map.least = INFINITY, map.most = -INFINITY;
+  map.least = HUGE_VAL, map.most = -HUGE_VAL;
   for (const Point& p : sheet.campaign.points) {
     const double v = value_at(p, column) / m.factor;
     if (!std::isfinite(v)) continue;
@@ -129,10 +130,10 @@ Plot regime_dots(const Sheet& sheet, std::size_t x, std::size_t y,
             .y = Axis{.label = axis_label(sheet.campaign.keys[y])},
             .series = {},
             .shape = 0.7};
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    Series series{.name = words[k], .mark = Mark::dots};
+  for (const std::string& word : words) {
+    Series series{.name = word, .mark = Mark::dots};
     for (std::size_t i = 0; i < sheet.campaign.points.size(); ++i) {
-      if (sheet.campaign.points[i].regime != words[k]) continue;
+      if (sheet.campaign.points[i].regime != word) continue;
       series.x.push_back(sheet.keys[x].numbers[sheet.keys[x].of[i]]);
       series.y.push_back(sheet.keys[y].numbers[sheet.keys[y].of[i]]);
     }
