@@ -8,6 +8,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,6 +29,7 @@
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/csv.hpp"
 #include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/files/manifest.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
 #include "outcome.hpp"
 
@@ -211,6 +213,10 @@ void bind_papers(py::module_& m) {
   m.def("page", [](const std::string& title, const std::string& body, const std::string& footer) {
     return report::page(title, body, footer);
   });
+  m.def("listed_files", [](const std::filesystem::path& folder) {
+    return results::listed_files(folder).value_or(std::set<std::string>());
+  });
+  m.def("list_files", &results::list_files);
   m.def("data_folder", [](const std::string& part) { return mahlwerk::data_folder(part); });
 }
 

@@ -73,15 +73,30 @@ def test_what_is_wrong_is_said_before_anything_runs():
     assert not Path("out").exists()
 
 
-def test_a_folder_with_other_files_is_not_written_into_unasked():
+SHORT = ["mine", "--set", "run.time=1 s", "--set", "run.replicates=2", "--out", "out", "--quiet"]
+
+
+def test_a_folder_with_other_files_is_never_written_into():
     paper()
-    Path("out").mkdir()
-    Path("out/thesis.txt").write_text("mine")
-    short = ["mine", "--set", "run.time=1 s", "--set", "run.replicates=2", "--out", "out", "--quiet"]
-    code, told = papers(*short)
-    assert code == 2 and "holds no results of a paper" in told
-    assert papers(*short, "--force")[0] == 0
-    assert Path("out/thesis.txt").read_text() == "mine" and Path("out/claims.csv").is_file()
+    Path("out/figures").mkdir(parents=True)
+    Path("out/figures/thesis.txt").write_text("mine")
+    for words in (SHORT, [*SHORT, "--force"]):
+        code, told = papers(*words)
+        assert code == 2 and "holds no results of a paper" in told
+        assert os.listdir("out") == ["figures"] and os.listdir("out/figures") == ["thesis.txt"]
+
+
+def test_files_of_others_among_the_figures_stay_and_old_figures_go():
+    paper()
+    assert papers(*SHORT) == (0, "")
+    Path("out/figures/mine.svg").write_text("mine")
+    assert Path("out/figures/figure-1.svg").is_file()
+    file = Path("mine/paper.py")
+    file.write_text(file.read_text().replace('figure("1"', 'figure("2"'))
+    for words in (SHORT, [*SHORT, "--force"]):
+        assert papers(*words) == (0, "")
+        assert Path("out/figures/mine.svg").read_text() == "mine"
+        assert Path("out/figures/figure-2.svg").is_file() and not Path("out/figures/figure-1.svg").exists()
 
 
 def test_json_has_the_checks_and_no_other_words():

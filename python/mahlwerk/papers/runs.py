@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -59,7 +58,7 @@ class PaperJob:
                 self.cases[name] = case
             except InputError as error:
                 faults += error.faults
-        faults = faults or reference_faults(self.paper, self.cases) or foreign(out, settings.force)
+        faults = faults or reference_faults(self.paper, self.cases) or foreign(out)
         if faults:
             raise InputError(faults)
 
@@ -83,23 +82,19 @@ class PaperJob:
         """Judges the results in the folder and writes the files of the paper."""
         campaigns = {name: Campaign(self.out / name) for name in self.cases}
         result = result_of(self.paper, campaigns, self.settings.changes)
-        figures: dict[str, bytes] = {}
+        files: dict[str, bytes] = {}
         for figure in result.figures:
-            figures.update({name: text.encode() for name, text in figure.tables.items()})
+            files.update({f"figures/{name}": text.encode() for name, text in figure.tables.items()})
             if not figure.empty:
-                figures.update(figure.files())
-        figures["captions.md"] = captions_markdown(result.figures).encode()
-        tables: dict[str, bytes] = {}
+                files.update({f"figures/{name}": content for name, content in figure.files().items()})
+        files["figures/captions.md"] = captions_markdown(result.figures).encode()
         for table, made in result.tables:
-            tables[f"{table.name}.md"] = markdown(made).encode()
-            tables[f"{table.name}.csv"] = made.csv.encode()
-        write_folder(self.out / "figures", figures)
-        if tables:
-            write_folder(self.out / "tables", tables)
-        svg = {name[:-4]: content for name, content in figures.items() if name.endswith(".svg")}
-        write_file(self.out / "claims.csv", checks_csv(result).encode())
-        write_file(self.out / "claims.md", checks_markdown(result).encode())
-        write_file(self.out / "paper.html", page(result, svg).encode())
+            files[f"tables/{table.name}.md"] = markdown(made).encode()
+            files[f"tables/{table.name}.csv"] = made.csv.encode()
+        svg = {Path(name).stem: content for name, content in files.items() if name.endswith(".svg")}
+        files.update({"claims.csv": checks_csv(result).encode(), "claims.md": checks_markdown(result).encode(),
+                      "paper.html": page(result, svg).encode()})
+        write_files(self.out, files)
         return result
 
 
@@ -120,14 +115,14 @@ def seconds_of(campaign: Campaign) -> float:
     return float(rows[0][0])
 
 
-def foreign(out: Path, force: bool) -> list[Any]:
+def foreign(out: Path) -> list[Any]:
     """A fault if the folder holds something else than the results of a paper."""
-    if force or not out.exists() or not any(out.iterdir()):
+    if not out.exists() or not any(out.iterdir()):
         return []
     if any((out / name).exists() for name in OURS) or any(out.glob("*/campaign.sqlite")):
         return []
     return [_core.Fault(os.fspath(out), "the folder holds no results of a paper, and is not empty",
-                        "choose another folder with --out, or write into it with --force", "result-exists")]
+                        "choose another folder with --out", "result-exists")]
 
 
 def write_file(file: Path, content: bytes) -> None:
@@ -148,12 +143,16 @@ def write_file(file: Path, content: bytes) -> None:
                                       "free space, or choose another folder", "cannot-write")]) from None
 
 
-def write_folder(folder: Path, files: Mapping[str, bytes]) -> None:
-    """Writes the files of a folder that only this program writes into; others of an earlier run go."""
-    if folder.is_dir():
-        shutil.rmtree(folder)
+def write_files(out: Path, files: Mapping[str, bytes]) -> None:
+    """Writes files of a paper by their paths below the folder. Those that an earlier run wrote into
+    figures and tables go, if they are not written again; files of others stay."""
+    before = _core.listed_files(out)
+    _core.list_files(out, list(files))
     for name, content in files.items():
-        write_file(folder / name, content)
+        write_file(out / name, content)
+    for name in before - set(files):
+        if name.startswith(("figures/", "tables/")) and ".." not in name:
+            (out / name).unlink(missing_ok=True)
 
 
 def run_paper(folder: Union[str, os.PathLike[str]], out: Union[str, os.PathLike[str]],
