@@ -55,8 +55,8 @@ async function smoke(firefox, url, origin) {
   const collisions = await firefox.run(
     'return document.querySelector(\'.counter[data-key="collisions"] .value\').textContent');
   expect("collisions", Number(collisions.replace(/\D/g, "")) > 0);
-  await firefox.run(`${press("#tab-files")}; ${press("#panel-files button")}`);
-  await firefox.until('return document.querySelector("dialog iframe") !== null');
+  await firefox.run(press("#tab-report"));
+  await firefox.until('return document.querySelector("iframe") !== null');
   expect("errors", await firefox.run(errors, "chrome"), []);
   const requests = await firefox.run(
     'return Services.wm.getMostRecentWindow("navigator:browser").requestsOfTest', "chrome");

@@ -3,13 +3,15 @@
 
 // The page computes the numbers of the program to the bit.
 
-import { execFileSync } from "node:child_process";
+import { execFile } from "node:child_process";
 import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
 import { write } from "../src/case/toml_text.js";
 import { expect, Skip } from "./check.js";
 import { dropped, open, openCase, runAgain, saved, tab } from "./steps.js";
 
+const call = promisify(execFile);
 const planetary = readFileSync(new URL("../examples/planetary-mill.toml", import.meta.url), "utf8");
 const values = { "run.time": "0.2 s", "run.settle": "0.1 s", "run.replicates": 2,
   "run.sensitivity": "off" }; // the page computes no further runs with other assumed values
@@ -25,7 +27,7 @@ async function sameBits({ page, url, folder, native }, toml) {
   if (!native || !existsSync(native)) throw new Skip(`no program is named by --native${native ? `: ${native}` : ""}`);
   mkdirSync(`${folder}/native`);
   writeFileSync(`${folder}/case.toml`, toml);
-  execFileSync(native, ["run", `${folder}/case.toml`, "--out", `${folder}/native`, "--quiet"]);
+  await call(native, ["run", `${folder}/case.toml`, "--out", `${folder}/native`, "--quiet"]);
   await openCase(page, url, toml);
   await runAgain(page);
   await tab(page, "files");
@@ -51,9 +53,10 @@ const brief = (name) => [`run.time=${name === "06-powder-as-grains" ? 0.02 : 0.1
   "run.replicates=2", "run.sensitivity=off"];
 
 /// The files of the result of an example that runs for a moment.
-function filesOfExample(native, name, out) {
+async function filesOfExample(native, name, out) {
   const command = name === "09-campaign" ? "sweep" : "run";
-  execFileSync(native, [command, `${examples}/${name}`, "--out", out, "--quiet", ...brief(name).flatMap((each) => ["--set", each])]);
+  await call(native, [command, `${examples}/${name}`, "--out", out, "--quiet",
+    ...brief(name).flatMap((each) => ["--set", each])]);
   const names = readdirSync(out).filter((file) => /\.(json|csv|toml|html)$/.test(file));
   return Object.fromEntries(names.map((file) => [file, readFileSync(`${out}/${file}`, "utf8")]));
 }
@@ -64,7 +67,7 @@ async function results_of_all_examples_are_shown({ page, url, folder, native }) 
   expect("examples", names.length, 12);
   await open(page, url);
   for (const name of names) {
-    const files = filesOfExample(native, name, `${folder}/${name}`);
+    const files = await filesOfExample(native, name, `${folder}/${name}`);
     await page.dispatchEvent("body", "drop", { dataTransfer: await dropped(page, files) });
     const opened = () => document.querySelector("#status").textContent.startsWith("Opened: ");
     await page.waitForFunction(opened).catch(async () => {
@@ -79,5 +82,5 @@ async function results_of_all_examples_are_shown({ page, url, folder, native }) 
   }
 }
 
-export const nativeTests = [results_of_all_examples_are_shown,the_event_engine_has_the_bits_of_the_program,
+export const nativeTests = [results_of_all_examples_are_shown, the_event_engine_has_the_bits_of_the_program,
   the_soft_engine_has_the_bits_of_the_program];
