@@ -6,7 +6,7 @@
 
 import { fragmentOf } from "../src/case/share.js";
 
-export const limit = 120e3; // ms; software rendering on a busy machine is slow
+export const limit = 300e3; // ms; software rendering on a busy machine is slow, a hang is longer
 
 export const ended = (page, status = "done") =>
   page.waitForSelector(`body[data-run="${status}"]`, { timeout: limit });
@@ -28,7 +28,12 @@ export async function openCase(page, url, toml) {
 export async function runAgain(page, act = () => page.click("#run"), status = "done") {
   const before = Number(await page.evaluate(() => document.body.dataset.runs ?? 0));
   await act();
-  await page.waitForSelector(`body[data-runs="${before + 1}"][data-run="${status}"]`, { timeout: limit });
+  await page.waitForSelector(`body[data-runs="${before + 1}"][data-run="${status}"]`, { timeout: limit })
+    .catch(async () => {
+      const found = await page.evaluate(() => [JSON.stringify(document.body.dataset),
+        document.querySelector("#status").textContent, document.querySelector(".result .title")?.textContent]);
+      throw new Error(`run ${before + 1} was not "${status}" in time: ${found.join(", ")}`);
+    });
 }
 
 /// Opens a tab of the result or of the case by its key.
