@@ -31,11 +31,16 @@ class Found:
 
     numbers, rows, html = "", "", ""
 
+    @property
+    def known_by(self) -> str:
+        """The file that such a folder always has."""
+        return self.numbers
+
     def __init__(self, folder: Union[str, os.PathLike[str]]):
         self.folder = Path(folder)
-        if not (self.folder / (self.numbers or self.rows)).is_file():
+        if not (self.folder / self.known_by).is_file():
             raise InputError([_core.Fault(
-                os.fspath(folder), f"there is no {self.numbers or self.rows} in the folder",
+                os.fspath(folder), f"there is no {self.known_by} in the folder",
                 "give the folder that the command wrote", "no-result")])
 
     @cached_property
@@ -165,7 +170,8 @@ class Match(Remarks):
 class Comparison(Found):
     """One case run by both engines."""
 
-    rows, html = "compare.csv", "compare.html"
+    numbers, rows, html = "compare.json", "compare.csv", "compare.html"
+    known_by = "compare.csv"  # older versions wrote no compare.json
 
     @property
     def event(self) -> Result:

@@ -113,6 +113,11 @@ def test_match_and_compare_are_those_of_the_command_line(example, program, tmp_p
     one, other = (t[t["quantity"] != "computing_time"] for t in (found.table, there))
     equal_tables(one, other)
     assert (found.event.engine, found.soft.engine) == ("event", "soft")
+    assert found.data["study"] == "compare" and "How to read it" in found.data["remarks"][-1]
+    power = found.table[found.table["quantity"] == "dissipated_power"]
+    assert found.data["quantities"]["dissipated_power"]["event"] == power["event"][0]
+    (found.folder / "compare.json").unlink()  # as in folders of older versions
+    assert len(mahlwerk.open("here").table) == len(found.table)
 
 
 def test_opening_something_else_is_refused(tmp_path):

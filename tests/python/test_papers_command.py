@@ -12,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+import mahlwerk
+
 HOME = Path(__file__).resolve().parents[2]
 PROGRAM = os.environ["MAHLWERK_PROGRAM"]
 LONG = ["--set", "run.time=4000 s", "--set", "run.replicates=1"]
@@ -104,6 +106,8 @@ def test_json_has_the_checks_and_no_other_words():
     ended = subprocess.run([PROGRAM, "papers", "mine", "--set", "run.time=1 s", "--out", "out", "--json"],
                            capture_output=True, text=True, check=True)
     (told,) = json.loads(ended.stdout)
+    assert {**json.loads(Path("out/paper.json").read_text()), "results": "out"} == told
+    assert (told["study"], told["mahlwerk"]) == ("paper", mahlwerk.__version__)
     assert told["title"] == "T" and told["claims"][0]["says"] == "s"
     assert told["claims"][0]["holds"] in ("yes", "partly", "no", "undecided")
     refused = subprocess.run([PROGRAM, "papers", "nowhere", "--json"], capture_output=True, text=True, check=False)

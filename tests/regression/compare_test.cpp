@@ -20,8 +20,9 @@ TEST_F(Compare, leaves_both_results_a_table_and_a_page) {
   EXPECT_EQ(e.code, 0) << e.output;
   for (const char* words : {"soft/event", "dissipated power", "1 to 2 m/s", "How to read it"})
     EXPECT_NE(e.output.find(words), std::string::npos) << words << "\n" << e.output;
-  for (const char* file : {"compare.csv", "compare.html", "event/summary.json", "soft/summary.json",
-                           "event/report.html", "soft/report.html", "soft/frames-5.xyz"})
+  for (const char* file :
+       {"compare.csv", "compare.html", "compare.json", "event/summary.json", "soft/summary.json",
+        "event/report.html", "soft/report.html", "soft/frames-5.xyz"})
     EXPECT_TRUE(exists(std::string("out/") + file)) << file;
   const std::string table = text("out/compare.csv");
   EXPECT_TRUE(table.starts_with("quantity,unit,event,event_ci95,soft,soft_ci95,ratio,"));
@@ -71,7 +72,8 @@ TEST_F(Compare, that_is_interrupted_or_killed_writes_nothing_and_resumes_to_the_
 TEST_F(Compare, json_has_both_columns) {
   const ProgramResult e = mahlwerk("compare " + short_ + "--json");
   EXPECT_EQ(e.code, 0) << e.output;
-  for (const char* word : {"\"event_ci95\"", "\"soft_ci95\"", "\"apart\""})
+  for (const char* word : {"\"study\": \"compare\"", "\"collision_rate_by_energy_normal\"",
+                           "\"event_ci95\"", "\"soft_ci95\"", "\"apart\""})
     EXPECT_NE(e.output.find(word), std::string::npos) << e.output;
 }
 

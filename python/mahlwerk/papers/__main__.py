@@ -15,7 +15,7 @@ from typing import Any, Optional
 from .. import _core
 from ..errors import InputError, Interrupted
 from .overview import Row, overview_csv, overview_markdown, overview_page, rows_of, score
-from .page import PaperResult, as_json, checks_text
+from .page import PaperResult, checks_text, paper_data
 from .paper import Paper, read_paper
 from .runs import PaperJob, Settings, write_file
 
@@ -127,7 +127,7 @@ def work(given: argparse.Namespace) -> int:
         result, failed = job.run()
         rows += rows_of(result, job.out.resolve().name)
         if given.json:
-            told.append(as_json(result, os.fspath(job.out)))
+            told.append({**paper_data(result), "results": os.fspath(job.out)})
         elif not given.quiet:
             print_summary(job, result, time.monotonic() - began)
         if failed is not None:

@@ -15,7 +15,7 @@ from .paper import Check, Paper, Table
 from .tables import MadeTable, csv_line, markdown_cell
 from .verdict import HOLDS, Verdict
 
-__all__ = ["PaperResult", "checks_csv", "checks_markdown", "checks_text", "page"]
+__all__ = ["PaperResult", "checks_csv", "checks_markdown", "checks_text", "page", "paper_data"]
 
 
 @dataclass
@@ -58,6 +58,16 @@ class PaperResult:
     @property
     def score(self) -> str:
         return self.score_of(False) + (f" {self.score_of(True)}" if self.has_own else "")
+
+
+def paper_data(result: PaperResult) -> dict[str, Any]:
+    """The verdicts with the head of every study: paper.json."""
+    claims = [{"figure": check.figure, "says": check.says, "own": check.own, "found": verdict.finding,
+               "holds": verdict.holds, "why": result.why(check)}
+              for check, verdict in zip(result.paper.checks, result.verdicts)]
+    return {"study": "paper", "mahlwerk": _core.version, "title": result.paper.title,
+            "case": result.paper.folder.name, "claims": claims, "cpu_seconds": result.seconds,
+            "remarks": [line for line in (result.score, result.changes) if line], "notices": result.notices}
 
 
 def checks_csv(result: PaperResult) -> str:
@@ -159,10 +169,3 @@ def page(result: PaperResult, svg: dict[str, bytes]) -> str:
     body += table_sections(result) + "<h2>Campaigns</h2>\n" + campaigns_table(result)
     whole = _core.two_digits(sum(result.seconds.values()))
     return _core.page(paper.title, body, f"Mahlwerk {_core.version}, {whole} s of CPU time.")
-
-
-def as_json(result: PaperResult, folder: str) -> dict[str, Any]:
-    return {"title": result.paper.title, "results": folder,
-            "claims": [{"figure": c.figure, "says": c.says, "found": v.finding, "holds": v.holds}
-                       for c, v in zip(result.paper.checks, result.verdicts)],
-            "notices": result.notices}

@@ -18,7 +18,7 @@ from ..case import Case
 from ..errors import InputError, RunError
 from .figures import captions_markdown, made_figures
 from .lines import points_of
-from .page import PaperResult, checks_csv, checks_markdown, page
+from .page import PaperResult, checks_csv, checks_markdown, page, paper_data
 from .paper import Paper, read_paper
 from .pictures import Pictures
 from .references import reference_faults
@@ -26,7 +26,7 @@ from .tables import markdown
 
 __all__ = ["PaperJob", "Settings", "run_paper"]
 
-OURS = ("paper.html", "claims.csv", "claims.md")  # none of them stays beside other results
+OURS = ("paper.html", "paper.json", "claims.csv", "claims.md")  # none of them stays beside other results
 
 
 @dataclass
@@ -92,7 +92,8 @@ class PaperJob:
             files[f"tables/{table.name}.md"] = markdown(made).encode()
             files[f"tables/{table.name}.csv"] = made.csv.encode()
         svg = {Path(name).stem: content for name, content in files.items() if name.endswith(".svg")}
-        files.update({"claims.csv": checks_csv(result).encode(), "claims.md": checks_markdown(result).encode(),
+        files.update({"paper.json": (json.dumps(paper_data(result), indent=2) + "\n").encode(),
+                      "claims.csv": checks_csv(result).encode(), "claims.md": checks_markdown(result).encode(),
                       "paper.html": page(result, svg).encode()})
         write_files(self.out, files)
         return result

@@ -164,6 +164,7 @@ Comparison compare(const Outcome& event, const Outcome& soft) {
   const Spectra speeds(event, soft, &observe::Spectra::approach),
       energies(event, soft, &observe::Spectra::energy_normal);
   return {.title = event.mill_case.title,
+          .case_file = event.mill_case.file,
           .threshold = event.mill_case.observe.threshold,
           .event = side(event),
           .soft = side(soft),

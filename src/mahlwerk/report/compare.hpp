@@ -42,7 +42,7 @@ struct EngineDiagnostics {
 
 /// Results of one case by both engines.
 struct Comparison {
-  std::string title;
+  std::string title, case_file;
   double threshold = 0;  ///< [m/s]
   EngineDiagnostics event, soft;
   std::string caution;  ///< input that the engines interpret differently; may be empty

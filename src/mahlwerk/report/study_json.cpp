@@ -99,13 +99,43 @@ Json limits_json(const campaign::Optimum& found) {
   return limits;
 }
 
-/// Adds members to the head of a study.
+/// Estimates of both engines.
+Json pair_json(const EnginePair& pair) {
+  return Json::object({{"event", pair.event.mean},
+                       {"event_ci95", pair.event.ci95},
+                       {"soft", pair.soft.mean},
+                       {"soft_ci95", pair.soft.ci95},
+                       {"ratio", pair.ratio()},
+                       {"ratio_ci95", pair.ratio_ci95()},
+                       {"apart", pair.differs()}});
+}
+
+Json compared_json(const std::vector<ComparedQuantity>& compared) {
+  Json quantities = Json::object();
+  for (const ComparedQuantity& q : compared) {
+    quantities[q.name] = pair_json(q.estimates);
+    quantities[q.name]["unit"] = q.unit;
+  }
+  return quantities;
+}
+
+Json compared_json(const std::vector<ComparedBin>& bins) {
+  Json list = Json::array();
+  for (const ComparedBin& bin : bins) {
+    Json one = pair_json(bin.rate);
+    one["low"] = bin.low;
+    one["high"] = bin.high;
+    list.push_back(one);
+  }
+  return list;
+}
+
+}  // namespace
+
 Json with(Json head, std::initializer_list<Json::Member> members) {
   for (const Json::Member& one : members) head[one.key] = one.value;
   return head;
 }
-
-}  // namespace
 
 Json study_head(std::string_view study, std::string_view version, std::string_view title,
                 std::string_view case_file) {
@@ -194,6 +224,21 @@ Json match_json(const campaign::MatchResult& found, std::string_view version) {
                {"remarks", sentences(found)},
                {"notices", results::notices_json(found.notices)},
                {"search", optimum_json(found.search, version)}});
+}
+
+Json comparison_json(const Comparison& c, std::string_view version) {
+  Json remarks = Json::array();
+  if (!c.caution.empty()) remarks.push_back(c.caution);
+  remarks.push_back(how_to_read(c));
+  results::NoticeCounts notices;
+  for (const EngineDiagnostics* engine : {&c.event, &c.soft}) count(notices, engine->notices);
+  sort(notices);
+  return with(study_head("compare", version, c.title, c.case_file),
+              {{"quantities", compared_json(c.quantities)},
+               {"collision_rate_by_impact_speed_normal", compared_json(c.speeds)},
+               {"collision_rate_by_energy_normal", compared_json(c.energies)},
+               {"remarks", remarks},
+               {"notices", results::notices_json(notices)}});
 }
 
 }  // namespace mahlwerk::report

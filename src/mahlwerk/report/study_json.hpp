@@ -8,6 +8,7 @@
 #include "mahlwerk/campaign/fit/fit.hpp"
 #include "mahlwerk/campaign/search/match.hpp"
 #include "mahlwerk/campaign/search/optimise.hpp"
+#include "mahlwerk/report/compare.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 
 // What fits, calibrations and searches find, as JSON (docs/formats.md). `version` is that of the
@@ -18,6 +19,8 @@ namespace mahlwerk::report {
 /// title and its case.
 results::Json study_head(std::string_view study, std::string_view version, std::string_view title,
                          std::string_view case_file);
+/// The head with further members.
+results::Json with(results::Json head, std::initializer_list<results::Json::Member> members);
 /// A value with the ends of its interval.
 results::Json interval_json(const observe::IntervalEstimate& e);
 
@@ -27,5 +30,6 @@ results::Json calibration_json(const campaign::Calibration& found, std::string_v
 /// optimise.json, and "search" of match.json.
 results::Json optimum_json(const campaign::Optimum& found, std::string_view version);
 results::Json match_json(const campaign::MatchResult& found, std::string_view version);
+results::Json comparison_json(const Comparison& c, std::string_view version);  ///< compare.json
 
 }  // namespace mahlwerk::report

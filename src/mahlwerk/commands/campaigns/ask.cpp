@@ -14,6 +14,7 @@
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/notices.hpp"
+#include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
 
@@ -75,8 +76,8 @@ Json surrogate_json(const CampaignSurrogate& s) {
     quantities[q.name] = Json::object({{"unit", q.unit},
                                        {"hold_out_error", q.hold_out.error},
                                        {"hold_out_coverage", q.hold_out.coverage}});
-  return Json::object({{"title", s.title},
-                       {"digest", s.digest},
+  return report::with(report::study_head("surrogate", s.version, s.title, ""),
+                      {{"digest", s.digest},
                        {"settings", s.settings},
                        {"failed", s.failed},
                        {"engines", s.engines},

@@ -18,6 +18,7 @@
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/report/report.hpp"
+#include "mahlwerk/report/study_json.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -61,25 +62,15 @@ void write(results::Folder& folder, const std::vector<results::Outcome>& outcome
   for (std::size_t i = 0; i < outcomes.size(); ++i)
     report::write(folder, outcomes[i], version(), below(i));
   folder.write("compare.csv", report::compare_csv(comparison));
+  folder.write("compare.json", report::comparison_json(comparison, version()).text(2) + '\n');
   folder.write("compare.html", report::compare_page(comparison, version()));
   folder.commit();
 }
 
 void print_json(const report::Comparison& comparison, const fs::path& place) {
-  using results::Json;
-  Json quantities;
-  for (const report::ComparedQuantity& q : comparison.quantities)
-    quantities[q.name] = Json::object({{"event", q.estimates.event.mean},
-                                       {"event_ci95", q.estimates.event.ci95},
-                                       {"soft", q.estimates.soft.mean},
-                                       {"soft_ci95", q.estimates.soft.ci95},
-                                       {"ratio", q.estimates.ratio()},
-                                       {"ratio_ci95", q.estimates.ratio_ci95()},
-                                       {"apart", q.estimates.differs()},
-                                       {"unit", q.unit}});
-  json_to_stdout(Json::object({{"title", comparison.title},
-                               {"results", place.string()},
-                               {"quantities", std::move(quantities)}}));
+  results::Json all = report::comparison_json(comparison, version());
+  all["results"] = place.string();
+  json_to_stdout(all);
 }
 
 void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds,
