@@ -13,9 +13,9 @@ namespace mahlwerk::soft {
 /// Settings of the soft engine: contact model and time stepping.
 struct Settings {
   contact::ContactModel model;
-  double time_step = 0;             ///< [s]
-  bool free_flight_skip = true;     ///< skip time in which no contact is possible
-  std::size_t few_ball_limit = 32;  ///< largest number of balls for FewBodySolver
+  double time_step = 0;              ///< [s]
+  bool free_flight_skip = true;      ///< skip time in which no contact is possible
+  std::size_t few_ball_limit = 128;  ///< largest number of balls for FewBodySolver
   /// Limit of the initial overlap, as a fraction of the smaller radius.
   double max_initial_overlap = 0.01;
   int threads = 1;  ///< threads of one run; results do not depend on it

@@ -186,7 +186,7 @@ void describe(KeyVisitor& v, Run& run) {
            run.start_frame);
   describe_step(v, run);
   v.flag({"hop", true, "the soft engine skips time steps in free flight",
-          "whether the soft engine skips time steps while nothing touches; at most 32 balls",
+          "whether the soft engine skips time steps while nothing touches; at most 128 balls",
           soft_only},
          run.free_flight_skip);
   v.integer({.key = "replicates",

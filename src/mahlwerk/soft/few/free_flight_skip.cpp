@@ -13,7 +13,10 @@ namespace mahlwerk::soft {
 /// advance() divide a run.
 bool FewBodySolver::start_skip() {
   if (!skips_ || particles_.touched || particles_.step < next_skip_) return false;
-  constexpr std::int64_t min_skip = 8, retry_after = 4;
+  constexpr std::int64_t min_skip = 8;
+  // The search grows with the square of the number of balls, a step with the number.
+  const std::int64_t retry_after =
+      std::max<std::int64_t>(4, static_cast<std::int64_t>(particles_.count) / 8);
   const std::int64_t steps = collision_free_steps();
   if (steps < min_skip) {
     next_skip_ = particles_.step + retry_after;

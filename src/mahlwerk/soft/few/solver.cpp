@@ -16,7 +16,6 @@ namespace mahlwerk::soft {
 namespace {
 
 constexpr std::int64_t energy_check_interval = 64;  // steps between two checks of the energy
-constexpr std::size_t max_skip_balls = 32;  // balls: with more, contacts exist nearly always
 
 }  // namespace
 
@@ -30,7 +29,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       step_block_(
           std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *settings_.model.law)),
       start_(start),
-      skips_(settings.free_flight_skip && balls.size() <= max_skip_balls),
+      skips_(settings.free_flight_skip),
       periodic_(is_periodic(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
