@@ -108,7 +108,7 @@ double memory_kept(const cases::Case& mill_case) {
 double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
   const Needs needs = needs_of(points, largest, at_once);
-  const double states = std::min(needs.kept, static_cast<double>(Checkpoint::Unasked().most));
+  const double states = std::min(needs.kept, static_cast<double>(Checkpoint::most_in_memory));
   return program_itself + needs.running * memory_needed(largest) + needs.kept + states;
 }
 

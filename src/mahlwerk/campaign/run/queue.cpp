@@ -217,11 +217,20 @@ class CampaignRunner {
       });
       if (!active.empty()) run_slice(point, active, cpu);
       if (states == nullptr) continue;
-      if (ended > 0 && end_writes)
+      if (ended > 0 && stopped())
         states->flush();
+      else if (ended > 0 && end_writes)
+        states->write_soon();
       else
         states->write_if_due();
     }
+    if (stopped()) flush_states(point);
+  }
+
+  /// Of replicates that ended before the stop, without a write since then.
+  void flush_states(const ActivePoint& point) const {
+    if (!queue_.checkpoint_slot) return;
+    if (Checkpoint* const states = queue_.checkpoint_slot(point.index).checkpoint) states->flush();
   }
 
   ActiveReplicate begin(const ActivePoint& point, std::size_t replicate) {
