@@ -41,6 +41,7 @@ std::vector<results::Outcome> compute(const Running& running,
   options.progress = [&](const campaign::Progress& p) { line.show(p); };
   options.checkpoint = checkpoint;
   options.lammps = lammps;
+  options.sums_up = true;
   streams.attach(options);
   return campaign::run(points, options);
 }

@@ -127,6 +127,11 @@ void Charge::pack() {
   in_carrier.pack();
 }
 
+void Charge::let_go() {
+  in_jar.let_go();
+  in_carrier.let_go();
+}
+
 void Charge::serialize(Archive& archive) {
   in_jar.serialize(archive);
   in_carrier.serialize(archive);

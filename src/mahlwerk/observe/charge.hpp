@@ -45,7 +45,8 @@ class Charge {
   double mass_outside = 0, mass_sought = 0;
 
   void merge(const Charge& other);
-  void pack();  ///< nothing is added from then on
+  void pack();    ///< nothing is added from then on
+  void let_go();  ///< forgets the fields, but not the sums
   void serialize(Archive& archive);
 
  private:

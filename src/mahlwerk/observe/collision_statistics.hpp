@@ -35,6 +35,11 @@ class CollisionStatistics : public scene::Observer {
     by_pair.pack();
     wall_map.pack();
   }
+  /// Forgets spectra and map, but not the sums.
+  void let_go() {
+    by_pair.let_go();
+    wall_map.let_go();
+  }
   void serialize(Archive& archive);
 
   double threshold() const { return threshold_; }  // [m/s] on u_n

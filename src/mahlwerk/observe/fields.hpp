@@ -39,6 +39,7 @@ class PlaneField {
 
   void merge(const PlaneField& other);  ///< of the same size
   void pack() { sums_.pack(); }         ///< nothing is added from then on
+  void let_go() { sums_.let_go(); }     ///< the sums of the cells are forgotten
   void serialize(Archive& archive) {
     sums_.serialize(archive);
     archive(time_);

@@ -42,6 +42,10 @@ class LogHistogram {
   }
   void merge(const LogHistogram& other);
   void pack() { inner_.pack(); }  ///< nothing is added from then on (PackedArray)
+  void let_go() {                 ///< the values are forgotten (PackedArray)
+    inner_.let_go();
+    ends_ = {};
+  }
   void serialize(Archive& archive) {
     inner_.serialize(archive);
     archive(ends_);

@@ -46,6 +46,12 @@ class PackedArray {
     values_ = std::move(kept);
     packed_ = true;
   }
+  /// Forgets the elements: all are zero from then on, and take no memory.
+  void let_go() {
+    values_ = std::vector<T>();
+    where_ = std::vector<std::uint32_t>();
+    packed_ = true;
+  }
   void unpack() {
     if (!packed_) return;
     std::vector<T> all(size_);

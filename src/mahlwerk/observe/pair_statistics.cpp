@@ -11,6 +11,7 @@
 namespace mahlwerk::observe {
 
 PairSums PairStatistics::all() const {
+  if (all_) return *all_;
   return {spectra.energy_normal.total(), spectra.energy_normal.sum(),
           spectra.energy_contact_point.sum(), spectra.lost_normal.sum(),
           spectra.lost_tangential.sum()};
@@ -58,6 +59,11 @@ void PairStatistics::merge(const PairStatistics& other) {
   flash += other.flash;
 }
 
+void PairStatistics::let_go() {
+  all_ = all();
+  spectra.let_go();
+}
+
 void PairStatistics::serialize(Archive& archive) {
   archive(above)(load_distance)(erosion)(flash);
   spectra.serialize(archive);
@@ -98,6 +104,11 @@ void StatisticsByPair::pack() {
   for (std::vector<PairStatistics>& one : statistics_)
     for (PairStatistics& statistics : one) statistics.spectra.pack();
   factors_ = std::vector<PairFactors>();
+}
+
+void StatisticsByPair::let_go() {
+  for (std::vector<PairStatistics>& one : statistics_)
+    for (PairStatistics& statistics : one) statistics.let_go();
 }
 
 void StatisticsByPair::serialize(Archive& archive) {

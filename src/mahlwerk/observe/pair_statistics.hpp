@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mahlwerk/observe/collision_batch.hpp"
@@ -68,9 +69,13 @@ struct PairStatistics {
   double flash = 0;          ///< [K J] sum of flash temperature rise times energy lost
 
   PairSums all() const;
+  void let_go();  ///< forgets the spectra, but not the sums
   void add(const CollisionBatch& c, std::size_t i, bool above, const PairFactors& factors);
   void merge(const PairStatistics& other);
   void serialize(Archive& archive);
+
+ private:
+  std::optional<PairSums> all_;  // of spectra that were let go
 };
 
 /// Statistics for each pair of ball kinds, and for each kind with each face of the jar. Memory for
@@ -93,6 +98,7 @@ class StatisticsByPair {
   }
   void merge(const StatisticsByPair& other);  ///< of the same kinds
   void pack();                                ///< nothing is added from then on
+  void let_go();                              ///< of each pair (PairStatistics)
   void serialize(Archive& archive);
 
   int kinds() const { return kinds_.kinds(); }

@@ -37,6 +37,12 @@ void Spectra::pack() {
   normal_tangential.pack();
 }
 
+void Spectra::let_go() {
+  for (const auto one : histograms) (this->*one).let_go();
+  normal_tangential.let_go();
+  angle_all = angle_above = {};
+}
+
 void Spectra::serialize(Archive& archive) {
   for (const auto one : histograms) (this->*one).serialize(archive);
   normal_tangential.serialize(archive);

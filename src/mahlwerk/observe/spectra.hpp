@@ -25,7 +25,8 @@ class JointHistogram {
     ++counts_[index(octave(normal), octave(tangential))];
   }
   void merge(const JointHistogram& other);
-  void pack() { counts_.pack(); }  ///< as of LogHistogram
+  void pack() { counts_.pack(); }      ///< as of LogHistogram
+  void let_go() { counts_.let_go(); }  ///< as of LogHistogram
   void serialize(Archive& archive) { counts_.serialize(archive); }
   std::int64_t count(int normal, int tangential) const {
     return counts_[index(normal, tangential)];
@@ -57,7 +58,8 @@ struct Spectra {
   Angles angle_all{}, angle_above{};
 
   void merge(const Spectra& other);
-  void pack();  ///< nothing is added from then on
+  void pack();    ///< nothing is added from then on
+  void let_go();  ///< the counts are forgotten
   void serialize(Archive& archive);
 };
 

@@ -47,8 +47,9 @@ class WallMap {
   const WallGrid& grid() const { return grid_; }
   WallSums& at(std::int64_t cell) { return cells_[static_cast<std::size_t>(cell)]; }
   WallSums operator[](int cell) const { return cells_[static_cast<std::size_t>(cell)]; }
-  void merge(const WallMap& other);  ///< of the same grid
-  void pack() { cells_.pack(); }     ///< nothing is added from then on
+  void merge(const WallMap& other);   ///< of the same grid
+  void pack() { cells_.pack(); }      ///< nothing is added from then on
+  void let_go() { cells_.let_go(); }  ///< the sums are forgotten
   void serialize(Archive& archive) { cells_.serialize(archive); }
 
  private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -58,6 +59,24 @@ struct GrindingOutcome {
   bool has_milling() const { return balance || sample; }
 };
 
+/// A point on the line from a drum's axis through the charge's centre of mass (bed.hpp).
+struct BedPoint {
+  double distance = 0;  ///< [m] from the axis, into the bed
+  double density = 0;   ///< [kg/m2] mass per area of the cross-section
+  double velocity = 0;  ///< [m/s] across the line, in the sense of rotation; NaN without mass
+};
+
+/// What is read of one replicate's maps and spectra, once these are in sums over replicates and
+/// forgotten (results/quantities/summed_up.hpp).
+struct ReadBefore {
+  std::vector<double> values;      ///< of the quantities
+  double speed_in_jar = 0;         ///< [m/s] root mean square, as in_carrier
+  double speed_in_carrier = 0;     ///< [m/s]
+  double largest_speed = 0;        ///< [m/s] of the fastest collisions
+  double share_by_softening = 0;   ///< [1] of the balls' time
+  std::vector<BedPoint> bed = {};  ///< of a drum
+};
+
 /// Result of one replicate. Sums are over the counted time; `energy_balance` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
@@ -80,7 +99,8 @@ struct Replicate {
   std::vector<scene::Ball> balls_at_stop;  ///< the balls when physics stopped it, in the jar frame
   std::vector<scene::Ball> balls_at_end;   ///< with observe.final_state: in the carrier's axes
   double cpu_seconds = 0;
-  int restarts = 0;  ///< of LAMMPS, from its restart files
+  int restarts = 0;                       ///< of LAMMPS, from its restart files
+  std::optional<ReadBefore> read_before;  ///< with it, maps and spectra are forgotten
   /// Gives back memory that a result does not need; nothing is added from then on.
   void pack() {
     tally.pack();
@@ -91,10 +111,15 @@ struct Replicate {
   double time() const { return energy_balance.time - at_settled.time; }  ///< [s] counted time
 };
 
+struct SummedUp;  // results/quantities/summed_up.hpp
+
 /// A case, its replicates and the numbers made from them.
 struct Outcome {
   cases::Case mill_case;
   std::vector<Replicate> replicates;
+  /// Sums over the replicates whose maps and spectra are forgotten, if there are such. They are the
+  /// first ones that means are taken over.
+  std::shared_ptr<const SummedUp> summed_up = nullptr;
   cases::EngineName engine = cases::EngineName::event;  ///< engine of the run, never auto
   // Computed once, when the run ends:
   Summary summary = {};  ///< quantities (results/quantities/summarise.hpp)

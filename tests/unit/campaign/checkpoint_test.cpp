@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <string>
 #include <utility>
 
+#include "mahlwerk/campaign/run/state_file.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::campaign::checkpoint_test {
@@ -77,6 +80,80 @@ TEST(Checkpoint, states_beyond_the_memory_for_unasked_ones_are_not_kept) {
     EXPECT_EQ(states.has_state(0), kept) << most << " bytes";
     EXPECT_EQ(states.has_state(1), kept) << most << " bytes";
   }
+}
+
+TEST(Checkpoint, states_are_in_memory_until_the_file_has_them_and_are_read_back_from_it) {
+  const Folder folder;
+  StateFile first(folder.path() / "states", "a run", 3);
+  const std::string large(3U << 20U, 'x');  // more than is read at a time
+  first.set(0, large);
+  first.set(2, "two");
+  EXPECT_EQ(first.in_memory(), large.size() + 3);
+  first.write();
+  EXPECT_EQ(first.in_memory(), 0U);
+  EXPECT_EQ(first.in_file(), large.size() + 3);
+  first.set(2, "newer");
+  EXPECT_EQ(first.in_memory(), 5U);
+  first.write();  // copies the first state from the old file
+  StateFile again(folder.path() / "states", "a run", 3);
+  again.load();
+  for (StateFile* states : {&first, &again}) {
+    EXPECT_EQ(states->bytes(), large.size() + 5);
+    EXPECT_EQ(states->in_memory(), 0U);
+    EXPECT_TRUE(states->state(0) == large);
+    EXPECT_FALSE(states->has(1));
+    EXPECT_EQ(states->state(2), "newer");
+  }
+  StateFile other(folder.path() / "states", "another run", 3);
+  EXPECT_THROW(other.load(), InputError);
+}
+
+TEST(Checkpoint, states_in_a_file_that_was_removed_are_gone_and_others_are_written_all_the_same) {
+  const Folder folder;
+  StateFile states(folder.path() / "states", "a run", 2);
+  states.set(0, "old");
+  states.write();
+  fs::remove(states.file());
+  EXPECT_THROW((void)states.state(0), InputError);
+  states.set(1, "new");
+  states.write();
+  EXPECT_FALSE(states.has(0));
+  EXPECT_EQ(states.state(1), "new");
+}
+
+TEST(Checkpoint, one_with_a_changed_or_missing_byte_is_refused) {
+  const Folder folder;
+  StateFile states(folder.path() / "states", "a run", 2);
+  states.set(0, "zero");
+  states.write();
+  std::ifstream in(states.file(), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(in), {}};
+  const auto refused = [&](const std::string& bytes) {
+    std::ofstream(states.file(), std::ios::binary) << bytes;
+    StateFile read(states.file(), "a run", 2);
+    EXPECT_THROW(read.load(), InputError) << bytes.size() << " bytes";
+  };
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ 1);
+    refused(changed);
+    refused(whole.substr(0, i));
+  }
+}
+
+TEST(Checkpoint, states_that_nobody_asked_for_are_written_once_they_fill_the_memory) {
+  const Folder folder;
+  ReplicateRun replica(read_sample(vial), 0);
+  Archive archive;
+  replica.serialize(archive);
+  const std::size_t jobs = Checkpoint::most_in_memory / archive.bytes().size() + 1;
+  Checkpoint states(folder.path() / "states", "a run", jobs, 1e9, {},
+                    Checkpoint::Unasked{.after = 1e6});
+  for (std::size_t job = 0; job < jobs; ++job) {
+    EXPECT_FALSE(fs::exists(states.file())) << job << " of " << jobs;
+    states.save(job, replica), states.write_if_due();
+  }
+  EXPECT_TRUE(fs::exists(states.file()));
 }
 
 }  // namespace

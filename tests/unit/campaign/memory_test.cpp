@@ -8,9 +8,12 @@
 #include <fstream>
 
 #include "mahlwerk/campaign/run/run.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"
+#include "mahlwerk/results/quantities/summed_up.hpp"
+#include "statement.hpp"
 
 namespace mahlwerk::campaign::memory_test {
 namespace {
@@ -107,6 +110,44 @@ TEST(Memory, stated_for_an_ended_replicate_holds_its_statistics) {
   ended.tally.serialize(archive);
   EXPECT_GT(archive.bytes().size(), observe::WallGrid::cells * sizeof(observe::WallSums));
   EXPECT_LT(static_cast<double>(archive.bytes().size()), memory_kept(full));
+}
+
+/// Bytes of a replicate: of its state, which has no zeros of maps and spectra, and of its numbers.
+double bytes_of(results::Replicate& r) {
+  Archive archive;
+  r.charge.serialize(archive);
+  r.tally.serialize(archive);
+  std::size_t bytes =
+      sizeof r + archive.bytes().size() + r.windows.size() * sizeof(results::Window);
+  if (r.read_before)
+    bytes += r.read_before->values.size() * sizeof(double) +
+             r.read_before->bed.size() * sizeof(results::BedPoint);
+  return static_cast<double>(bytes);
+}
+
+TEST(Memory, stated_for_a_replicate_that_is_summed_up_holds_what_it_keeps_and_is_less) {
+  const cases::Case full = drum(5, 100);
+  results::Replicate ended = results::empty_replicate(full);
+  for (int cell = 0; cell < observe::WallGrid::cells; ++cell)
+    ended.tally.wall_map.at(cell).count = 1;
+  for (int pair = 0; pair < ended.tally.by_pair.pairs(); ++pair)
+    for (int bin = 0; bin < observe::LogHistogram::bins; ++bin)
+      ended.tally.by_pair.at(pair).spectra.energy_normal.add(observe::LogHistogram::lower(bin));
+  ended.charge = observe::Charge(cases::chamber(full), 0.2);
+  scene::Ball ball;
+  ball.radius = 1e-3;
+  ended.charge.sample(0, {ball}, 1);
+  ended.windows.resize(200);
+  ended.energy_balance.time = 1;
+  results::Outcome outcome{.mill_case = full, .replicates = {100, ended}};
+  const double whole = bytes_of(outcome.replicates[50]);
+  results::SummingUp sums(outcome);
+  for (std::size_t k = 0; k < 100; ++k) sums.ended(k);
+  const double kept = bytes_of(outcome.replicates[50]), stated = memory_kept(full, true);
+  tests::stays_below("bytes of a replicate", kept, stated, "what is summed up is let go");
+  EXPECT_GT(whole, stated) << "the same before it is summed up";
+  EXPECT_LT(stated, 0.2 * memory_kept(full));
+  EXPECT_EQ(memory_kept(drum(5, 32), true), memory_kept(drum(5, 32))) << "too few to sum up";
 }
 
 TEST(Memory, is_looked_at_before_a_run_starts) {

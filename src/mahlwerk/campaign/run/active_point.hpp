@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/campaign/run/conclude.hpp"
@@ -15,6 +16,7 @@
 #include "mahlwerk/campaign/run/run_setup.hpp"
 #include "mahlwerk/cases/uncertainty.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/summed_up.hpp"
 
 namespace mahlwerk::campaign {
 
@@ -42,10 +44,17 @@ struct ActivePoint {
     return setups[replicate % distinct];
   }
 
+  /// Takes the result of a replicate.
+  void take(std::size_t replicate, results::Replicate&& ended) {
+    outcome.replicates[replicate] = std::move(ended);
+    if (sums) sums->ended(replicate);
+  }
+
   std::size_t index;
   EngineChoice choice;
   cases::Case decided;  // the case with the chosen engine
   results::Outcome outcome;
+  std::unique_ptr<results::SummingUp> sums;             // with RunOptions::sums_up
   std::size_t distinct;                                 // replicates that have different cases
   std::vector<cases::Case> drawn;                       // their cases, if there is more than one
   std::vector<std::shared_ptr<const RunSetup>> setups;  // of each

@@ -12,19 +12,23 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/replicate.hpp"
+#include "mahlwerk/campaign/run/state_file.hpp"
 
 namespace mahlwerk::campaign {
 
 /// The states of all replicates of a run in one file, for a run that can be interrupted and
-/// resumed. The file is written under a temporary name, then renamed. Thread-safe.
+/// resumed: when they are saved and written. Thread-safe.
 class Checkpoint {
  public:
+  /// [bytes] States that only the memory has are written beyond this, due or not.
+  static constexpr std::size_t most_in_memory = std::size_t{32} << 20U;
+
   /// Called when the file cannot be written, once until a write succeeds. The run continues.
   using WriteErrorCallback = std::function<void(const Fault&)>;
 
   /// When states are kept that nobody asked for.
   struct Unasked {
-    double after = 60;                           ///< [s] no file is written before
+    double after = 60;  ///< [s] no file is written before, unless states fill the memory
     std::size_t most = std::size_t{256} << 20U;  ///< [bytes] more are not kept
   };
 
@@ -42,32 +46,31 @@ class Checkpoint {
   bool has_state(std::size_t job) const;                 ///< whether a state of it is kept
   void restore(std::size_t job, ReplicateRun& replica);  ///< sets its kept state, if there is one
   bool due(std::size_t job) const;                       ///< whether a save of its state is due
-  /// Keeps the state of a replicate in memory.
+  /// Keeps the state of a replicate, in memory until it is written.
   void save(std::size_t job, ReplicateRun& replica);
   void
   write_if_due();  ///< writes states that are not yet in the file, if the last write is long ago
-  void flush();    ///< writes states that are not yet in the file
-  void remove();   ///< removes the file once the run has ended
-  const std::filesystem::path& file() const { return file_; }
+  /// Writes states of replicates that ended, unless writes would take a good part of the time.
+  void write_soon();
+  void flush();   ///< writes states that are not yet in the file
+  void remove();  ///< removes the file once the run has ended
+  const std::filesystem::path& file() const { return states_.file(); }
   bool written() const;  ///< whether the file holds states of this run
 
   /// Why the last write of the file failed; empty if it succeeded.
   std::optional<Fault> write_error() const;
 
  private:
+  using Clock = std::chrono::steady_clock;
   void write();
   bool begun() const;  // whether the file may be written
-  std::filesystem::path temporary_file() const { return file_.string() + ".part"; }
+  bool crowded() const;
 
-  std::filesystem::path file_;
-  std::string run_id_;
-  std::chrono::duration<double> interval_;
+  StateFile states_;
+  std::chrono::duration<double> interval_, write_took_{};
   std::optional<Unasked> unasked_;
-  std::vector<std::string> states_;                              // by job
-  std::size_t bytes_ = 0;                                        // of all states
-  std::vector<std::chrono::steady_clock::time_point> saved_at_;  // of the last save, by job
-  std::chrono::steady_clock::time_point written_at_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point made_at_ = std::chrono::steady_clock::now();
+  std::vector<Clock::time_point> saved_at_;  // of the last save, by job
+  Clock::time_point written_at_ = Clock::now(), made_at_ = Clock::now();
   bool loaded_ = false, unwritten_ = false, written_ = false, given_up_ = false;
   std::optional<Fault> write_error_;  // of the last write
   WriteErrorCallback on_write_error_;

@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/results/quantities/summed_up.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -26,6 +27,7 @@ constexpr double pair_of_kinds = 8e3;  // a histogram and sums
 constexpr double program_itself = 4e7;
 /// [bytes] of an ended replicate: windows and values; maps of wall and plane; spectra of a pair.
 constexpr double any_result = 4e4, maps = 2.6e5, spectra_of_pair = 2.5e4;
+constexpr double sums_of_pair = 4e3;  // of an ended replicate whose spectra are summed up
 
 /// The number in a file; empty if the file holds the word "max".
 std::optional<double> number_in(const std::string& file) {
@@ -59,13 +61,14 @@ struct Needs {
   double running = 0, kept = 0;
 };
 
-Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once) {
+Needs needs_of(const std::vector<cases::Case>& points, const cases::Case& largest, int at_once,
+               bool sums_up) {
   Needs needs;
   double replicates = 0;
   for (const cases::Case& mill_case : points) {
     const auto own = static_cast<double>(mill_case.run.replicates);
     replicates += own;
-    needs.kept += own * memory_kept(mill_case);
+    needs.kept += own * memory_kept(mill_case, sums_up);
   }
   const auto together = static_cast<double>(replicates_together(largest));  // in each thread
   needs.running = std::min(replicates, at_once * together);
@@ -99,24 +102,26 @@ std::optional<double> memory_available(const std::string& root) {
   return least;
 }
 
-double memory_kept(const cases::Case& mill_case) {
+double memory_kept(const cases::Case& mill_case, bool sums_up) {
   const auto sets = static_cast<double>(mill_case.balls.size());
   const auto faces = static_cast<double>(geometry::face_names(*mill_case.jar.shape).size());
-  return any_result + maps + spectra_of_pair * sets * (0.5 * (sets + 1) + faces);
+  const double pairs = sets * (0.5 * (sets + 1) + faces);
+  if (sums_up && results::can_be_summed_up(mill_case)) return any_result + sums_of_pair * pairs;
+  return any_result + maps + spectra_of_pair * pairs;
 }
 
-double memory_of_run(const std::vector<cases::Case>& points, int at_once) {
+double memory_of_run(const std::vector<cases::Case>& points, int at_once, bool sums_up) {
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
-  const Needs needs = needs_of(points, largest, at_once);
-  const double states = std::min(needs.kept, static_cast<double>(Checkpoint::Unasked().most));
+  const Needs needs = needs_of(points, largest, at_once, sums_up);
+  const double states = std::min(needs.kept, static_cast<double>(Checkpoint::most_in_memory));
   return program_itself + needs.running * memory_needed(largest) + needs.kept + states;
 }
 
 std::vector<Fault> memory_faults(const std::vector<cases::Case>& points, int at_once,
-                                 std::optional<double> available) {
+                                 std::optional<double> available, bool sums_up) {
   if (points.empty() || !available) return {};
   const cases::Case& largest = *std::ranges::max_element(points, {}, memory_needed);
-  const auto [running, kept] = needs_of(points, largest, at_once);
+  const auto [running, kept] = needs_of(points, largest, at_once, sums_up);
   const double each = memory_needed(largest), needed = each * running + kept;
   if (needed <= *available) return {};
   if (kept > 0.5 * *available)

@@ -149,9 +149,13 @@ class CampaignRunner {
   std::shared_ptr<ActivePoint> open(std::size_t index) try {
     cases::Case mill_case = queue_.open(index);
     std::vector<Fault> wrong = run_faults(mill_case);
-    if (wrong.empty()) wrong = memory_faults({mill_case}, threads(), options_.memory);
+    if (wrong.empty())
+      wrong = memory_faults({mill_case}, threads(), options_.memory, options_.sums_up);
     if (!wrong.empty()) throw InputError(std::move(wrong));
-    return std::make_shared<ActivePoint>(index, mill_case, options_.stop);
+    auto point = std::make_shared<ActivePoint>(index, mill_case, options_.stop);
+    if (options_.sums_up && results::can_be_summed_up(point->decided))
+      point->sums = std::make_unique<results::SummingUp>(point->outcome);
+    return point;
   } catch (...) {
     failed(index, std::current_exception());
     return nullptr;
@@ -204,6 +208,7 @@ class CampaignRunner {
         active.push_back(begin(point, r));
       } catch (const Interrupted&) {  // stopped before the replicate began
         point.outcome.replicates[r].complete = false;
+        if (point.sums) point.sums->ended(r);
       }
     double cpu = thread_cpu_seconds();
     while (!active.empty()) {
@@ -217,11 +222,20 @@ class CampaignRunner {
       });
       if (!active.empty()) run_slice(point, active, cpu);
       if (states == nullptr) continue;
-      if (ended > 0 && end_writes)
+      if (ended > 0 && stopped())
         states->flush();
+      else if (ended > 0 && end_writes)
+        states->write_soon();
       else
         states->write_if_due();
     }
+    if (stopped()) flush_states(point);
+  }
+
+  /// Of replicates that ended before the stop, without a write since then.
+  void flush_states(const ActivePoint& point) const {
+    if (!queue_.checkpoint_slot) return;
+    if (Checkpoint* const states = queue_.checkpoint_slot(point.index).checkpoint) states->flush();
   }
 
   ActiveReplicate begin(const ActivePoint& point, std::size_t replicate) {
@@ -298,7 +312,7 @@ class CampaignRunner {
     }
     results::Replicate ended = one.run->result();
     ended.pack();
-    point.outcome.replicates[one.index] = std::move(ended);
+    point.take(one.index, std::move(ended));
   }
 
   const RunQueue& queue_;

@@ -14,7 +14,7 @@ namespace mahlwerk::campaign {
 struct CheckpointSlot {
   /// What to do with the state of a replicate that has ended.
   enum class OnEnd {
-    write,           ///< write it at once
+    write,           ///< write it as soon as writes take little of the time
     write_when_due,  ///< write it with the next due write, if the replicate took long enough
     discard          ///< not needed: the point ends with this replicate
   };

@@ -68,7 +68,7 @@ std::vector<results::Outcome> run(const std::vector<cases::Case>& points,
   RunOptions own = options;
   own.threads = thread_count(options.threads) / std::max(1, options.lammps.ranks);
   own.threads = std::max(1, own.threads);
-  if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory);
+  if (load.wrong.empty()) load.wrong = memory_faults(points, own.threads, own.memory, own.sums_up);
   if (!load.wrong.empty()) throw InputError(std::move(load.wrong));
   own.memory = std::nullopt;  // checked above for all points together
   std::vector<std::optional<results::Outcome>> ended(points.size());

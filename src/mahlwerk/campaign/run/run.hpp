@@ -43,6 +43,9 @@ struct RunOptions {
   /// Whether every replicate keeps frames in memory (results::Replicate::replay), not only the
   /// first.
   bool replays_of_all = false;
+  /// Whether maps and spectra of many replicates are summed up and forgotten: the tables of the
+  /// outcome are the same, those of single replicates are gone (results::Replicate::read_before).
+  bool sums_up = false;
   /// [bytes] available for all concurrent replicates; a run that needs more is refused.
   std::optional<double> memory = memory_available();
   Checkpoint* checkpoint = nullptr;  ///< keeps states, and supplies them

@@ -10,17 +10,14 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/results/quantities/spectra.hpp"
 
 namespace mahlwerk::campaign {
 
 double largest_collision_speed(const results::Outcome& outcome) {
   double most = 0;
-  for (const results::Replicate& r : outcome.replicates) {
-    const observe::LogHistogram speeds = r.tally.total_spectra().approach;
-    const int last = speeds.occupied_range()[1] - 1;
-    if (last >= 0)
-      most = std::max(most, speeds.sum(last) / static_cast<double>(speeds.count(last)));
-  }
+  for (const results::Replicate& r : outcome.replicates)
+    most = std::max(most, results::largest_speed(r));
   return most;
 }
 

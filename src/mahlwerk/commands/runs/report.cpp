@@ -34,7 +34,9 @@ constexpr std::array pages{"report.html", "fit.html",     "optimise.html",
 
 std::string content_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(Fault{file.string(), "the file cannot be read", "", "no-result"});
+  if (!in)
+    throw InputError(
+        Fault{file.string(), "the file cannot be read", "check its permissions", "no-result"});
   return {std::istreambuf_iterator<char>(in), {}};
 }
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <system_error>
 #include <vector>
 
@@ -219,6 +220,18 @@ void Folder::put_in_place() const {
 void write_text(const fs::path& file, std::string_view text) {
   if (const int failed = write_bytes(file, text); failed != 0)
     throw cannot_write(file, std::strerror(failed));
+}
+
+void write_pieces(const fs::path& file,
+                  const std::function<void(const std::function<void(std::string_view)>&)>& give) {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(file.c_str(), "wb"), std::fclose);
+  if (!out) throw cannot_write(file, std::strerror(errno));
+  give([&](std::string_view piece) {
+    if (std::fwrite(piece.data(), 1, piece.size(), out.get()) != piece.size())
+      throw cannot_write(file, std::strerror(errno));
+  });
+  if (std::fflush(out.get()) != 0) throw cannot_write(file, std::strerror(errno));
+  if (std::fclose(out.release()) != 0) throw cannot_write(file, std::strerror(errno));
 }
 
 void write_whole(const fs::path& name, const std::function<void(const fs::path&)>& write) {

@@ -59,6 +59,11 @@ InputError cannot_write(const std::filesystem::path& place, const std::string& w
 /// Writes a whole file. Throws InputError with the reason on failure.
 void write_text(const std::filesystem::path& file, std::string_view text);
 
+/// Writes a file piece by piece, so that the whole need not be in memory: `give` passes the pieces
+/// to its argument. Throws InputError with the reason on failure; a part stays.
+void write_pieces(const std::filesystem::path& file,
+                  const std::function<void(const std::function<void(std::string_view)>&)>& give);
+
 /// Lets `write` write the file under another name, then renames it: nobody sees a part of it, and
 /// no part stays. A device is written as it is. Throws InputError with the reason on failure.
 void write_whole(const std::filesystem::path& file,

@@ -161,6 +161,7 @@ bool stands_upright(const Case& c) {
 }  // namespace
 
 std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
+  if (r.read_before) return r.read_before->bed;
   const PlaneField& field = r.charge.in_carrier;
   const Centre at = centre(field);
   if (turning_drum(mill_case) == nullptr || !(at.distance() > 0)) return {};

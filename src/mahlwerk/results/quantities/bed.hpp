@@ -11,13 +11,6 @@
 // (obs.10, obs.11).
 namespace mahlwerk::results {
 
-/// A point on the line from the drum's axis through the charge's centre of mass.
-struct BedPoint {
-  double distance = 0;  ///< [m] from the axis, into the bed
-  double density = 0;   ///< [kg/m2] mass per area of the cross-section
-  double velocity = 0;  ///< [m/s] across the line, in the sense of rotation; NaN without mass
-};
-
 /// The profile of a replicate, in steps of half a cell from one wall through the axis to the other.
 /// Empty for a mill that is not a drum, or without a charge.
 std::vector<BedPoint> bed_profile(const cases::Case& mill_case, const Replicate& r);

@@ -70,6 +70,15 @@ double root_mean_square_speed(const PlaneField& field) {
   return mass > 0 ? std::sqrt(2 * energy / mass) : undefined;
 }
 
+double speed_in_jar(const Replicate& r) {
+  return r.read_before ? r.read_before->speed_in_jar : root_mean_square_speed(r.charge.in_jar);
+}
+
+double speed_in_carrier(const Replicate& r) {
+  return r.read_before ? r.read_before->speed_in_carrier
+                       : root_mean_square_speed(r.charge.in_carrier);
+}
+
 Measures motion_measures() {
   return {
       {"occupied_share",
@@ -85,12 +94,12 @@ Measures motion_measures() {
        "m/s",
        "root mean square speed of the balls by mass, in a frame that moves with the jar's centre "
        "and rotates with its carrier",
-       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_carrier); },
+       [](const Case&, const Replicate& r) { return speed_in_carrier(r); },
        {.label = "ball speed in the frame of the carrier", .symbol = "$v$"}},
       {"ball_speed_seen_from_jar",
        "m/s",
        "root mean square speed of the balls by mass, in the jar's frame",
-       [](const Case&, const Replicate& r) { return root_mean_square_speed(r.charge.in_jar); },
+       [](const Case&, const Replicate& r) { return speed_in_jar(r); },
        {.label = "ball speed in the frame of the jar", .symbol = "$v$"}},
       {"ball_spin",
        "rad/s",

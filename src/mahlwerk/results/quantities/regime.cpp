@@ -170,16 +170,16 @@ double froude_on_carrier(const Case& c, const Replicate& r) {
 }
 
 double speed_seen_from_jar(const Case&, const Replicate& r) {
-  return root_mean_square_speed(r.charge.in_jar);
+  return speed_in_jar(r);
 }
 
 /// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
 /// at the wall. Undefined without samples of the balls.
 double jar_lag(const Case& c, const Replicate& r) {
-  return share(root_mean_square_speed(r.charge.in_jar), wall_speed(c, r));
+  return share(speed_in_jar(r), wall_speed(c, r));
 }
 double carrier_motion(const Case& c, const Replicate& r) {
-  return share(root_mean_square_speed(r.charge.in_carrier), wall_speed(c, r));
+  return share(speed_in_carrier(r), wall_speed(c, r));
 }
 double slip_at_wall(const Case& c, const Replicate& r) {
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall_speed(c, r));
@@ -191,7 +191,7 @@ double wall_share(const Case&, const Replicate& r) {
 
 /// Mean square over squared mean of the charge's squared speed seen from the jar (obs.19).
 double intermittency(const Case&, const Replicate& r) {
-  const double speed = root_mean_square_speed(r.charge.in_jar), squared = speed * speed;
+  const double speed = speed_in_jar(r), squared = speed * speed;
   return share(share(r.charge.jar_speed_fourth, r.charge.in_jar.time()), squared * squared);
 }
 

@@ -25,6 +25,9 @@ std::string regime(const cases::Case& mill_case, const Replicate& replicate);
 
 /// [m/s] Root mean square speed of a field, weighted by mass; undefined without mass.
 double root_mean_square_speed(const observe::PlaneField& field);
+/// [m/s] That of a replicate's charge in the frame of the jar, and in that of its carrier.
+double speed_in_jar(const Replicate& r);
+double speed_in_carrier(const Replicate& r);
 
 /// The quantities that decide the regime, in a sentence. Call only where there is a regime.
 std::string regime_reason(const Outcome& outcome);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/summed_up.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -38,6 +39,22 @@ std::vector<HistogramMember> histograms() {
   std::vector<HistogramMember> list;
   for (const Energy& e : energies()) list.push_back(e.part);
   return list;
+}
+
+/// All histograms that means are taken of.
+const std::vector<HistogramMember>& all_histograms() {
+  static const std::vector<HistogramMember> list = [] {
+    std::vector<HistogramMember> made = histograms();
+    for (const HistogramMember one : {&Spectra::approach, &Spectra::duration, &Spectra::flash})
+      made.push_back(one);
+    return made;
+  }();
+  return list;
+}
+
+std::size_t cell(int normal, int tangential) {
+  return static_cast<std::size_t>(normal) * JointHistogram::bins +
+         static_cast<std::size_t>(tangential);
 }
 
 /// Rates and powers of the first four energies, then of the two added later, so that older columns
@@ -79,7 +96,7 @@ std::vector<double> energy_row(const MeanSpectra& spectra, int bin) {
 /// One histogram as a table with a row per bin.
 Table single(const Outcome& outcome, HistogramMember part, std::vector<Column> columns) {
   Table table{std::move(columns), {}};
-  const MeanSpectra spectra(averaged_replicates(outcome));
+  const MeanSpectra spectra = mean_spectra(outcome);
   const auto [first, last] = spectra.filled_bins({part});
   for (int bin = first; bin < last; ++bin)
     table.rows.push_back({lower_edge(bin), LogHistogram::lower(bin + 1), spectra.rate(part, bin)});
@@ -88,56 +105,102 @@ Table single(const Outcome& outcome, HistogramMember part, std::vector<Column> c
 
 }  // namespace
 
-MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates) {
+MeanSpectra::MeanSpectra()
+    : bins_(all_histograms().size()),
+      joint_(std::size_t{JointHistogram::bins} * JointHistogram::bins) {
+  for (Bins& one : bins_)
+    one.rate = one.power = std::vector<double>(std::size_t{LogHistogram::bins});
+}
+
+MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates) : MeanSpectra() {
   for (const Replicate* r : replicates) add(r->tally.total_spectra(), r->time());
 }
 
-MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates, int pair) {
+MeanSpectra::MeanSpectra(const std::vector<const Replicate*>& replicates, int pair)
+    : MeanSpectra() {
   for (const Replicate* r : replicates) add(r->tally.by_pair[pair].spectra, r->time());
 }
 
-/// Packed, because there may be thousands of replicates.
-void MeanSpectra::add(observe::Spectra spectra, double time) {
-  spectra.pack();
-  replicates_.push_back({std::move(spectra), time});
+/// Rates, not counts, are summed up, in the order of replicates: their times may differ.
+void MeanSpectra::add(const Spectra& spectra, double time) {
+  ++replicates_;
+  for (std::size_t k = 0; k < bins_.size(); ++k) {
+    const LogHistogram& counted = spectra.*all_histograms()[k];
+    const auto [first, last] = counted.occupied_range();
+    for (int bin = first; bin < last; ++bin) {
+      const auto i = static_cast<std::size_t>(bin);
+      bins_[k].rate[i] += static_cast<double>(counted.count(bin)) / time;
+      bins_[k].power[i] += counted.sum(bin) / time;
+    }
+    if (first == last) continue;
+    bins_[k].first = std::min(bins_[k].first, first);
+    bins_[k].last = std::max(bins_[k].last, last);
+  }
+  for (int n = 0; n < JointHistogram::bins; ++n)
+    for (int t = 0; t < JointHistogram::bins; ++t)
+      joint_[cell(n, t)] += static_cast<double>(spectra.normal_tangential.count(n, t)) / time;
+  for (std::size_t i = 0; i < observe::angle_bins; ++i) {
+    angle_all_[i] += static_cast<double>(spectra.angle_all[i]) / time;
+    angle_above_[i] += static_cast<double>(spectra.angle_above[i]) / time;
+  }
 }
 
-template <class Of>
-double MeanSpectra::mean(const Of& of) const {
-  double sum = 0;
-  for (const ReplicateSpectra& one : replicates_)
-    sum += static_cast<double>(of(one.spectra)) / one.time;
-  return replicates_.empty() ? 0 : sum / static_cast<double>(replicates_.size());
+double MeanSpectra::mean(double sum) const {
+  return empty() ? 0 : sum / replicates_;
+}
+
+const MeanSpectra::Bins& MeanSpectra::bins_of(HistogramMember part) const {
+  const auto& all = all_histograms();
+  return bins_[static_cast<std::size_t>(std::ranges::find(all, part) - all.begin())];
 }
 
 double MeanSpectra::rate(HistogramMember part, int bin) const {
-  return mean([&](const Spectra& s) { return (s.*part).count(bin); });
+  return mean(bins_of(part).rate[static_cast<std::size_t>(bin)]);
 }
 double MeanSpectra::power(HistogramMember part, int bin) const {
-  return mean([&](const Spectra& s) { return (s.*part).sum(bin); });
+  return mean(bins_of(part).power[static_cast<std::size_t>(bin)]);
 }
 double MeanSpectra::rate(observe::Angles Spectra::*part, std::size_t degree) const {
-  return mean([&](const Spectra& s) { return (s.*part)[degree]; });
+  return mean((part == &Spectra::angle_all ? angle_all_ : angle_above_)[degree]);
 }
 double MeanSpectra::rate(int normal, int tangential) const {
-  return mean([&](const Spectra& s) { return s.normal_tangential.count(normal, tangential); });
+  return mean(joint_[cell(normal, tangential)]);
 }
 
 std::array<int, 2> MeanSpectra::filled_bins(const std::vector<HistogramMember>& wanted) const {
   int first = LogHistogram::bins, last = 0;
-  for (const ReplicateSpectra& one : replicates_)
-    for (const HistogramMember part : wanted) {
-      const auto [low, high] = (one.spectra.*part).occupied_range();
-      if (low == high) continue;
-      first = std::min(first, low);
-      last = std::max(last, high);
-    }
+  for (const HistogramMember part : wanted) {
+    first = std::min(first, bins_of(part).first);
+    last = std::max(last, bins_of(part).last);
+  }
   return first < last ? std::array{first, last} : std::array{0, 0};
+}
+
+MeanSpectra mean_spectra(const Outcome& outcome) {
+  MeanSpectra made = outcome.summed_up ? outcome.summed_up->spectra : MeanSpectra();
+  for (const Replicate* r : averaged_replicates(outcome))
+    if (!r->read_before) made.add(r->tally.total_spectra(), r->time());
+  return made;
+}
+
+MeanSpectra mean_spectra(const Outcome& outcome, int pair) {
+  MeanSpectra made = outcome.summed_up ? outcome.summed_up->by_pair[static_cast<std::size_t>(pair)]
+                                       : MeanSpectra();
+  for (const Replicate* r : averaged_replicates(outcome))
+    if (!r->read_before) made.add(r->tally.by_pair[pair].spectra, r->time());
+  return made;
+}
+
+double largest_speed(const Replicate& replicate) {
+  if (replicate.read_before) return replicate.read_before->largest_speed;
+  const LogHistogram speeds = replicate.tally.total_spectra().approach;
+  const int last = speeds.occupied_range()[1] - 1;
+  return last < 0 ? 0 : speeds.sum(last) / static_cast<double>(speeds.count(last));
 }
 
 Table spectrum(const Outcome& outcome) {
   Table table{energy_columns(), {}};
-  const MeanSpectra spectra(averaged_replicates(outcome));
+  const MeanSpectra spectra = mean_spectra(outcome);
   const auto [first, last] = spectra.filled_bins(histograms());
   for (int bin = first; bin < last; ++bin) table.rows.push_back(energy_row(spectra, bin));
   return table;
@@ -171,7 +234,7 @@ Table angles(const Outcome& outcome) {
                {"rate_above_threshold", "1/s",
                 "collisions per second with a normal speed u_n of at least the threshold"}},
               {}};
-  const MeanSpectra spectra(averaged_replicates(outcome));
+  const MeanSpectra spectra = mean_spectra(outcome);
   if (spectra.empty()) return table;
   for (std::size_t bin = 0; bin < observe::angle_bins; ++bin) {
     const auto low = static_cast<double>(bin);
@@ -188,7 +251,7 @@ Table normal_tangential(const Outcome& outcome) {
                {"energy_tangential_high", "J", "upper edge of that bin"},
                {"rate", "1/s", "collisions per second with both energies in these bins"}},
               {}};
-  const MeanSpectra spectra(averaged_replicates(outcome));
+  const MeanSpectra spectra = mean_spectra(outcome);
   for (int n = 0; n < JointHistogram::bins; ++n)
     for (int t = 0; t < JointHistogram::bins; ++t)
       if (const double rate = spectra.rate(n, t); rate > 0)
@@ -204,7 +267,7 @@ Table spectra_by_pair(const Outcome& outcome) {
   if (chosen.empty()) return table;
   const observe::StatisticsByPair& first = chosen.front()->tally.by_pair;
   for (int pair = 0; pair < first.pairs(); ++pair) {
-    const MeanSpectra spectra(chosen, pair);
+    const MeanSpectra spectra = mean_spectra(outcome, pair);
     const auto [from, to] = spectra.filled_bins(histograms());
     for (int bin = from; bin < to; ++bin) {
       const std::vector<double> numbers = energy_row(spectra, bin);

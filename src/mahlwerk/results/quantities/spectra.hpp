@@ -16,6 +16,7 @@ using HistogramMember = observe::LogHistogram observe::Spectra::*;
 /// Spectra per second of counted time, as means over replicates.
 class MeanSpectra {
  public:
+  MeanSpectra();  ///< of no replicate
   /// Spectra of all kinds of pairs together.
   explicit MeanSpectra(const std::vector<const Replicate*>& replicates);
   /// Spectra of one kind of pair.
@@ -28,18 +29,31 @@ class MeanSpectra {
   std::array<int, 2> filled_bins(const std::vector<HistogramMember>& parts) const;
   double rate(observe::Angles observe::Spectra::*part, std::size_t degree) const;  ///< [1/s]
   double rate(int normal, int tangential) const;  ///< [1/s] of the joint histogram
-  bool empty() const { return replicates_.empty(); }
+  bool empty() const { return replicates_ == 0; }
+  /// Adds the spectra of a replicate, counted for `time` [s].
+  void add(const observe::Spectra& spectra, double time);
 
  private:
-  struct ReplicateSpectra {
-    observe::Spectra spectra;
-    double time;
+  /// Sums over replicates of one histogram, each per second.
+  struct Bins {
+    std::vector<double> rate, power;
+    int first = observe::LogHistogram::bins, last = 0;  // that any replicate fills
   };
-  void add(observe::Spectra spectra, double time);
-  template <class Of>
-  double mean(const Of& of) const;
-  std::vector<ReplicateSpectra> replicates_;
+  using AngleRates = std::array<double, observe::angle_bins>;
+  const Bins& bins_of(HistogramMember part) const;
+  double mean(double sum) const;
+  double replicates_ = 0;
+  std::vector<Bins> bins_;
+  std::vector<double> joint_;
+  AngleRates angle_all_{}, angle_above_{};
 };
+
+/// Spectra of an outcome: of all kinds of pairs together, or of one.
+MeanSpectra mean_spectra(const Outcome& outcome);
+MeanSpectra mean_spectra(const Outcome& outcome, int pair);
+
+/// [m/s] Mean normal speed of the collisions in the bin of the fastest ones; 0 without collisions.
+double largest_speed(const Replicate& replicate);
 
 Table spectrum(const Outcome& outcome);
 Table speeds(const Outcome& outcome);

@@ -20,6 +20,7 @@ namespace {
 
 std::vector<double> values_of(const std::vector<Measure>& measures, const cases::Case& mill_case,
                               const Replicate& replicate) {
+  if (replicate.read_before) return replicate.read_before->values;
   std::vector<double> values;
   for (const Measure& m : measures) values.push_back(m.compute(mill_case, replicate));
   return values;

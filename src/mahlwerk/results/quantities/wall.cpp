@@ -18,6 +18,7 @@
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
+#include "mahlwerk/results/quantities/summed_up.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -198,28 +199,53 @@ double wall_area(const geometry::AnyShape& shape) {
   return area;
 }
 
+WallRates no_wall_rates(const WallGrid& grid) {
+  const std::vector<double> none(std::size_t{WallGrid::cells});
+  return {.grid = grid,
+          .area = {},
+          .rate = none,
+          .energy_normal = none,
+          .lost = none,
+          .slid = none,
+          .erosion = none};
+}
+
+void add_hits(WallRates& rates, const Replicate& replicate, double count) {
+  const double per = 1 / (replicate.time() * count);
+  for (std::size_t i = 0; i < rates.rate.size(); ++i) {
+    const observe::WallSums& sums = replicate.tally.wall_map[static_cast<int>(i)];
+    rates.rate[i] += per * static_cast<double>(sums.count);
+    rates.energy_normal[i] += per * sums.energy_normal;
+    rates.lost[i] += per * sums.lost;
+    rates.slid[i] += per * sums.load_distance;
+    rates.erosion[i] += per * sums.erosion;
+  }
+}
+
+namespace {
+
+/// The rates of the replicates that are summed up, as a part of means over `count` replicates.
+WallRates summed_up_rates(const SummedUp& sums, double count) {
+  WallRates rates = sums.wall;
+  if (count == sums.expected) return rates;
+  for (std::vector<double>* one :
+       {&rates.rate, &rates.energy_normal, &rates.lost, &rates.slid, &rates.erosion})
+    for (double& value : *one) value *= sums.expected / count;
+  return rates;
+}
+
+}  // namespace
+
 WallRates wall_rates(const Outcome& outcome) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
-  constexpr auto n = static_cast<std::size_t>(WallGrid::cells);
-  WallRates rates{.grid = chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid(),
-                  .area = {},
-                  .rate = std::vector<double>(n),
-                  .energy_normal = std::vector<double>(n),
-                  .lost = std::vector<double>(n),
-                  .slid = std::vector<double>(n),
-                  .erosion = std::vector<double>(n)};
+  const auto count = static_cast<double>(chosen.size());
+  WallRates rates =
+      outcome.summed_up
+          ? summed_up_rates(*outcome.summed_up, count)
+          : no_wall_rates(chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid());
   rates.area = wall_areas(*outcome.mill_case.jar.shape, rates.grid);
-  for (const Replicate* r : chosen) {
-    const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
-    for (std::size_t i = 0; i < n; ++i) {
-      const observe::WallSums& sums = r->tally.wall_map[static_cast<int>(i)];
-      rates.rate[i] += per * static_cast<double>(sums.count);
-      rates.energy_normal[i] += per * sums.energy_normal;
-      rates.lost[i] += per * sums.lost;
-      rates.slid[i] += per * sums.load_distance;
-      rates.erosion[i] += per * sums.erosion;
-    }
-  }
+  for (const Replicate* r : chosen)
+    if (!r->read_before) add_hits(rates, *r, count);
   return rates;
 }
 
@@ -256,8 +282,9 @@ Table wall_map(const Outcome& outcome) {
 }
 
 observe::Charge charge_of(const Outcome& outcome) {
-  observe::Charge sum;
-  for (const Replicate* r : averaged_replicates(outcome)) sum.merge(r->charge);
+  observe::Charge sum = outcome.summed_up ? outcome.summed_up->charge : observe::Charge();
+  for (const Replicate* r : averaged_replicates(outcome))
+    if (!r->read_before) sum.merge(r->charge);
   return sum;
 }
 

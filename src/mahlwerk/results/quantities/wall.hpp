@@ -25,6 +25,11 @@ struct WallRates {
 };
 WallRates wall_rates(const Outcome& outcome);
 
+/// Rates without hits, and without areas.
+WallRates no_wall_rates(const observe::WallGrid& grid);
+/// Adds the hits of a replicate to means over `count` replicates.
+void add_hits(WallRates& rates, const Replicate& replicate, double count);
+
 /// A column that a part adds to wall_map.csv: its value in a cell.
 struct WallColumn {
   Column column;
