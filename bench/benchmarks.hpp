@@ -33,6 +33,7 @@ inline std::vector<Row> beside_peers() {
 }
 std::vector<Row> cost_curve();
 std::vector<Row> mixing();
+std::vector<Row> mesh();
 std::vector<Row> observers();
 std::vector<Row> grinding();
 std::vector<Row> campaign();
@@ -44,18 +45,14 @@ struct Benchmark {
   bool only_by_name = false;  ///< too long to run with all the others
 };
 
-inline constexpr std::array benchmarks{Benchmark{"one-ball", one_ball},
-                                       Benchmark{"fluid", fluid},
-                                       Benchmark{"event", event},
-                                       Benchmark{"soft", soft},
-                                       Benchmark{"observers", observers},
-                                       Benchmark{"grinding", grinding},
-                                       Benchmark{"campaign", campaign, true},
-                                       Benchmark{"peers", beside_peers},
-                                       Benchmark{"few", few, true},
-                                       Benchmark{"crowd", crowd, true},
-                                       Benchmark{"cost-curve", cost_curve},
-                                       Benchmark{"mixing", mixing, true}};
+inline constexpr std::array benchmarks{
+    Benchmark{"one-ball", one_ball},  Benchmark{"fluid", fluid},
+    Benchmark{"event", event},        Benchmark{"soft", soft},
+    Benchmark{"mesh", mesh, true},    Benchmark{"observers", observers},
+    Benchmark{"grinding", grinding},  Benchmark{"campaign", campaign, true},
+    Benchmark{"peers", beside_peers}, Benchmark{"few", few, true},
+    Benchmark{"crowd", crowd, true},  Benchmark{"cost-curve", cost_curve},
+    Benchmark{"mixing", mixing, true}};
 
 double cpu_seconds();
 double median(std::vector<double> values);

@@ -21,14 +21,16 @@ float above(double x) {
 
 BoxTree::Box BoxTree::Box::empty() {
   const Four most{far, far, far, far};
-  return {most, -most};
+  Box box;
+  box.low = most, box.high = -most;
+  return box;
 }
 
 void BoxTree::Box::add(const Vec3& p) {
-  const std::array<double, 3> x{p.x, p.y, p.z};
   for (int k = 0; k < 3; ++k) {
-    low[k] = std::min(low[k], below(x[static_cast<std::size_t>(k)]));
-    high[k] = std::max(high[k], above(x[static_cast<std::size_t>(k)]));
+    const double x = p.x * axes[0][k] + p.y * axes[1][k] + p.z * axes[2][k];
+    low[k] = std::min(low[k], below(x));
+    high[k] = std::max(high[k], above(x));
   }
 }
 
@@ -63,6 +65,37 @@ BoxTree::Item BoxTree::build(std::span<Item> items) {
   Item all{id, a.box};
   all.box.add(b.box);
   return all;
+}
+
+/// The smaller one of a box along the axes and one along the mean normal of the pieces and the
+/// direction in which they extend most across it.
+BoxTree::Box BoxTree::smaller_around(const Box& along_axes, std::span<const Piece> pieces) {
+  Vec3 area, far_corner;
+  for (const Piece& piece : pieces) area += piece.area;
+  if (!(squared(area) > 0)) return along_axes;
+  const Vec3 normal = area / norm(area);
+  double most = 0;
+  const Vec3 from = pieces[0].corner[0];
+  for (const Piece& piece : pieces)
+    for (const Vec3& c : piece.corner) {
+      const Vec3 way = c - from, across = way - dot(way, normal) * normal;
+      if (squared(across) > most) most = squared(across), far_corner = across;
+    }
+  if (!(most > 0)) return along_axes;
+  const Vec3 first = far_corner / std::sqrt(most), second = cross(normal, first);
+  Box box = Box::empty();
+  const auto column = [](double a, double b, double c) {
+    return Four{static_cast<float>(a), static_cast<float>(b), static_cast<float>(c), 0};
+  };
+  box.axes = {column(first.x, second.x, normal.x), column(first.y, second.y, normal.y),
+              column(first.z, second.z, normal.z)};
+  for (const Piece& piece : pieces)
+    for (const Vec3& c : piece.corner) box.add(c);
+  const auto surface = [](const Box& b) {
+    const Four size = b.high - b.low;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  };
+  return surface(box) < surface(along_axes) ? box : along_axes;
 }
 
 }  // namespace mahlwerk::geometry

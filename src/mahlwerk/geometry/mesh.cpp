@@ -23,6 +23,9 @@ Mesh::Mesh(Surface surface, double angle)
 Gap Mesh::gap(int face, const Vec3& p, double within) const {
   return wall_->gap(face, p, within);
 }
+Gap Mesh::gap(int face, const Vec3& p, double within, NearFacets& near) const {
+  return wall_->gap(face, p, within, near);
+}
 void Mesh::distances(const Vec3& p, double within, std::span<double> out) const {
   wall_->distances(p, within, out);
 }

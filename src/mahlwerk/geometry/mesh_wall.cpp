@@ -29,6 +29,7 @@ MeshWall::MeshWall(Surface surface, double crease_angle)
     : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
   reorder(facets_, build_trees());  // near facets get near in memory
   build_trees();
+  orient_trees();
   measure();
   sample_depth();
 }
@@ -56,6 +57,15 @@ std::vector<std::int32_t> MeshWall::build_trees() {
   for (const auto& items : of_face)
     for (const BoxTree::Item& item : items) order.push_back(~item.id);
   return order;
+}
+
+/// Lays the boxes of each face's tree along its facets.
+void MeshWall::orient_trees() {
+  for (const std::int32_t root : roots_)
+    tree_.orient(root, [&](std::int32_t i) {
+      const auto& c = facets_.facets[as_index(i)].corner;
+      return BoxTree::Piece{c, cross(c[1] - c[0], c[2] - c[0])};
+    });
 }
 
 void MeshWall::measure() {
@@ -129,23 +139,52 @@ bool MeshWall::in_normal_cone(const ClosestPoint& closest, const Vec3& p) const 
   return dot(feature_of(closest).normal, p - closest.point) >= 0;
 }
 
+/// Whether no point of the plane of a facet is within the root of `least` [m2], with a margin for
+/// rounding: the facets that a search visits must not decide between two that are equally near.
+bool MeshWall::beyond(const Facet& f, const Vec3& p, double least) {
+  const double h = dot(f.normal, p - f.corner[0]);
+  return (1 - 1e-9) * h * h > least;
+}
+
+/// Of equally near points that of the first facet counts, in whatever order a search visits them.
+bool MeshWall::nearer(const ClosestPoint& a, const ClosestPoint& best, double least) {
+  return a.distance2 < least ||
+         (a.distance2 == best.distance2 && best.facet >= 0 && a.facet < best.facet);
+}
+
+/// The nearest point of a face at which p lies in the normal cone is the nearest of all its points,
+/// except beside a crease. So that one, which every facet on the way narrows, is searched first.
 Gap MeshWall::gap(int face, const Vec3& p, double within) const {
+  double within2 = within * within;
+  ClosestPoint best;
+  nearest_on(face, p, within2, best);
+  return gap_at(best, face, p, within);
+}
+
+/// The gap where `best` is the nearest point of the face.
+Gap MeshWall::gap_at(ClosestPoint best, int face, const Vec3& p, double within) const {
+  if (best.facet >= 0 && !is_contact(best, face, p)) best = nearest_contact(face, p, within);
+  if (best.facet < 0) return {far, {0, 0, 1}, 0};
+  return signed_nearest(best, p).gap;
+}
+
+bool MeshWall::is_contact(const ClosestPoint& closest, int face, const Vec3& p) const {
+  return feature_of(closest).owner == face && in_normal_cone(closest, p);
+}
+
+MeshWall::ClosestPoint MeshWall::nearest_contact(int face, const Vec3& p, double within) const {
   double within2 = within * within;
   ClosestPoint best;
   tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
     const Facet& f = facets_.facets[as_index(facet)];
-    const double h = dot(f.normal, p - f.corner[0]);
-    if (!(h * h < least)) return;
+    if (beyond(f, p, least)) return;
     ClosestPoint closest = closest_point_on(f, p);
     closest.facet = facet;
-    if (!(closest.distance2 < least) || feature_of(closest).owner != face ||
-        !in_normal_cone(closest, p))
-      return;
+    if (!nearer(closest, best, least) || !is_contact(closest, face, p)) return;
     best = closest;
     least = closest.distance2;
   });
-  if (best.facet < 0) return {far, {0, 0, 1}, 0};
-  return signed_nearest(best, p).gap;
+  return best;
 }
 
 /// The face of a closest point, with the signed distance of p: negative behind the wall.
@@ -159,16 +198,20 @@ MeshWall::NearestFace MeshWall::signed_nearest(const ClosestPoint& closest, cons
 }
 
 void MeshWall::nearest_on(int face, const Vec3& p, double& within2, ClosestPoint& best) const {
-  tree_.near(roots_[as_index(face)], p, within2, [&](std::int32_t facet, double& least) {
-    const Facet& f = facets_.facets[as_index(facet)];
-    const double h = dot(f.normal, p - f.corner[0]);
-    if (!(h * h < least)) return;
-    const ClosestPoint closest = closest_point_on(f, p);
-    if (!(closest.distance2 < least)) return;
-    best = closest;
-    best.facet = facet;
-    least = closest.distance2;
-  });
+  tree_.near(roots_[as_index(face)], p, within2,
+             [&](std::int32_t facet, double& least) { take_nearer(facet, p, least, best); });
+}
+
+/// Takes the closest point of a facet if it is nearer than `best` and the root of `least` [m2].
+void MeshWall::take_nearer(std::int32_t facet, const Vec3& p, double& least,
+                           ClosestPoint& best) const {
+  const Facet& f = facets_.facets[as_index(facet)];
+  if (beyond(f, p, least)) return;
+  ClosestPoint closest = closest_point_on(f, p);
+  closest.facet = facet;
+  if (!nearer(closest, best, least)) return;
+  best = closest;
+  least = closest.distance2;
 }
 
 void MeshWall::distances(const Vec3& p, double within, std::span<double> out) const {
@@ -182,7 +225,7 @@ void MeshWall::distances(const Vec3& p, double within, std::span<double> out) co
     nearest_on(face, p, within2, best);
     if (best.facet < 0) return;
     out[as_index(face)] = std::sqrt(best.distance2);
-    if (best.distance2 < least) least = best.distance2, first = best;
+    if (nearer(best, first, least)) least = best.distance2, first = best;
   });
   if (first.facet < 0) {
     const Vec3 &a = extent_.low, &b = extent_.high;

@@ -7,6 +7,7 @@
 
 #include "mahlwerk/geometry/box_tree.hpp"
 #include "mahlwerk/geometry/facets.hpp"
+#include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 
 namespace mahlwerk::geometry {
@@ -35,6 +36,8 @@ class MeshWall {
   /// Where a ball at `p` may touch a face (geo.10): the nearest point of the face in whose normal
   /// cone p lies. Distance `far` if there is none within `within` [m].
   Gap gap(int face, const Vec3& p, double within) const;
+  /// The same, faster for a ball whose last query has left `near`.
+  Gap gap(int face, const Vec3& p, double within, NearFacets& near) const;
 
   /// Distance of each face [m], whether or not p lies in a normal cone: a lower bound of gap(),
   /// also while p moves. `far` beyond `within` [m]. One distance is negative if p is outside.
@@ -72,12 +75,24 @@ class MeshWall {
   };
 
   std::vector<std::int32_t> build_trees();
+  void orient_trees();
   void measure();
   void sample_depth();
 
   static ClosestPoint closest_point_on(const Facet& facet, const Vec3& p);
+  static bool beyond(const Facet& facet, const Vec3& p, double least);
+  static bool nearer(const ClosestPoint& a, const ClosestPoint& best, double least);
   Feature feature_of(const ClosestPoint& closest) const;
   bool in_normal_cone(const ClosestPoint& closest, const Vec3& p) const;
+  bool is_contact(const ClosestPoint& closest, int face, const Vec3& p) const;
+  ClosestPoint nearest_contact(int face, const Vec3& p, double within) const;
+  Gap gap_at(ClosestPoint best, int face, const Vec3& p, double within) const;
+  void take_nearer(std::int32_t facet, const Vec3& p, double& least, ClosestPoint& best) const;
+  bool nearest_listed(const NearFacets& near, const Vec3& p, double within,
+                      ClosestPoint& best) const;
+  ClosestPoint list_near(ClosestPoint nearest, int face, const Vec3& p, double within,
+                         NearFacets& near) const;
+  void list_around(const ClosestPoint& nearest, int face, NearFacets& near) const;
   void nearest_on(int face, const Vec3& p, double& within2, ClosestPoint& best) const;
   NearestFace signed_nearest(const ClosestPoint& closest, const Vec3& p) const;
 

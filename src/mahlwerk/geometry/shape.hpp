@@ -11,6 +11,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/field.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/geometry/near_facets.hpp"
 
 // A jar's inner wall, in the jar's own axes: origin in the middle, z along the jar's axis. The wall
 // is a set of smooth faces. A wall that is smooth throughout is one face with one C1 gap (geo.1).
@@ -127,6 +128,12 @@ Gap gap_near(const S& shape, int face, const Vec3& p, double within) {
   else
     return shape.gap(face, p);
 }
+
+/// A shape whose gap() is faster with the facets that the last query of a ball has left.
+template <class S>
+concept KeepsNearFacets = requires(const S s, NearFacets near) {
+  s.gap(0, Vec3{}, 0.0, near);
+};
 
 /// Writes the distance of each face [m] to `out`; any larger number for faces beyond `within` [m].
 template <class S>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <utility>
 
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/few/packet_lanes.hpp"
@@ -130,6 +131,7 @@ void FewBodySolver::assign_lane(PairPacket& p, std::size_t lane, const NearPair&
 /// Allocates a wall point for each pair of a ball and a face, in the order of the lanes.
 void FewBodySolver::allocate_wall_points() {
   ParticleData& w = particles_;
+  const std::vector<WallNeighbour> before = std::move(w.wall_neighbours);
   w.wall_neighbours.clear();
   for (PairPacket& p : w.packets)
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -141,6 +143,22 @@ void FewBodySolver::allocate_wall_points() {
   const std::size_t blocks =
       w.balls.size() + std::max<std::size_t>(1, (w.wall_neighbours.size() + lanes - 1) / lanes);
   w.bodies.resize(std::max(blocks, w.bodies.size()));
+  if (jar_->keeps_near_facets()) keep_near_facets(before);
+}
+
+/// Gives the wall points the facets that their balls had at the wall points `before`.
+void FewBodySolver::keep_near_facets(std::span<const WallNeighbour> before) {
+  ParticleData& w = particles_;
+  const std::vector<geometry::NearFacets> old = std::move(w.near_facets);
+  w.near_facets.assign(w.wall_neighbours.size(), {});
+  for (std::size_t k = 0; k < w.wall_neighbours.size(); ++k) {
+    const WallNeighbour& now = w.wall_neighbours[k];
+    const auto same = std::ranges::find_if(before, [&](const WallNeighbour& one) {
+      return one.ball == now.ball && one.face == now.face;
+    });
+    const auto at = static_cast<std::size_t>(same - before.begin());
+    if (at < old.size()) w.near_facets[k] = old[at];
+  }
 }
 
 /// Derives from the packets where lanes find their bodies and leave their forces, and which rows
@@ -177,6 +195,7 @@ void FewBodySolver::build_gather_maps() {
     WallPointLanes& of = w.wall_point_lanes[k / lanes];
     of.ball[k % lanes] = address(n.ball), of.face[k % lanes] = n.face;
   }
+  w.near_facets.resize(jar_->keeps_near_facets() ? w.wall_neighbours.size() : 0);
   w.rows_of_ball.clear(), w.row_offsets.clear();
   for (const std::vector<std::uint32_t>& of_ball : rows) {
     w.rows_of_ball.push_back(static_cast<std::uint16_t>(of_ball.size()));

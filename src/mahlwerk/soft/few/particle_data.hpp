@@ -61,6 +61,8 @@ struct ParticleData {
   std::vector<std::uint32_t> row_offsets;
   std::vector<WallNeighbour> wall_neighbours;    ///< wall point k belongs to wall_neighbours[k]
   std::vector<WallPointLanes> wall_point_lanes;  ///< of wall_neighbours
+  /// Of wall_neighbours, where the wall keeps them. They change no result and are not saved.
+  std::vector<geometry::NearFacets> near_facets;
   bool fits_registers = false;  ///< each column of all bodies fits in two registers of eight
   bool wall_points_due = true;  ///< update every wall point at the next step
   std::int64_t list_step = 0;   ///< when the neighbour list was built

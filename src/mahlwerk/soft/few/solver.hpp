@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mahlwerk/contact/any_law.hpp"
@@ -89,6 +90,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   void fill_lanes(const std::vector<NearPair>& wanted);
   void assign_lane(PairPacket& p, std::size_t lane, const NearPair& c);
   void allocate_wall_points();
+  void keep_near_facets(std::span<const WallNeighbour> before);
   void build_gather_maps();
   static void find_sources(const PairPacket& p, GatherMap& map);
 

@@ -119,7 +119,8 @@ template <class Law, class V, class Put>
   if (w.wall_neighbours.empty()) return;
   s.jar.wall_points(w.wall_neighbours, w.wall_point_lanes,
                     s.start + static_cast<double>(w.step) * s.constants.dt, drive, w.bodies.data(),
-                    w.balls.data(), w.bodies.data() + w.balls.size(), w.wall_points_due);
+                    w.balls.data(), w.bodies.data() + w.balls.size(), w.wall_points_due,
+                    w.near_facets.data());
   w.wall_points_due = false;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
@@ -131,7 +132,10 @@ struct Chunk {
   std::int32_t balls_in_contact = 0;           ///< balls with contacts
   ChunkSums sums;
   std::vector<FinishedCollision> finished;
-  std::vector<std::int32_t> new_touches;  ///< scratch: pairs found to touch
+  /// Of the lanes of `wall`, where the wall keeps them. They change no result and are not saved.
+  std::vector<std::array<geometry::NearFacets, lanes>> near_facets;
+  std::vector<geometry::NearFacets> tested_facets;  ///< likewise, of pairs in `wall_pairs`
+  std::vector<std::int32_t> new_touches;            ///< scratch: pairs found to touch
 };
 
 }  // namespace mahlwerk::soft

@@ -17,12 +17,24 @@ bool is_wall(const NeighbourPair& pair) {
 
 }  // namespace
 
+/// Facets kept for a wall pair that does not touch; null if the wall keeps none. Pairs may meet in
+/// an element, which costs time only.
+geometry::NearFacets* ManyBodySolver::tested_facets(Chunk& chunk, const NeighbourPair& pair) const {
+  if (!jar_->keeps_near_facets()) return nullptr;
+  const std::size_t pairs = chunk.wall_pairs.pairs.size() + chunk.wall_pairs.separated.size();
+  std::vector<geometry::NearFacets>& all = chunk.tested_facets;
+  if (all.size() < 2 * pairs) all.resize(4 * pairs);
+  const auto number = static_cast<std::size_t>(pair.ball) * static_cast<std::size_t>(jar_->faces());
+  return &all[(number + static_cast<std::size_t>(~pair.other)) % all.size()];
+}
+
 void ManyBodySolver::test_walls(Chunk& chunk) {
   VerletList& w = chunk.wall_pairs;
   const auto touches = [&](const NeighbourPair& pair) {
     const BallRecord& ball = rows_[static_cast<std::size_t>(pair.ball)];
-    return jar_->gap(~pair.other, ball.position(), mill_time(step_), ball.radius).distance <
-           ball.radius;
+    return jar_->gap(~pair.other, ball.position(), mill_time(step_), ball.radius,
+                     tested_facets(chunk, pair))
+               .distance < ball.radius;
   };
   const std::size_t due = w.due(chunk.max_wall_gap_decrease, skin_ * VerletList::width);
   for (std::size_t k = due; k-- > 0;) {

@@ -102,6 +102,12 @@ template <class V>
   return state;
 }
 
+/// The facets kept for the lanes of a wall packet.
+inline geometry::NearFacets* near_facets(Chunk& chunk, std::size_t packet) {
+  if (chunk.near_facets.size() <= packet) chunk.near_facets.resize(packet + 1);
+  return chunk.near_facets[packet].data();
+}
+
 /// Computes the contacts of a packet and adds their forces to the balls of the chunk: first those
 /// of balls i, then those of balls j, each in the order of the lanes.
 template <class Law, class V>
@@ -113,7 +119,8 @@ template <class Law, class V>
   ContactPacket& g = list.packets[n];
   Vec<Lanes> points;
   if (kind == ContactKind::wall)
-    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.time, s.pull_off_distance, points);
+    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.time, s.pull_off_distance, points,
+                       s.jar->keeps_near_facets() ? near_facets(chunk, n) : nullptr);
   const std::uint32_t begun = g.begun, tensile = g.tensile;
   if (begun != 0) s.callbacks->begin(chunk, list, n);
   const PairParameters& parameters =

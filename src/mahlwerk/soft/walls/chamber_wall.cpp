@@ -30,6 +30,7 @@ Vec3 laboratory_periods(const scene::TypedChamber<S>& jar) {
 template <class S>
 class ChamberWall final : public MovingWall {
   static constexpr bool has_rotor = requires(const S s) { s.rotor_speed; };
+  static constexpr bool has_facets = geometry::KeepsNearFacets<S>;
   static constexpr bool in_registers = HasLaneGaps<S> && !has_rotor;
 
  public:
@@ -43,6 +44,7 @@ class ChamberWall final : public MovingWall {
       max_wall_speed_ += geometry::rotor_tip_speed_of(jar.shape());
     }
     reach_ = jar.shape().reach();
+    keeps_near_facets_ = has_facets;
     if constexpr (in_registers)
       wall_points_ = Multiversioned<WallPointLoop<S>, PointFunction>::best();
   }
@@ -62,9 +64,10 @@ class ChamberWall final : public MovingWall {
   }
   Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
-  geometry::Gap gap(int face, const Vec3& position, double t, double within) const override {
+  geometry::Gap gap(int face, const Vec3& position, double t, double within,
+                    geometry::NearFacets* facets) const override {
     const Rotation q = axes(face, t);
-    geometry::Gap found = geometry::gap_near(jar_.shape(), face, q.apply_inverse(position), within);
+    geometry::Gap found = gap_near(face, q.apply_inverse(position), within, facets);
     found.inward = q * found.inward;
     return found;
   }
@@ -74,7 +77,7 @@ class ChamberWall final : public MovingWall {
     geometry::distances(jar_.shape(), p, within, out);
     if constexpr (has_rotor)
       for (int face = S::first_rotor_face; face < faces_; ++face)
-        out[static_cast<std::size_t>(face)] = gap(face, position, t, within).distance;
+        out[static_cast<std::size_t>(face)] = gap(face, position, t, within, nullptr).distance;
   }
   double distance(int face, const Vec3& position, double t, double within) const override {
     const Rotation q = axes(face, t);
@@ -82,7 +85,8 @@ class ChamberWall final : public MovingWall {
   }
   void wall_points(std::span<WallNeighbour> near, std::span<const WallPointLanes> near_lanes,
                    double t, const DriveSample& drive, const BodyBlock* bodies,
-                   const BallBlock* balls, BodyBlock* points, bool all) const override {
+                   const BallBlock* balls, BodyBlock* points, bool all,
+                   geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     if constexpr (in_registers)
@@ -100,8 +104,8 @@ class ChamberWall final : public MovingWall {
       const bool turns = near[k].face >= first_rotor_face_;
       const Rotation& q = turns ? rotor : own;
       const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
-      geometry::Gap gap = geometry::gap_near(
-          jar_.shape(), near[k].face, plain ? position : q.apply_inverse(position), near[k].within);
+      geometry::Gap gap = gap_near(near[k].face, plain ? position : q.apply_inverse(position),
+                                   near[k].within, facets + k);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward, velocity = cross(spin, point);
       BodyBlock& block = points[k / lanes];
@@ -112,7 +116,7 @@ class ChamberWall final : public MovingWall {
   }
   void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                    const std::array<std::int32_t, lanes>& faces, std::uint32_t touching, double t,
-                   double beyond, Vec<Lanes>& points) const override {
+                   double beyond, Vec<Lanes>& points, geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
     const Rotation own = plain ? Rotation{} : jar_.axes(t);
     const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
@@ -121,8 +125,8 @@ class ChamberWall final : public MovingWall {
       const Vec3 position = ball.position();
       const Rotation& q = faces[k] >= first_rotor_face_ ? rotor : own;
       const double within = (touching >> k & 1) != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
-      geometry::Gap gap = geometry::gap_near(jar_.shape(), faces[k],
-                                             plain ? position : q.apply_inverse(position), within);
+      geometry::Gap gap =
+          gap_near(faces[k], plain ? position : q.apply_inverse(position), within, facets + k);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward;
       points.x[k] = point.x, points.y[k] = point.y, points.z[k] = point.z;
@@ -139,7 +143,7 @@ class ChamberWall final : public MovingWall {
       if (jar_.shape().can_touch(face, radius))
         least = std::min(least, jar_.safe_time(face, {position, velocity}, t, radius).time);
     for (int face = first_rotor_face_; face < faces_; ++face) {
-      const double gap_to_wall = gap(face, position, t, geometry::never).distance - radius;
+      const double gap_to_wall = gap(face, position, t, geometry::never, nullptr).distance - radius;
       const double closing = norm(velocity) + max_wall_speed_;
       const double pull = norm(jar_.gravity()) + norm(jar_.motion_bounds().acceleration);
       least = std::min(least, geometry::plane_safe_time(gap_to_wall, closing, pull));
@@ -169,6 +173,12 @@ class ChamberWall final : public MovingWall {
   }
 
  private:
+  geometry::Gap gap_near(int face, const Vec3& p, double within,
+                         geometry::NearFacets* facets) const {
+    if constexpr (has_facets)
+      if (facets != nullptr) return jar_.shape().gap(face, p, within, *facets);
+    return geometry::gap_near(jar_.shape(), face, p, within);
+  }
   /// Rotation from the axes of a face's geometry (jar or rotor) to those of the jar frame.
   Rotation axes(int face, double t) const {
     if constexpr (has_rotor) {

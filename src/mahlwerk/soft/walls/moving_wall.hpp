@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
@@ -54,8 +55,9 @@ class MovingWall {
   virtual kinematics::FrameMotion frame_motion(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
   /// Distance and inward normal of a face at `position`. A distance above `within` [m] may be
-  /// overestimated.
-  virtual geometry::Gap gap(int face, const Vec3& position, double t, double within) const = 0;
+  /// overestimated. `facets` may be those that the last query of the ball has left.
+  virtual geometry::Gap gap(int face, const Vec3& position, double t, double within,
+                            geometry::NearFacets* facets = nullptr) const = 0;
   /// Distances of `position` from every face [m]. Up to `within`, each is a lower bound of the
   /// distance of gap() and Lipschitz continuous with constant 1; a greater distance may give any
   /// number above `within`.
@@ -65,16 +67,19 @@ class MovingWall {
   /// Updates the wall contact points of balls near a face, in the order of `near`, with the
   /// velocity and spin of the wall there; those of balls that cannot touch yet possibly only if
   /// `all`. A wall contact point is the point of a face nearest to a ball's centre. `near_lanes`
-  /// are the same neighbours in blocks of eight.
+  /// are the same neighbours in blocks of eight. `facets` has one element for each if
+  /// keeps_near_facets(); otherwise it is not read.
   virtual void wall_points(std::span<WallNeighbour> near,
                            std::span<const WallPointLanes> near_lanes, double t,
                            const DriveSample& drive, const BodyBlock* bodies,
-                           const BallBlock* balls, BodyBlock* points, bool all) const = 0;
+                           const BallBlock* balls, BodyBlock* points, bool all,
+                           geometry::NearFacets* facets) const = 0;
   /// Wall points of eight balls, for the lanes in `touching` (bits); other lanes may be inexact.
-  /// Exact for gaps up to `beyond` [m].
+  /// Exact for gaps up to `beyond` [m]. `facets` as above, eight of them.
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, std::uint32_t touching,
-                           double t, double beyond, Vec<Lanes>& points) const = 0;
+                           double t, double beyond, Vec<Lanes>& points,
+                           geometry::NearFacets* facets) const = 0;
   /// Safe time [s] of a ball in free flight: a duration from `t` in which it touches no face.
   virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
                            double radius) const = 0;
@@ -97,6 +102,8 @@ class MovingWall {
     const double turning = first_rotor_face_ < faces_ ? max_wall_speed_ : 0;
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
+  /// Whether wall points need less time if facets are kept for each ball and face.
+  bool keeps_near_facets() const { return keeps_near_facets_; }
   const Vec3& periods() const { return periods_; }  ///< [m] infinite where not periodic
   /// The image of a position within half a period of the middle of a jar with walls. In a periodic
   /// box without walls positions stay as they are.
@@ -108,6 +115,7 @@ class MovingWall {
   Vec3 gravity_, periods_;
   int faces_ = 0, first_rotor_face_ = 0;
   double max_wall_speed_ = 0, reach_ = 0;
+  bool keeps_near_facets_ = false;
 };
 
 }  // namespace mahlwerk::soft
