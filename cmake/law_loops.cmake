@@ -1,6 +1,6 @@
 # Compiles the innermost loops of the soft engine for each law. The type of a law is named after its
 # file in contact/laws/: hertz_mindlin.hpp defines HertzMindlin. contact/laws.cpp checks that the list of
-# laws has as many entries as there are files. By measurement (docs/performance.md) -O2 runs 1.2 to 1.4
+# laws has as many entries as there are files. By measurement (docs/performance.md) -O2 runs 1.2 to 1.5
 # times as fast as -O1, -O3 adds compile time only, and -fira-region=one, which disables register
 # allocation by loop, saves compile time. Of the sanitizer presets, some checks of undefined behaviour are
 # made at each access to a vector: the loops would take five times as long to compile (clang: 28 instead

@@ -142,6 +142,19 @@ TEST_F(Edges, check_of_a_long_run_names_what_makes_it_cheaper_with_its_time) {
   EXPECT_EQ(shorter.output.find("The run takes about"), std::string::npos) << shorter.output;
 }
 
+/// A run of many replicates forgets their maps and spectra, 0.26 MB each; a sweep keeps them.
+TEST_F(Edges, check_of_a_sweep_states_the_memory_of_whole_replicates) {
+  const auto memory = [&](const std::string& sweep) {
+    std::ofstream(here_ / "case.toml") << vial << sweep;
+    const std::string told = mahlwerk("check case.toml --json --set run.replicates=60").output;
+    const std::size_t at = told.find("\"value\": ", told.find("\"memory\""));
+    return at == std::string::npos ? -1 : std::strtod(told.c_str() + at + 9, nullptr);
+  };
+  const double run = memory(""), sweep = memory("[sweep]\n\"mill.frequency\" = [\"10 Hz\"]\n");
+  EXPECT_GT(run, 0);
+  EXPECT_GT(sweep, run + 10) << "MB";
+}
+
 TEST_F(Edges, table_begins_with_key_numbers_and_says_what_assumed_values_decide) {
   std::string assumed = vial;
   assumed.erase(assumed.find("restitution = 0.5\n"), std::string("restitution = 0.5\n").size());

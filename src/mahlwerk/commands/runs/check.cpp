@@ -66,12 +66,13 @@ constexpr const char* megabytes = "MB";  // no unit of a case
 /// Memory and disk that a run needs.
 void add_costs(const std::vector<cases::Case>& points, int cores, double collisions,
                CheckResult& c) {
+  const bool sums_up = c.mill_case.sweep.empty();  // a sweep keeps its replicates whole
   constexpr double mega = 1e6;
   double files = 0;
   for (const cases::Case& point : points) files += campaign::disk_needed(point, collisions);
   c.follows.insert(
       c.follows.end(),
-      {{"memory", campaign::memory_of_run({points.front()}, cores, true) / mega, megabytes,
+      {{"memory", campaign::memory_of_run({points.front()}, cores, sums_up) / mega, megabytes,
         "at most, of all replicates that run together and the results of those that "
         "have ended"},
        {"files", files / mega, megabytes, "about, of all results on the disk"}});
@@ -93,7 +94,8 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   // Before the pilot run, which needs the memory.
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   for (const cases::Case& point : points.good()) {  // one after the other is in memory
-    const auto memory = campaign::memory_faults({point}, cores, campaign::memory_available(), true);
+    const auto memory =
+        campaign::memory_faults({point}, cores, campaign::memory_available(), !sweeps);
     c.engine.insert(c.engine.end(), memory.begin(), memory.end());
     if (!memory.empty()) return c;
   }

@@ -151,14 +151,15 @@ void FewBodySolver::keep_near_facets(std::span<const WallNeighbour> before) {
   ParticleData& w = particles_;
   const std::vector<geometry::NearFacets> old = std::move(w.near_facets);
   w.near_facets.assign(w.wall_neighbours.size(), {});
-  for (std::size_t k = 0; k < w.wall_neighbours.size(); ++k) {
-    const WallNeighbour& now = w.wall_neighbours[k];
-    const auto same = std::ranges::find_if(before, [&](const WallNeighbour& one) {
-      return one.ball == now.ball && one.face == now.face;
-    });
-    const auto at = static_cast<std::size_t>(same - before.begin());
-    if (at < old.size()) w.near_facets[k] = old[at];
-  }
+  const auto faces = static_cast<std::size_t>(jar_->faces());
+  const auto pair = [&](const WallNeighbour& one) {
+    return static_cast<std::size_t>(one.ball) * faces + static_cast<std::size_t>(one.face);
+  };
+  std::vector<std::size_t> place(w.count * faces, old.size());  // of each pair in `old`
+  for (std::size_t k = 0; k < old.size(); ++k) place[pair(before[k])] = k;
+  for (std::size_t k = 0; k < w.wall_neighbours.size(); ++k)
+    if (const std::size_t at = place[pair(w.wall_neighbours[k])]; at < old.size())
+      w.near_facets[k] = old[at];
 }
 
 /// Derives from the packets where lanes find their bodies and leave their forces, and which rows

@@ -105,7 +105,7 @@ class ChamberWall final : public MovingWall {
       const Rotation& q = turns ? rotor : own;
       const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
       geometry::Gap gap = gap_near(near[k].face, plain ? position : q.apply_inverse(position),
-                                   near[k].within, facets + k);
+                                   near[k].within, facets, k);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward, velocity = cross(spin, point);
       BodyBlock& block = points[k / lanes];
@@ -126,7 +126,7 @@ class ChamberWall final : public MovingWall {
       const Rotation& q = faces[k] >= first_rotor_face_ ? rotor : own;
       const double within = (touching >> k & 1) != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap =
-          gap_near(faces[k], plain ? position : q.apply_inverse(position), within, facets + k);
+          gap_near(faces[k], plain ? position : q.apply_inverse(position), within, facets, k);
       if (!plain) gap.inward = q * gap.inward;
       const Vec3 point = position - gap.distance * gap.inward;
       points.x[k] = point.x, points.y[k] = point.y, points.z[k] = point.z;
@@ -173,10 +173,11 @@ class ChamberWall final : public MovingWall {
   }
 
  private:
-  geometry::Gap gap_near(int face, const Vec3& p, double within,
-                         geometry::NearFacets* facets) const {
+  /// With the facets that element `k` of `facets` keeps; null: none.
+  geometry::Gap gap_near(int face, const Vec3& p, double within, geometry::NearFacets* facets,
+                         std::size_t k = 0) const {
     if constexpr (has_facets)
-      if (facets != nullptr) return jar_.shape().gap(face, p, within, *facets);
+      if (facets != nullptr) return jar_.shape().gap(face, p, within, facets[k]);
     return geometry::gap_near(jar_.shape(), face, p, within);
   }
   /// Rotation from the axes of a face's geometry (jar or rotor) to those of the jar frame.
