@@ -234,8 +234,10 @@ struct Run {
   double settle_at_rest = 0;    ///< [s] before the mill starts, with the mill standing still
   StartStates start_from = {};  ///< replaces random positions, speeds and spins
   std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
-  double time_step_fraction = 0.125;  ///< of the Rayleigh time, for the step the engine chooses
-  bool free_flight_skip = true;       ///< whether the soft engine skips steps in free flight
+  /// [1] for the step the engine chooses: largest mean error of a collision (soft::StepError)
+  double step_error = 0.01;
+  double time_step_fraction = 0.25;  ///< of the Rayleigh time, at most, for the same step
+  bool free_flight_skip = true;      ///< whether the soft engine skips steps in free flight
   SensitivityMode sensitivity = SensitivityMode::automatic;  ///< to assumed values
   bool operator==(const Run&) const = default;
 };

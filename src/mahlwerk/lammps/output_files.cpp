@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <utility>
 
@@ -101,6 +102,8 @@ bool OutputFile::read_table_line() {
   rows_ = {.step = 0, .columns = columns_, .values = std::move(rows_.values)};
   rows_.values.clear();
   read_row(*line);
+  constexpr double most_steps = 9e15;  // whole numbers of a double
+  if (!(std::abs(rows_.values.front()) <= most_steps)) damaged(*line);
   rows_.step = static_cast<std::int64_t>(rows_.values.front());
   return true;
 }

@@ -35,7 +35,8 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   const double arm = rolling_coefficient(pair.effective, settings.model.rolling);
   parameters.rolling_coefficient = broadcast(arm);
   parameters.rolling_stiffness_ratio = broadcast(2.25 * arm * arm * pair.stiffness_ratio);
-  parameters.stiffness_correction = broadcast(pair.stiffness_correction(settings.time_step));
+  parameters.phase_squared_per_stiffness =
+      broadcast(pair.phase_squared_per_stiffness(settings.time_step));
   parameters.half_step_squared_over_mass =
       broadcast(0.5 * settings.time_step * settings.time_step / pair.effective.mass);
   parameters.slip_factor = broadcast(pair.effective.slip_factor);

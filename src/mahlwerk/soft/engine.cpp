@@ -41,8 +41,8 @@ std::vector<std::exception_ptr> advance_together(std::span<scene::Engine* const>
   return failures;
 }
 
-double TimeSteps::recommended(double fraction) const {
-  return std::min({fraction * rayleigh, contact / 50, dashpot / 5});
+double TimeSteps::recommended(double fraction, double steps_per_collision) const {
+  return std::min({fraction * rayleigh, contact / steps_per_collision, dashpot / 5});
 }
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,

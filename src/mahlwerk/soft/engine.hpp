@@ -45,9 +45,9 @@ struct TimeSteps {
   double dashpot = 0;  ///< shortest time in which a contact's dashpot alone stops a ball (dem.33)
   double limit = 0;    ///< longer steps are unstable (dem.31)
   double overlap = 0;  ///< [1] largest overlap over radius
-  /// The recommended step [s]: `fraction` of rayleigh, at most contact / 50 and dashpot / 5
-  /// (dem.30).
-  double recommended(double fraction) const;
+  /// The recommended step [s]: `fraction` of rayleigh, at most contact / `steps_per_collision` and
+  /// dashpot / 5 (dem.30).
+  double recommended(double fraction, double steps_per_collision) const;
 };
 /// With a liquid, `dashpot` is also at most the time in which it stops a ball (liq.9).
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,

@@ -19,12 +19,10 @@ struct SpeciesPair {
   double pull_off_distance = 0;  ///< [m]
   double stiffness_ratio = 0;    ///< [1]
 
-  /// Correction c of the tangential stiffness for a step dt [s], in m/N: k_t is replaced by
-  /// k_t (1 - c k_t) (dem.37). The integrator makes the tangential spring oscillate too fast, by
-  /// the fraction w^2 dt^2/6 of its frequency w, with w^2 = s k_t/m*, s the slip factor (hol.4). So
-  /// k_t is reduced by the fraction w^2 dt^2/3.
-  double stiffness_correction(double dt) const {
-    return effective.slip_factor / 3 * dt * dt / effective.mass;
+  /// (w dt)^2 over k_t [m/N] for a step dt [s], w the frequency of the tangential spring:
+  /// w^2 = s k_t/m*, s the slip factor (hol.4).
+  double phase_squared_per_stiffness(double dt) const {
+    return effective.slip_factor * dt * dt / effective.mass;
   }
 };
 

@@ -3,6 +3,7 @@
 #include "mahlwerk/soft/step_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "mahlwerk/contact/laws.hpp"
@@ -10,11 +11,16 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Errors of tangential speed and spin are larger at other Poisson ratios and between the sampled
-/// angles: by up to a fifth, found for hertz-tsuji at e = 0.8 and nu = 0.
-constexpr double margin = 1.25;
+constexpr double steps_of_table = 25;
+/// Single collisions are off by more at other phases and angles than those of the table: by up to a
+/// tenth.
+constexpr double margin_of_single = 1.2;
 
 }  // namespace
+
+double StepError::largest_mean() const {
+  return std::max({rebound, tangential, spin});
+}
 
 StepError step_error(const contact::AnyLaw& law, double restitution, double steps_per_collision) {
   const contact::StepErrors& table =
@@ -26,12 +32,18 @@ StepError step_error(const contact::AnyLaw& law, double restitution, double step
   const double part = (e - restitutions[k]) / (restitutions[k + 1] - restitutions[k]);
   // The error is of second order, plus a part of first order where sliding begins between two
   // steps. That part dominates in short steps, so the bound is scaled linearly there.
-  const double step_ratio = 50 / steps_per_collision;
+  const double step_ratio = steps_of_table / steps_per_collision;
   const double scale = step_ratio * std::max(step_ratio, 1.0) / 100;  // the table is in per cent
   const auto at = [&](std::size_t column) {
     return scale * ((1 - part) * table[k][column] + part * table[k + 1][column]);
   };
-  return {at(0), margin * at(1), margin * at(2)};
+  return {at(0), at(1), at(2), margin_of_single * at(3)};
+}
+
+double steps_per_collision(const contact::AnyLaw& law, double restitution, double error) {
+  constexpr double fewest = 16;
+  const double share = step_error(law, restitution, steps_of_table).largest_mean() / error;
+  return std::max(fewest, steps_of_table * (share < 1 ? std::sqrt(share) : share));
 }
 
 }  // namespace mahlwerk::soft

@@ -297,6 +297,7 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.run.replicates = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.time_step = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.run.time_step_fraction = 2; }), out);
+  EXPECT_EQ(codes([](Case& c) { c.run.step_error = 0.2; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.elastic.youngs_modulus = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].elastic.poisson_ratio = -1; }), out);
   EXPECT_EQ(codes([](Case& c) { c.balls[0].substance.hardness = 0; }), out);

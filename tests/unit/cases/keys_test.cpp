@@ -49,8 +49,8 @@ TEST(Keys, each_is_listed_once) {
        {"title", "gravity", "mill.ratio_convention", "mill.file", "jar.volume", "jar.crease_angle",
         "balls.filling", "balls.retained", "powder.grain_size", "contact.stiffness",
         "contact.pairs.between", "contact.restitution_speed", "contact.restitution_table",
-        "run.longest", "run.time_step_fraction", "breakage.e_infinity", "kinetics.exponent",
-        "grinding.sample"})
+        "run.longest", "run.step_error", "run.time_step_fraction", "breakage.e_infinity",
+        "kinetics.exponent", "grinding.sample"})
     EXPECT_TRUE(known_keys().contains(key)) << key;
 }
 

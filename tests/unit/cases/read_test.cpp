@@ -98,6 +98,7 @@ TEST(ReadCase, every_value_has_its_origin) {
                           "run.engine",
                           "run.settle",
                           "run.start_frame",
+                          "run.step_error",
                           "run.time_step_fraction",
                           "run.hop",
                           "run.replicates",

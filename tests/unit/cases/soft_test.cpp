@@ -189,7 +189,9 @@ TEST(ReadStep, a_time_or_a_share) {
     return read_sample(with(planetary, "settle", lines)).run;
   };
   EXPECT_FALSE(run("").time_step.has_value());
-  EXPECT_EQ(run("").time_step_fraction, 0.125);
+  EXPECT_EQ(run("").time_step_fraction, 0.25);
+  EXPECT_EQ(run("").step_error, 0.01);
+  EXPECT_EQ(run("step_error = \"0.5 %\"").step_error, 0.005);
   EXPECT_TRUE(run("").free_flight_skip);
   EXPECT_EQ(run("time_step = \"1 us\"").time_step, 1e-6);
   EXPECT_EQ(run("time_step_fraction = \"10 %\"").time_step_fraction, 0.1);
@@ -199,10 +201,13 @@ TEST(ReadStep, a_time_or_a_share) {
   EXPECT_EQ(bad("time_step = \"0 s\""), "20 out-of-range");
   EXPECT_EQ(bad("time_step_fraction = 0"), "20 out-of-range");
   EXPECT_EQ(bad("time_step_fraction = 1.1"), "20 out-of-range");
+  EXPECT_EQ(bad("step_error = 0"), "20 out-of-range");
   EXPECT_EQ(bad("time_step = \"1 us\"\ntime_step_fraction = 0.1"), "21 too-much");
+  EXPECT_EQ(bad("time_step = \"1 us\"\nstep_error = 0.1"), "21 too-much");
   EXPECT_EQ(bad("start_frame = \"disc\""), "20 unknown-word");
-  const Case c = read_sample(with(planetary, "settle", "time_step_fraction = 0.1"),
-                             {{"run.time_step", "2 us"}});
+  const Case c =
+      read_sample(with(planetary, "settle", "time_step_fraction = 0.1\nstep_error = 0.02"),
+                  {{"run.time_step", "2 us"}});
   EXPECT_EQ(c.run.time_step, 2e-6);
 }
 

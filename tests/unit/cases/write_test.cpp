@@ -149,7 +149,7 @@ class AnyCase {
     if (flip())
       c.run.time_step = size();
     else
-      c.run.time_step_fraction = random_.uniform();
+      c.run.time_step_fraction = random_.uniform(), c.run.step_error = 0.1 * random_.uniform();
     c.observe = {size(), flip()};
     if (flip()) c.parts.set(Wear{flip() ? Wear::Model::archard : Wear::Model::finnie, size()});
     if (flip())

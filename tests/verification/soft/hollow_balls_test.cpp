@@ -36,7 +36,7 @@ std::unique_ptr<scene::Engine> on_floor(double ratio, const Vec3& velocity, cons
   pair.rolling_friction = mu_r;
   const scene::Ball ball = ball_with(ratio, {-0.4, 0, -0.5 * side + radius}, velocity);
   const double step = soft::time_steps({ball}, HertzMindlin{}, contact::PairTable(1, 6, pair), 0.5)
-                          .recommended(0.125);
+                          .recommended(0.125, 50);
   return soft_engine(still_box(side, pull), {ball}, of_law(HertzMindlin{}, rolling), pair, step);
 }
 

@@ -55,7 +55,7 @@ void same_collisions(const std::string& what, const scene::Chamber& mill,
                      double least_ratio = 10) {
   const contact::Pair pair = pair_of({200e9, 0.3}, {200e9, 0.3}, e, 0.3);
   const contact::PairTable pairs(1, 6, pair);
-  const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).recommended(0.2);
+  const double step = soft::time_steps(balls, HertzMindlin{}, pairs, 3).recommended(0.2, 50);
   const auto& motion = std::get<kinematics::Vibration>(*mill.motion);
   const double off = motion.amplitude * std::pow(2 * std::numbers::pi * motion.frequency * step, 2);
   const Followed hops = followed(mill, balls, pair, step, 0.2, true);

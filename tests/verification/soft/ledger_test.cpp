@@ -63,7 +63,7 @@ TEST(Ledger, closes_in_a_shaken_jar_and_in_a_planetary_mill) {
     const double radius = planet ? 0.007 : 0.005;
     contact::ContactModel model = of_law(HertzMindlin{}, Rolling::cdt);
     const contact::PairTable pairs(1, 3, mill_pair());
-    const double usual = soft::time_steps(five(radius), *model.law, pairs, 3).recommended(0.2);
+    const double usual = soft::time_steps(five(radius), *model.law, pairs, 3).recommended(0.2, 50);
     std::printf("    usual step %.3g s\n", usual);
     for (const Rolling rule : {Rolling::cdt, Rolling::epsd, Rolling::viscous, Rolling::own_spin}) {
       model.rolling = rule;

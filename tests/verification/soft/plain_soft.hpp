@@ -144,7 +144,7 @@ class PlainSoft {
 
   /// Damped forces of Hertz and Mindlin at an overlap; forces < 0 pull.
   struct Hertz {
-    double elastic = 0, damper = 0, stiffness = 0, damping = 0;
+    double elastic = 0, damper = 0, stiffness = 0, damping = 0, slope = 0;
     double force() const { return elastic + damper; }
   };
   Hertz hertz(const ContactGeometry& m, double overlap, double rate) const {
@@ -153,7 +153,7 @@ class PlainSoft {
     const double along = 2 * pair_.modulus * a, across = 8 * pair_.shear_modulus * a;
     const double damp = -2 * std::sqrt(5.0 / 6) * beta;
     return {4.0 / 3 * pair_.modulus * a * overlap, damp * std::sqrt(along * m.mass) * rate, across,
-            damp * std::sqrt(across * m.mass)};
+            damp * std::sqrt(across * m.mass), along};
   }
   /// Weights of the first force of a contact, at the fraction `since` of a step after touch: of the
   /// dampers, and of the elastic force (dem.35).
@@ -198,7 +198,9 @@ class PlainSoft {
     const Vec3 slip = m.u - rate * m.n;
     const auto [at, fresh] = springs_.try_emplace({i, j});
     double counts = 1, elastic = 1, stiff_counts = 1, overlap = m.overlap;
+    bool weighed = false;
     const auto weigh = [&](double since, double already) {
+      weighed = true;
       counts = counted(since) - already;
       elastic = counted_elastic(since) - already;
       stiff_counts = already > 0 ? counts : counted_elastic(std::max(since, 0.02));
@@ -211,7 +213,12 @@ class PlainSoft {
         at->second.spring = (since - 0.5) * dt_ * slip;
       }
     }
-    const bool pulls = touching && hertz(m, overlap, rate).force() < 0;
+    // The rate was predicted from the force of the step before (dem.45).
+    const auto rated = [&](Hertz f) {
+      f.damper *= 1 - dt_ * dt_ / (2 * m.mass) * f.slope;
+      return f;
+    };
+    const bool pulls = touching && rated(hertz(m, overlap, rate)).force() < 0;
     const bool turned = touching && pulls != at->second.pulls;
     at->second.pulls = pulls;
     if (!touching) {
@@ -222,22 +229,31 @@ class PlainSoft {
       overlap = since * way;
     }
     Hertz f = hertz(m, overlap, rate);
+    if (!weighed) f = rated(f);
     f.elastic *= elastic, f.damper *= counts, f.stiffness *= stiff_counts, f.damping *= counts;
     // The spring turns with the contact, grows by the mean slip of two steps, and is cut off at
     // Coulomb's limit.
     const Vec3 half = 0.5 * dt_ * slip, last = at->second.spring;
     const Vec3 laid = last - dot(last, m.n) * m.n;
     Vec3 spring = norm(laid) == 0 ? Vec3{} : norm(last) / norm(laid) * laid;
-    const double stiff = f.stiffness * (1 - 7.0 / 6 * dt_ * dt_ / m.mass * f.stiffness);
+    // Spring and dashpot for the step (dem.37), w the frequency of the spring.
+    // The last stiffness of a contact, a correction, may be negative.
+    const double mass = 2.0 / 7 * m.mass,
+                 half_phase = 0.5 * dt_ * std::sqrt(std::abs(f.stiffness) / mass);
+    const double q =
+        f.stiffness < 0 ? -std::pow(std::sinh(half_phase), 2) : std::pow(std::sin(half_phase), 2);
+    const double p = 1 + 3 * q;
+    const double stiff = mass / (dt_ * dt_) * 4 * q * (1 + 2 * q) / p;
+    const double damping = mass / dt_ * 4 * q * q / p + f.damping / p;
     if (turned && norm(spring) > 0)  // the limit was 0 about half a step ago
-      spring *= std::clamp(-f.damping * dot(slip, spring) / (stiff * squared(spring)), 0.0, 1.0);
+      spring *= std::clamp(-damping * dot(slip, spring) / (stiff * squared(spring)), 0.0, 1.0);
     spring += half;
-    Vec3 force = -stiff * spring - f.damping * slip;
+    Vec3 force = -stiff * spring - damping * slip;
     const double most = pair_.friction * std::abs(f.force());
     if (norm(force) > most) {
       force *= most / norm(force);
       const double length = norm(spring);
-      const double held = most + std::max(0.0, -f.damping * dot(slip, spring) / length);
+      const double held = most + std::max(0.0, -damping * dot(slip, spring) / length);
       if (stiff * length > held) spring *= held / (stiff * length);
     }
     at->second.spring = spring + half;

@@ -28,11 +28,11 @@ Notices speed_notices(const cases::Case& mill_case, double speed) {
   const soft::StepError stated = step_error(mill_case, s, s.speed),
                         e = step_error(mill_case, s, speed);
   if (!(e.tangential > much * stated.tangential)) return {};
-  const bool matters = std::max({e.rebound, e.tangential, e.spin}) > large;
+  const bool matters = e.largest_mean() > large;
   std::string text = fmt::format(
       "Bodies collided at up to {}, faster than {}, for which the errors of the time step are "
-      "stated. The shortest collision is off by up to {} % of its rebound speed, {} % of its "
-      "tangential speed and {} % of its spin, instead of {} %, {} % and {} %. Write "
+      "stated. The shortest collisions are off by up to {} % of their rebound speed, {} % of their "
+      "tangential speed and {} % of their spin on average, instead of {} %, {} % and {} %. Write "
       "run.time_step = \"{}\" or less.",
       show_rounded(speed, "m/s", 2), show_rounded(s.speed, "m/s", 2), two_digits(100 * e.rebound),
       two_digits(100 * e.tangential), two_digits(100 * e.spin), two_digits(100 * stated.rebound),

@@ -148,18 +148,22 @@ void describe_sensitivity(KeyVisitor& v, Run& run) {
          run.sensitivity);
 }
 
-/// The soft engine's step: a time, or a share of the Rayleigh time.
+/// The soft engine's step: a time, or an error with a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
   const NumberSpec step = NumberSpec("time_step", "s", positive,
                                      "time step of the soft engine, and in LAMMPS")
                               .in_place_of("time_step_fraction")
                               .read_by(soft_and_lammps),
-                   share = NumberSpec(step_share).read_by(soft_and_lammps);
+                   share = NumberSpec(step_share).read_by(soft_and_lammps),
+                   error = NumberSpec(step_error).read_by(soft_only);
   SectionReader* in = v.reader();
+  const auto before = [&](std::string_view key) { return in->one_of({step.key, key}) == step.key; };
   const bool timed =
-      in != nullptr ? in->one_of({step.key, share.key}) == step.key : run.time_step.has_value();
+      in != nullptr ? before(share.key) && before(error.key) : run.time_step.has_value();
   if (timed || v.visits_all()) v.optional_number(step, run.time_step);
-  if (!timed || v.visits_all()) v.number(share, run.time_step_fraction);
+  if (timed && !v.visits_all()) return;
+  v.number(error, run.step_error);
+  v.number(share, run.time_step_fraction);
 }
 
 }  // namespace

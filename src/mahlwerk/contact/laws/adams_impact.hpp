@@ -20,13 +20,13 @@ struct AdamsImpact : HertzSpring {
   static constexpr std::string_view about =
       "impact function of MSC Adams: Hertz spring, damper that grows with the overlap";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors{{{0.7, 0.15, 0.6},
-                                           {0.5, 0.15, 0.5},
-                                           {0.4, 0.15, 0.45},
-                                           {0.25, 0.18, 0.6},
-                                           {0.2, 0.2, 0.7},
-                                           {0.1, 0.15, 0.5},
-                                           {0.06, 0.1, 0.35}}};
+  static constexpr StepErrors step_errors{{{0.49, 0.48, 1.82, 3.9},
+                                           {0.09, 0.54, 1.69, 3.35},
+                                           {0.05, 0.21, 0.72, 2.32},
+                                           {0.01, 0.14, 0.49, 1.95},
+                                           {0.02, 0.21, 0.73, 2.12},
+                                           {0.04, 0.22, 0.76, 2.86},
+                                           {0.01, 0.21, 0.72, 1.57}}};
   static constexpr bool has_history = true;
   static constexpr double usual_depth = 0.01;  // fraction of the largest overlap
   bool published_damping = false;  ///< the paper's estimate (dem.15) instead of the solution for e

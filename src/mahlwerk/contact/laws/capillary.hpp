@@ -21,13 +21,13 @@ struct Capillary : HertzSpring {
       "the shortest collision, or passage of a bridge";
   /// Above those of Hertz-Mindlin: a bridge keeps the contact alive where the damper ends, so that
   /// its end is not corrected (dem.36).
-  static constexpr StepErrors step_errors{{{0.75, 0.05, 0.2},
-                                           {0.7, 0.1, 0.3},
-                                           {0.55, 0.15, 0.45},
-                                           {0.4, 0.25, 0.8},
-                                           {0.25, 0.3, 0.98},
-                                           {0.1, 0.28, 0.95},
-                                           {0.06, 0.1, 0.35}}};
+  static constexpr StepErrors step_errors{{{0.99, 0.09, 0.3, 2.67},
+                                           {0.38, 0.12, 0.42, 2.07},
+                                           {0.15, 0.21, 0.73, 1.38},
+                                           {0.05, 0.16, 0.53, 1.3},
+                                           {0.06, 0.14, 0.47, 2.7},
+                                           {0.02, 0.19, 0.66, 3.42},
+                                           {0.01, 0.22, 0.77, 1.25}}};
   static constexpr std::array adhesion{surface_tension};
   double contact_angle = 0;     ///< [rad] of the liquid on both bodies
   double bridge_ratio = 0.001;  ///< [1] volume of a bridge over the cube of 2 R*

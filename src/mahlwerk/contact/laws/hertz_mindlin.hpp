@@ -14,13 +14,13 @@ struct HertzMindlin : HertzSpring {
   static constexpr std::string_view about =
       "elastic spheres with sticking and sliding friction; one restitution at all speeds";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
-                                           {0.5, 0.1, 0.3},
-                                           {0.4, 0.15, 0.45},
-                                           {0.25, 0.25, 0.8},
-                                           {0.2, 0.3, 0.98},
-                                           {0.1, 0.28, 0.95},
-                                           {0.06, 0.1, 0.35}}};
+  static constexpr StepErrors step_errors{{{0.98, 0.09, 0.3, 1.44},
+                                           {0.33, 0.12, 0.4, 0.81},
+                                           {0.14, 0.21, 0.71, 1.25},
+                                           {0.05, 0.16, 0.54, 1.26},
+                                           {0.06, 0.14, 0.47, 1.99},
+                                           {0.02, 0.18, 0.63, 2.18},
+                                           {0.01, 0.22, 0.77, 1.53}}};
   static constexpr auto fields() { return std::array<LawField<HertzMindlin>, 0>{}; }
 
   double damping(double e) const { return -2 * std::sqrt(5.0 / 6.0) * damping_ratio(e); }

@@ -18,13 +18,13 @@ struct HertzTsuji : HertzSpring {
   static constexpr std::string_view about =
       "Hertz spring with Tsuji's damper along and across the normal, never attractive";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors{{{0.3, 0.15, 0.45},
-                                           {0.3, 0.38, 1.3},
-                                           {0.3, 0.22, 0.7},
-                                           {0.25, 0.18, 0.6},
-                                           {0.15, 0.22, 0.75},
-                                           {0.08, 0.2, 0.65},
-                                           {0.06, 0.1, 0.35}}};
+  static constexpr StepErrors step_errors{{{0.36, 0.14, 0.47, 1.02},
+                                           {0.2, 0.28, 0.97, 1.83},
+                                           {0.12, 0.2, 0.7, 1.28},
+                                           {0.05, 0.17, 0.57, 1.34},
+                                           {0.03, 0.14, 0.47, 1.67},
+                                           {0.04, 0.16, 0.53, 2.8},
+                                           {0.01, 0.22, 0.75, 1.42}}};
   static constexpr auto fields() { return std::array<LawField<HertzTsuji>, 0>{}; }
 
   double damping(double e) const { return tensionless_damping(std::max(e, min_restitution)); }

@@ -15,13 +15,13 @@ struct Jkr : HertzSpring {
   static constexpr std::string_view about =
       "Johnson, Kendall and Roberts: elastic spheres with adhesive surfaces";
   static constexpr std::string_view shortest_time_name = whole_collision;
-  static constexpr StepErrors step_errors{{{0.6, 0.05, 0.2},
-                                           {0.55, 0.1, 0.3},
-                                           {0.4, 0.15, 0.45},
-                                           {0.25, 0.25, 0.8},
-                                           {0.2, 0.3, 0.98},
-                                           {0.1, 0.28, 0.95},
-                                           {0.06, 0.1, 0.35}}};
+  static constexpr StepErrors step_errors{{{0.87, 0.09, 0.31, 1.39},
+                                           {0.24, 0.12, 0.4, 0.7},
+                                           {0.08, 0.2, 0.68, 1.19},
+                                           {0.03, 0.15, 0.53, 1.24},
+                                           {0.03, 0.13, 0.46, 2.05},
+                                           {0.03, 0.19, 0.64, 2.34},
+                                           {0.01, 0.23, 0.79, 1.29}}};
   static constexpr std::array adhesion{surface_energy};
   static constexpr auto fields() { return std::array<LawField<Jkr>, 0>{}; }
 

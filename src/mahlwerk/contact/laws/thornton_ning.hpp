@@ -18,13 +18,13 @@ struct ThorntonNing : HertzSpring {
       "elastic-plastic spheres: above a yield speed the restitution falls with the speed";
   static constexpr std::string_view shortest_time_name =
       "a collision along the stiff curve of unloading";
-  static constexpr StepErrors step_errors{{{0.65, 0.05, 0.2},
-                                           {0.6, 0.1, 0.3},
-                                           {0.55, 0.15, 0.45},
-                                           {0.35, 0.25, 0.8},
-                                           {0.2, 0.3, 0.98},
-                                           {0.1, 0.28, 0.95},
-                                           {0.06, 0.13, 0.45}}};
+  static constexpr StepErrors step_errors{{{1.12, 0.08, 0.27, 2.69},
+                                           {0.49, 0.07, 0.21, 2.09},
+                                           {0.28, 0.1, 0.34, 1.73},
+                                           {0.19, 0.1, 0.34, 1.5},
+                                           {0.12, 0.08, 0.28, 2.54},
+                                           {0.05, 0.09, 0.29, 1.68},
+                                           {0.01, 0.19, 0.63, 1.21}}};
   static constexpr bool has_history = true;
   double yield_pressure = 0;  ///< [Pa] p_y of all pairs; 0: from the hardness of each pair
 

@@ -18,13 +18,13 @@ struct WaltonBraun : Spring {
       "linear spring, stiffer on unloading: the hysteresis loop dissipates plastic work";
   static constexpr std::string_view shortest_time_name =
       "a collision along the stiff line of unloading";
-  static constexpr StepErrors step_errors{{{0.15, 0.2, 0.6},
-                                           {0.15, 0.2, 0.6},
-                                           {0.15, 0.2, 0.6},
-                                           {0.15, 0.2, 0.6},
-                                           {0.15, 0.2, 0.6},
-                                           {0.15, 0.15, 0.5},
-                                           {0.15, 0.1, 0.3}}};
+  static constexpr StepErrors step_errors{{{0.01, 0.01, 0.02, 0.32},
+                                           {0.01, 0.01, 0.03, 0.59},
+                                           {0.01, 0.02, 0.05, 0.89},
+                                           {0.01, 0.03, 0.08, 1.54},
+                                           {0.01, 0.03, 0.11, 1.73},
+                                           {0.01, 0.03, 0.09, 0.97},
+                                           {0.01, 0.04, 0.12, 0.36}}};
   static constexpr bool has_history = true;
   static constexpr auto fields() { return spring_fields<WaltonBraun>(); }
 

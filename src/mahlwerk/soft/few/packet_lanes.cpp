@@ -13,8 +13,8 @@ void each_column(PairPacket& p, const F& f) {
   for (LaneMask* c : {&p.i, &p.j, &p.touching, &p.wall, &p.tensile}) f(*c);
   for (Lanes* c : {&p.radius_i, &p.radius_j, &p.overlap_share, &p.pull_off_distance, &p.friction,
                    &p.twisting_radius, &p.load, &p.twist, &p.rolling_coefficient,
-                   &p.rolling_stiffness_ratio, &p.inertia, &p.slip_factor, &p.stiffness_correction,
-                   &p.half_step_squared_over_mass, &p.stiffness})
+                   &p.rolling_stiffness_ratio, &p.inertia, &p.slip_factor,
+                   &p.phase_squared_per_stiffness, &p.half_step_squared_over_mass, &p.stiffness})
     f(*c);
   for (Lanes& c : p.coefficients) f(c);
   for (Lanes& c : p.law_history) f(c);

@@ -48,7 +48,7 @@ struct alignas(64) PairParameters {
   Lanes rolling_stiffness_ratio{};
   Lanes inertia{};                      ///< [kg m2] reduced moment of inertia
   Lanes slip_factor{};                  ///< [1] of the pair (hol.4)
-  Lanes stiffness_correction{};         ///< [m/N] SpeciesPair::stiffness_correction() (dem.37)
+  Lanes phase_squared_per_stiffness{};  ///< [m/N] of SpeciesPair (dem.37)
   Lanes half_step_squared_over_mass{};  ///< [s2/kg] dt^2/(2 m*)
 };
 

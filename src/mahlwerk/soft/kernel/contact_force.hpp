@@ -4,10 +4,25 @@
 
 #include "mahlwerk/soft/kernel/partial_slip.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
+#include "mahlwerk/soft/kernel/step_correction.hpp"
 #include "mahlwerk/soft/kernel/twisting_torque.hpp"
 
 // Contact forces and torques of a group of pairs (docs/theory/soft.md).
 namespace mahlwerk::soft {
+
+/// Work [J] that the predicted slip of a step adds to the work against friction (dem.46): that of
+/// the stabilising dashpot, or of a sliding contact whose load changes.
+template <class V>
+[[gnu::always_inline]] inline V predicted_work(const LaneGroup<V>& group,
+                                               const PairParameters& pair, double dt,
+                                               const ContactGeometry<V>& geometry,
+                                               const contact::LawForce<V>& law_force,
+                                               const TangentialSpring<V>& spring,
+                                               const MaskOf<V>& sliding) {
+  const V change = (dt * group(pair.friction)) * law_force.slope * geometry.overlap_rate;
+  return select<V>(sliding, 0.25 * group(pair.phase_squared_per_stiffness) * change * change,
+                   dt * dot(geometry.slip, geometry.slip) * spring.stabilising);
+}
 
 /// Friction force on i [N]: tangential spring and dashpot, cut off at the Coulomb limit (dem.18 to
 /// dem.21, dem.37). The stored spring is half a step ahead: each step adds half its slip before the
@@ -25,28 +40,29 @@ template <class V>
         select(less(law_force.stiffness, history.stiffness), ratio, V{} + 1.0) * history.spring;
   }
   const V zero{}, one = zero + 1.0;
-  const V full_stiffness =
-      law_force.stiffness * (1.0 - group(pair.stiffness_correction) * law_force.stiffness);
+  const TangentialSpring<V> full = tangential_spring<V>(group, pair, law_force, constants.dt);
   const Vec<V> half_slip = (0.5 * constants.dt) * geometry.slip;
   PartialSlip<V> partial;
   Vec<V> spring;  // with partial slip its force, as a spring of stiffness 1
   if (constants.partial_slip)
-    partial = load_tangentially<V>(group, pair, history, geometry.n, half_slip, full_stiffness,
+    partial = load_tangentially<V>(group, pair, history, geometry.n, half_slip, full.stiffness,
                                    law_force.load, spring);
   else
     spring = rotate_to_tangent_plane(history.spring, geometry.n);
-  const V stiffness = constants.partial_slip ? one : full_stiffness;
+  const V stiffness = constants.partial_slip ? one : full.stiffness;
   const auto opposing_damping = [&] {
-    return max(-(law_force.damping * dot(geometry.slip, spring)), zero);
+    return max(-(full.damping * dot(geometry.slip, spring)), zero);
   };
   if (any(load_reversed)) {  // the limit was 0 about half a step ago
     const V ratio = opposing_damping() / max(stiffness * dot(spring, spring), zero + 1e-150);
     spring = select(load_reversed, min(ratio, one), one) * spring;
   }
   if (!constants.partial_slip) spring = spring + half_slip;
-  Vec<V> force = -(stiffness * spring) - law_force.damping * geometry.slip;
+  Vec<V> force = -(stiffness * spring) - full.damping * geometry.slip;
   const V limit = group(pair.friction) * law_force.load, squared = dot(force, force);
   const MaskOf<V> sliding = touching & less(limit * limit, squared);
+  work.tangential = -where<V>(
+      touching, predicted_work<V>(group, pair, constants.dt, geometry, law_force, full, sliding));
   if (any(sliding)) {
     // Shortens the spring so that its force is the Coulomb limit plus the force of a dashpot that
     // acts against it (dem.20).
@@ -170,6 +186,7 @@ template <class Law, class V>
   contact::LawForce<V> law_force = Law::template evaluate<V>(
       coefficients.data(), history.law_history, where<V>(touching, geometry.overlap),
       where<V>(touching, geometry.overlap_rate));
+  correct_damper(group(pair.half_step_squared_over_mass), law_force);
   const Mask tensile = less(law_force.load, zero) & touching;
   const Mask load_reversed = (tensile ^ history.tensile) & touching;
   history.tensile = tensile;
@@ -218,8 +235,8 @@ template <class Law, class V>
   // Rates were predicted from the force of the last step. The elastic force has grown since; the
   // first force of a contact is all new.
   const V half_kick = constants.inverse_dt * group(pair.half_step_squared_over_mass);
-  V rate =
-      (1.0 - group(pair.half_step_squared_over_mass) * law_force.slope) * geometry.overlap_rate;
+  const V lag = (2.0 / 3) * group(pair.half_step_squared_over_mass) * law_force.slope;  // (dem.39)
+  V rate = (1.0 - lag) * geometry.overlap_rate;
   Vec<V> slip = geometry.slip;
   if (transitions != nullptr) {
     const Mask first = correction.corrected & transitions->begun;
@@ -229,7 +246,7 @@ template <class Law, class V>
   work.impulse = constants.dt * law_force.force;
   work.normal = constants.dt * (damper * rate) +
                 (plastic_energy<Law>(coefficients, history) - plastic_before);  // (dem.39)
-  work.tangential = -(constants.dt * dot(friction, slip));
+  work.tangential -= constants.dt * dot(friction, slip);
   if (walls) work.wall = where<V>(group(pair.wall), constants.dt * wall_power);
   work.overlap = where<V>(touching, geometry.overlap);
   return out;

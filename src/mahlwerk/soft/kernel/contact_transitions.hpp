@@ -31,11 +31,12 @@ template <class V>
 }
 
 /// The same weight for an elastic force, which grows with the overlap as t or t^(3/2) (dem.35). The
-/// adhesive force of lanes that adhere grows as t. Exact for t; for t^(3/2) a polynomial fit of
-/// Hurwitz's -zeta(-3/2, 1 + step_fraction), to 9e-6.
+/// adhesive force of lanes that adhere grows as t, but at once next to its pull-off (JKR), where
+/// the weight is bounded. Exact for t; for t^(3/2) a polynomial fit of Hurwitz's -zeta(-3/2, 1 +
+/// step_fraction), to 9e-6.
 template <class Law, class V>
 [[gnu::always_inline]] inline V elastic_weight(const V& step_fraction, const MaskOf<V>& adheres) {
-  const V& s = step_fraction;
+  const V s = select<V>(adheres, max(step_fraction, V{} + 0.02), step_fraction);
   const V linear = (0.5 * s * (s + 1.0) + 1.0 / 12) / s;
   if constexpr (Law::touch_exponent == contact::TouchExponent::one) {
     return linear;
@@ -108,7 +109,9 @@ template <class Law, class V>
     return Law::template evaluate<V>(k.data(), own_history, where<V>(corrected, at),
                                      where<V>(corrected, speed));
   };
-  const contact::LawForce<V> full_force = evaluate_at(max(overlap_now, onset_overlap), rate),
+  const contact::LawForce<V> full_force = evaluate_at(select<V>(transitions.ended, overlap_now,
+                                                                max(overlap_now, onset_overlap)),
+                                                      rate),
                              jump_force = evaluate_at(edge_overlap, rate);
   const V already_counted = where<V>(transitions.ended, one);  // whole step already counted
   const V root_weight =
