@@ -50,6 +50,7 @@ density = "7850 kg/m3"
 [contact]
 restitution = 0.6
 friction = 0.3
+softening = 0.05  # contacts last longer, so some frame shows one
 [run]
 engine = "soft"
 time = "40 ms"
