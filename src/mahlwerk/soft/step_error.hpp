@@ -9,7 +9,7 @@ namespace mahlwerk::soft {
 /// Upper bounds of the error that the time step gives a collision, at any angle. The first three
 /// are means over the time of touch within a step: errors of rates, powers and mean speeds.
 struct StepError {
-  double rebound = 0;     ///< [1] relative error of the normal rebound speed
+  double rebound = 0;  ///< [1] of the normal rebound speed, or a tenth of the impact speed if more
   double tangential = 0;  ///< [1] error of the tangential speed, over its initial value
   double spin = 0;        ///< [1] error of the spin, over that of rolling or gross slip
   double single = 0;      ///< [1] largest of these errors in a single collision

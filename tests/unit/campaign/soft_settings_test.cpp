@@ -113,15 +113,17 @@ TEST(SoftSettings, the_speeds_of_a_run_are_compared_with_the_expected_one) {
   results::Outcome outcome = results::fake_outcome();
   EXPECT_DOUBLE_EQ(largest_collision_speed(outcome), 2);  // m/s, of every second collision
   EXPECT_EQ(largest_collision_speed(results::Outcome{}), 0);
-  const auto warned_at = [&](const char* speed) {
-    outcome.mill_case =
-        soft_case("restitution = 0.5", {{"gravity", "0 m/s2"}, {"mill.speed", speed}});
+  const auto warned_at = [&](const char* speed, const char* share) {
+    outcome.mill_case = soft_case(
+        "restitution = 0.5",
+        {{"gravity", "0 m/s2"}, {"mill.speed", speed}, {"run.time_step_fraction", share}});
     const Notices notes = engine_notices(outcome, {.engine = cases::EngineName::soft}, nullptr);
     return std::ranges::any_of(notes,
                                [](const Notice& n) { return n.code == "faster-than-expected"; });
   };
-  EXPECT_TRUE(warned_at("100 rpm"));   // wall at 1 m/s
-  EXPECT_FALSE(warned_at("400 rpm"));  // 4 m/s
+  EXPECT_TRUE(warned_at("100 rpm", "1"));      // wall at 1 m/s
+  EXPECT_FALSE(warned_at("400 rpm", "1"));     // 4 m/s
+  EXPECT_FALSE(warned_at("100 rpm", "0.25"));  // the same step is short enough for 2 m/s
 }
 
 TEST(SoftSettings, a_linear_spring_is_as_long_at_any_speed) {

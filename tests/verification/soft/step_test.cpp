@@ -64,7 +64,7 @@ soft::StepError largest_error(const contact::AnyLaw& law, const contact::Pair& p
     for (int k = 0; k < phases; ++k) {
       const scene::Ball found =
           impact({ball}, pair, of_law(law), share, (k + 0.5) / phases).after[0];
-      const double off[] = {found.velocity.z / exact.velocity.z - 1,
+      const double off[] = {(found.velocity.z - exact.velocity.z) / std::max(exact.velocity.z, 0.1),
                             (found.velocity.x - exact.velocity.x) / vt,
                             (found.spin.y - exact.spin.y) / rolls};
       rebound += off[0] / phases, tangential += off[1] / phases, spin += off[2] / phases;
@@ -95,7 +95,7 @@ TEST(TimeStep, chosen_by_an_error_leaves_no_larger_one_and_says_how_large) {
   for (contact::AnyLaw law : contact::all_laws()) {
     // A slow rebound must pass the bridge within the time that impact() simulates.
     if (auto* wet = std::get_if<contact::Capillary>(&law)) wet->bridge_ratio = 1e-7;
-    for (const double e : {0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0})
+    for (const double e : {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 1.0})
       for (const double error : {0.005, 0.01}) {
         const contact::Pair pair = pair_with(e, 0.4);
         const double share = chosen_share(law, pair, soft::steps_per_collision(law, e, error));
@@ -105,6 +105,7 @@ TEST(TimeStep, chosen_by_an_error_leaves_no_larger_one_and_says_how_large) {
             fmt::format("{}, e {}, {:.0f} steps", contact::name_of(law), e, 1 / share);
         expect_told(found, told, what);
         EXPECT_LE(found.largest_mean(), error) << what;
+        if (e < 0.1) continue;
         EXPECT_LE(told.largest_mean(), 0.005 + 2 * found.largest_mean())
             << what << ": told far more than there is";
       }

@@ -68,7 +68,7 @@ void for_each_pair(const contact::PairTable& pairs, const F& f) {
 }
 
 /// Steps in the shortest collision that the requested error needs, the most over all pairs. LAMMPS
-/// does not correct its springs for the step (dem.37, dem.45, dem.46) and gets a fixed number.
+/// does not correct springs and dampers for the step (dem.37, dem.45) and gets a fixed number.
 double steps_per_collision(const cases::Case& mill_case, const contact::PairTable& pairs) {
   constexpr double of_lammps = 50;
   if (mill_case.run.engine == cases::EngineName::lammps) return of_lammps;

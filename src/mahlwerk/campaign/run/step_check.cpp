@@ -28,6 +28,8 @@ Notices speed_notices(const cases::Case& mill_case, double speed) {
   const soft::StepError stated = step_error(mill_case, s, s.speed),
                         e = step_error(mill_case, s, speed);
   if (!(e.tangential > much * stated.tangential)) return {};
+  const double needed = recommended_step(mill_case, speed);
+  if (!(needed < s.rules.time_step)) return {};  // the requested error is still kept
   const bool matters = e.largest_mean() > large;
   std::string text = fmt::format(
       "Bodies collided at up to {}, faster than {}, for which the errors of the time step are "
@@ -37,7 +39,7 @@ Notices speed_notices(const cases::Case& mill_case, double speed) {
       show_rounded(speed, "m/s", 2), show_rounded(s.speed, "m/s", 2), two_digits(100 * e.rebound),
       two_digits(100 * e.tangential), two_digits(100 * e.spin), two_digits(100 * stated.rebound),
       two_digits(100 * stated.tangential), two_digits(100 * stated.spin),
-      show(recommended_step(mill_case, speed), "s"));
+      show_rounded(needed, "s", 2));
   return {matters ? warning("faster-than-expected", std::move(text))
                   : note("faster-than-expected", std::move(text))};
 }

@@ -82,7 +82,7 @@ constexpr Field<Run> step_error{"step_error",
                                 "largest error of a collision by the time step, a mean over the "
                                 "time of touch within a step",
                                 0.01,
-                                "16 to 28 steps in the shortest collision"};
+                                "about 20 steps in the shortest collision"};
 constexpr Field<Run> step_share{"time_step_fraction",
                                 "",
                                 &Run::time_step_fraction,

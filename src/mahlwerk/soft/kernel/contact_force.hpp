@@ -83,8 +83,10 @@ template <class V>
     work.sliding = where<V>(sliding, work_done);
     spring = limited_spring;
   }
-  history.spring = where<V>(
-      touching, spring + (constants.partial_slip ? partial.force_change(half_slip) : half_slip));
+  // A contact without stiffness, as a liquid bridge across a gap, stores nothing.
+  history.spring =
+      where<V>(touching & less(zero, law_force.stiffness),
+               spring + (constants.partial_slip ? partial.force_change(half_slip) : half_slip));
   return where<V>(touching, force);
 }
 
