@@ -22,7 +22,7 @@ struct StepError {
 StepError step_error(const contact::AnyLaw& law, double restitution, double steps_per_collision);
 
 /// Fewest steps per collision for which largest_mean() is at most `error` [1], > 0. At least 16:
-/// below, single collisions are off by more than 5 %.
+/// below, friction makes single collisions err by more than about 5 %.
 double steps_per_collision(const contact::AnyLaw& law, double restitution, double error);
 
 }  // namespace mahlwerk::soft

@@ -55,6 +55,25 @@ TEST(Capillary, force_at_touch_is_2_pi_R_gamma_cos_theta_and_twice_it_at_a_wall)
          1.5 * one, 1e-15, "2 R_1 R_2/(R_1 + R_2) = 1.5 mm");
 }
 
+/// A bridge that holds a ball which slides past stores no slip: the ball, which comes back, loses
+/// by sliding no more than it loses across the normal.
+TEST(Capillary, slip_of_a_bridge_across_a_gap_is_no_loss_of_the_next_touch) {
+  for (const std::size_t few : {std::size_t{0}, std::size_t{32}}) {
+    const scene::Chamber box = still_box(0.1, {0, 0, -gravity});
+    scene::Ball ball = ball_of();
+    ball.position.z = -0.05 + radius + 2e-5;  // within the reach of the bridge
+    ball.velocity = {1, 0, -0.02};
+    const auto engine = soft::make_engine(box, {ball}, {of_law(law_of(1e-11)), 8e-6, false, few},
+                                          contact::PairTable(1, 6, wet_pair(0.9, 0.3)));
+    Recorder none;
+    engine->advance(0.004, none);
+    const scene::EnergyBalance energy = engine->energy_balance();
+    EXPECT_GT(energy.lost_tangential + energy.lost_open, 0);
+    stays_below(few == 0 ? "sliding over all losses, many" : "sliding over all losses, few",
+                energy.slid / energy.lost(), 1, "sliding is part of the losses");
+  }
+}
+
 /// The closed form by the half-separation S of the paper: 1 + 2.1 S+ + 10 S+^2, S+ = S (R/V)^(1/2).
 TEST(Capillary, force_falls_with_the_gap_as_willetts_closed_form) {
   const EffectivePair t = touching(wet_pair(), std::vector{ball_of(), ball_of()});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/step_error.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -85,6 +86,25 @@ TEST(Restitution, is_what_the_record_says_was_lost) {
     states("impulse over m v, " + word, found.record.impulse / (ball.mass() * 1), 1.6, 1e-3,
            "1 + e, e to 1e-3");
   }
+}
+
+/// Where in a step a weakly adhesive contact ends does not matter, in the pull-off neither.
+TEST(Jkr, rebounds_alike_wherever_in_a_step_its_last_force_acts) {
+  constexpr int phases = 24;
+  double most = 0;
+  for (const double e : {0.1125, 0.125, 0.1625, 0.2, 0.3, 0.5}) {
+    contact::Pair pair = pair_of({210e9, 0}, {210e9, 0}, e, 0.4);
+    pair.surface_energy = 0.05;
+    const scene::Ball ball{0.005, 7850, {}, {0.1, 0, -1}, {}};
+    const double exact = impact({ball}, pair, of_law(Jkr{}), 1e-3).restitution;
+    const double told = soft::step_error(Jkr{}, e, 25).single;
+    for (int k = 0; k < phases; ++k) {
+      const Impact found = impact({ball}, pair, of_law(Jkr{}), 1.0 / 25, (k + 0.5) / phases);
+      most = max_or_nan(most, std::abs(found.restitution / exact - 1) / told);
+    }
+  }
+  stays_below("rebound of one collision, off by, over what is told", most, 1,
+              "step_error of the law");
 }
 
 /// Elastic spheres with adhesion: the work of separation beyond touch is lost,
