@@ -77,18 +77,28 @@ async function runTest(browser, given) {
 }
 
 /// `tests`: list of functions, named by what they prove. `given`: url, origin, engine, native (a program or
-/// null). `jobs`: how many run at the same time.
+/// null). `jobs`: how many run at the same time. A test that failed runs once more, alone, in a fresh browser:
+/// if it passes there, its outcome is "unsteady", and what it said first stays in the log.
 export async function runTests(tests, given, jobs) {
   const browser = await chromium.launch(chromiumOptions);
-  const queue = [...tests];
-  const outcomes = [];
+  const queue = [...tests], failed = [], outcomes = [];
   const worker = async () => {
     while (queue.length > 0) {
       const test = queue.shift();
-      outcomes.push(await runTest(browser, { ...given, test, name: test.name }));
+      const outcome = await runTest(browser, { ...given, test, name: test.name });
+      if (outcome === "FAILED") failed.push(test);
+      else outcomes.push(outcome);
     }
   };
   await Promise.all(Array.from({ length: jobs }, worker));
   await browser.close();
+  for (const test of failed) outcomes.push(await secondTry(test, given));
   return outcomes;
+}
+
+async function secondTry(test, given) {
+  const browser = await chromium.launch(chromiumOptions);
+  const outcome = await runTest(browser, { ...given, test, name: `${test.name} (second try)` });
+  await browser.close();
+  return outcome === "fine" ? "unsteady" : outcome;
 }
