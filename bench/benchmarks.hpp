@@ -37,6 +37,7 @@ std::vector<Row> mesh();
 std::vector<Row> observers();
 std::vector<Row> grinding();
 std::vector<Row> campaign();
+std::vector<Row> examples();
 
 /// bench/help.txt says what each measures.
 struct Benchmark {
@@ -46,13 +47,13 @@ struct Benchmark {
 };
 
 inline constexpr std::array benchmarks{
-    Benchmark{"one-ball", one_ball},  Benchmark{"fluid", fluid},
-    Benchmark{"event", event},        Benchmark{"soft", soft},
-    Benchmark{"mesh", mesh, true},    Benchmark{"observers", observers},
-    Benchmark{"grinding", grinding},  Benchmark{"campaign", campaign, true},
-    Benchmark{"peers", beside_peers}, Benchmark{"few", few, true},
-    Benchmark{"crowd", crowd, true},  Benchmark{"cost-curve", cost_curve},
-    Benchmark{"mixing", mixing, true}};
+    Benchmark{"one-ball", one_ball},   Benchmark{"fluid", fluid},
+    Benchmark{"event", event},         Benchmark{"soft", soft},
+    Benchmark{"mesh", mesh, true},     Benchmark{"observers", observers},
+    Benchmark{"grinding", grinding},   Benchmark{"campaign", campaign, true},
+    Benchmark{"peers", beside_peers},  Benchmark{"few", few, true},
+    Benchmark{"crowd", crowd, true},   Benchmark{"cost-curve", cost_curve},
+    Benchmark{"mixing", mixing, true}, Benchmark{"examples", examples, true}};
 
 double cpu_seconds();
 double median(std::vector<double> values);

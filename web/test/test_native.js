@@ -52,6 +52,31 @@ const examples = fileURLToPath(new URL("../../examples/", import.meta.url));
 const brief = (name) => [`run.time=${name === "06-powder-as-grains" ? 0.02 : 0.1} s`, "run.settle=0 s",
   "run.replicates=2", "run.sensitivity=off"];
 
+/// The pictures of the page of a result, by their titles: of every run, and the others of an example.
+const everyRun = ["Spectrum of impact energies", "Power by impact energy", "Normal and tangential energy of collisions",
+  "Impact angle of collisions above the threshold", "Impacts on the wall", "Mass and velocity of the charge",
+  "Collisions with a normal speed of at least 0.1 m/s", "Power"];
+const otherPictures = {
+  "07-wear-and-heat": ["Temperature over milling and pauses"],
+  "08-how-fine": ["Grains captured by a collision", "Energy of captured grains per mass",
+    "Collisions by number of captured grains", "Sizes over time of milling", "Share of the mass finer than a size",
+    "Share of the mass by size", "Specific surface over time of milling"],
+  "11-ignition": ["Conversion over time"],
+  "12-sensors": ["Temperature over milling and pauses", "Power of the motor", "Hits that the microphone hears",
+    "Acceleration of the jar", "Thermocouple"],
+};
+const ofCampaign = ["Regime", ...[["collision rate above threshold", "/s"], ["mean normal energy above threshold", "mJ"],
+  ["mean contact-point energy above threshold", "mJ"], ["dissipated power", "W"]].flatMap(([quantity, unit]) =>
+  [quantity, `${quantity} (${unit})`])];
+
+/// The page of a result has all its pictures and tells all its notices.
+async function expectWhole(report, name, { _about: about }) {
+  const titles = await report.locator(".chart-head strong").allTextContents();
+  expect(`pictures of ${name}`, titles, about ? [...everyRun, ...otherPictures[name] ?? []] : ofCampaign);
+  const said = await report.locator("body").innerText();
+  for (const { code, text } of about?.notices ?? []) expect(`${code} of ${name} is told`, said.includes(text));
+}
+
 /// The files of the result of an example that runs for a moment.
 async function filesOfExample(native, name, out) {
   const command = name === "09-campaign" ? "sweep" : "run";
@@ -75,8 +100,9 @@ async function results_of_all_examples_are_shown({ page, url, folder, native }) 
     });
     await tab(page, "report");
     const told = JSON.parse(files["summary.json"] ?? files["campaign.json"]), title = told._about?.title ?? told.title;
-    await page.frameLocator("iframe").locator("h1").filter({ hasText: title }).waitFor();
-    expect(`pictures of ${name}`, await page.frameLocator("iframe").locator(".chart").count() > 3);
+    const report = page.frameLocator("iframe");
+    await report.locator("h1").filter({ hasText: title }).waitFor();
+    await expectWhole(report, name, told);
     if (told._about) expect(name, await page.textContent(".result .title"), title);
     await page.evaluate(() => (document.querySelector("#status").textContent = ""));
   }

@@ -8,31 +8,37 @@
 #include <limits>
 #include <numbers>
 
+#include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/trig.hpp"
 
 // Elementary functions with the same bits on every processor, with every C library and in browsers.
 // Those of the C library differ in the last bit, which is enough for a chaotic run to take another
-// course. Only IEEE operations; polynomials with the coefficients of fdlibm.
+// course. Only IEEE operations; polynomials with the coefficients of fdlibm. Templates on V take a
+// double or a register of doubles (base/lanes.hpp), with the same bits in each lane.
 namespace mahlwerk::math {
 
 /// A number as the sum of a double and a much smaller rest.
-struct Sum {
-  double high, low;
+template <class V>
+struct SumOf {
+  V high, low;
 };
+using Sum = SumOf<double>;
 
-/// The product of two doubles, exact (Dekker 1971); neither above 1e290.
-inline Sum product(double a, double b) {
-  const auto split = [](double v) {
-    const double shifted = 0x1p27 * v + v, high = shifted - (shifted - v);
-    return Sum{high, v - high};
+/// The product of two numbers, exact (Dekker 1971); neither above 1e290.
+template <class V>
+[[gnu::always_inline]] inline SumOf<V> product(const V& a, const V& b) {
+  const auto split = [](const V& v) __attribute__((always_inline)) {
+    const V shifted = 0x1p27 * v + v, high = shifted - (shifted - v);
+    return SumOf<V>{high, v - high};
   };
-  const Sum x = split(a), y = split(b);
-  const double high = a * b;
+  const SumOf<V> x = split(a), y = split(b);
+  const V high = a * b;
   return {high, ((x.high * y.high - high) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
 /// The nearest whole number, for |x| below 2^51.
-inline double nearest(double x) {
+template <class V>
+[[gnu::always_inline]] inline V nearest(const V& x) {
   constexpr double shift = 0x1.8p52;
   return (x + shift) - shift;
 }
@@ -41,6 +47,12 @@ inline double nearest(double x) {
 inline double scaled(double x, int k) {
   if (k < -1000 || k > 1000) return std::ldexp(x, k);
   return x * std::bit_cast<double>(static_cast<std::uint64_t>(1023 + k) << 52U);
+}
+/// The same for whole k from -1000 to 1000.
+template <Vector V>
+[[gnu::always_inline]] inline V scaled(const V& x, const V& k) {
+  using Words = typename RegisterOf<width_of<V>>::Words;
+  return x * (V)(((Words)(k + 0x1.8p52) + 1023U) << 52U);  // the last bits are those of k
 }
 
 struct Parts {
@@ -60,41 +72,76 @@ inline Parts parts_of(double x) {
           static_cast<int>(bits >> 52U) - 1022};
 }
 
-/// log x for finite x > 0, relative error below 1e-17.
-inline Sum log_sum(double x) {
-  auto [m, exponent] = parts_of(x);
-  if (m < 0.5 * std::numbers::sqrt2) m *= 2, --exponent;
+/// The mantissa [1/2, 1) and the exponent of finite x > 0; in registers of x not below 2^-1022.
+template <class V>
+struct PartsOf {
+  V mantissa, exponent;
+};
+template <class V>
+[[gnu::always_inline]] inline PartsOf<V> parts_in_lanes(const V& x) {
+  if constexpr (std::same_as<V, double>) {
+    const Parts parts = parts_of(x);
+    return {parts.mantissa, static_cast<double>(parts.exponent)};
+  } else {
+    using Words = typename RegisterOf<width_of<V>>::Words;
+    constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
+    const Words bits = (Words)x;
+    // As last bits of 2^52 the exponent is a number that is added to 2^52.
+    const V biased = (V)(bits >> 52U | std::bit_cast<std::uint64_t>(0x1p52)) - 0x1p52;
+    return {(V)((bits & fraction) | (std::uint64_t{1022} << 52U)), biased - 1022.0};
+  }
+}
+
+/// log x for finite x > 0, relative error below 1e-17; in registers of x not below 2^-1022.
+template <class V>
+[[gnu::always_inline]] inline SumOf<V> log_sum(const V& x) {
+  const PartsOf<V> parts = parts_in_lanes(x);
+  const V zero{};
+  const MaskOf<V> small = less(parts.mantissa, zero + 0.5 * std::numbers::sqrt2);
+  const V m = select(small, 2.0 * parts.mantissa, parts.mantissa);
+  const V k = select(small, parts.exponent - 1.0, parts.exponent);
   // log m = 2 atanh s, s = f/(2 + f)
-  const double f = m - 1, below = 2 + f, below_rest = f - (below - 2), s = f / below;
-  const Sum back = product(s, below);
-  const double s_rest = ((f - back.high) - back.low - s * below_rest) / below;
-  const double z = s * s, w = z * z;
-  const double tail = w * (3.999999999940941908e-01 +
-                           w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01)) +
-                      z * (6.666666666666735130e-01 +
-                           w * (2.857142874366239149e-01 +
-                                w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
+  const V f = m - 1.0, below = 2.0 + f, below_rest = f - (below - 2.0), s = f / below;
+  const SumOf<V> back = product(s, below);
+  const V s_rest = ((f - back.high) - back.low - s * below_rest) / below;
+  const V z = s * s, w = z * z;
+  const V tail = w * (3.999999999940941908e-01 +
+                      w * (2.222219843214978396e-01 + w * 1.531383769920937332e-01)) +
+                 z * (6.666666666666735130e-01 +
+                      w * (2.857142874366239149e-01 +
+                           w * (1.818357216161805012e-01 + w * 1.479819860511658591e-01)));
   constexpr double ln2 = 6.93147180369123816490e-01, ln2_rest = 1.90821492927058770002e-10;
-  const double k = exponent, whole = k * ln2, high = whole + 2 * s;
-  const double lost =
-      std::abs(whole) > std::abs(2 * s) ? (whole - high) + 2 * s : (2 * s - high) + whole;
-  const double low = lost + (2 * s_rest + s * tail + k * ln2_rest);
+  const V whole = k * ln2, high = whole + 2.0 * s;
+  const V lost =
+      select(less(abs(2.0 * s), abs(whole)), (whole - high) + 2.0 * s, (2.0 * s - high) + whole);
+  const V low = lost + (2.0 * s_rest + s * tail + k * ln2_rest);
   return {high + low, (high - (high + low)) + low};
 }
 
-/// exp(x.high + x.low), relative error below 1.4e-16 and that of its argument.
-inline double exp_sum(const Sum& x) {
-  if (!(x.high < 709.8)) return x.high > 0 ? std::numeric_limits<double>::infinity() : x.high;
-  if (x.high < -745.2) return 0;
+/// A number times 2^exponent.
+template <class V>
+struct ScaledOf {
+  V number, exponent;
+};
+/// exp(x.high + x.low) for |x.high| below 750, relative error below 1.4e-16 and that of its
+/// argument.
+template <class V>
+[[gnu::always_inline]] inline ScaledOf<V> exp_parts(const SumOf<V>& x) {
   constexpr double ln2 = 6.93147180369123816490e-01, ln2_rest = 1.90821492927058770002e-10;
-  const double k = nearest(x.high * (1 / std::numbers::ln2));
-  const double high = x.high - k * ln2, low = k * ln2_rest - x.low, r = high - low, t = r * r;
-  const double c =
+  const V k = nearest(x.high * (1 / std::numbers::ln2));
+  const V high = x.high - k * ln2, low = k * ln2_rest - x.low, r = high - low, t = r * r;
+  const V c =
       r - t * (1.66666666666666019037e-01 +
                t * (-2.77777777770155933842e-03 +
                     t * (6.61375632143793436117e-05 +
                          t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
-  return scaled(1 - ((low - (r * c) / (2 - c)) - high), static_cast<int>(k));
+  return {1.0 - ((low - (r * c) / (2.0 - c)) - high), k};
+}
+inline double exp_sum(const Sum& x) {
+  if (!(x.high < 709.8)) return x.high > 0 ? std::numeric_limits<double>::infinity() : x.high;
+  if (x.high < -745.2) return 0;
+  const ScaledOf<double> parts = exp_parts(x);
+  return scaled(parts.number, static_cast<int>(parts.exponent));
 }
 
 inline double log(double x) {
@@ -116,6 +163,17 @@ inline double pow(double x, double y) {
     return y * l.high > 0 ? std::numeric_limits<double>::infinity() : 0;
   const Sum p = product(y, l.high);
   return exp_sum({p.high, p.low + y * l.low});
+}
+/// In registers: log x and x to the power y for x not below 2^-1022 and |y log x| below 690.
+template <Vector V>
+[[gnu::always_inline]] inline V log(const V& x) {
+  return log_sum(x).high;
+}
+template <Vector V>
+[[gnu::always_inline]] inline V pow(const V& x, double y) {
+  const SumOf<V> l = log_sum(x), p = product(V{} + y, l.high);
+  const ScaledOf<V> parts = exp_parts(SumOf<V>{p.high, p.low + y * l.low});
+  return scaled(parts.number, parts.exponent);
 }
 inline double exp2(double x) {
   return pow(2, x);

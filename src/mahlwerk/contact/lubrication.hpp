@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "mahlwerk/base/elementary.hpp"
@@ -48,27 +47,33 @@ struct Liquid {
 };
 
 /// Mean lubrication force [N] over a step of `dt` [s], > 0 repulsive, on bodies with the gap `gap`
-/// > 0 that approach at `approach` [m/s]. The separation is taken to change at this speed during
-/// the step, from half a step before to half a step after; the first step after the bodies entered
-/// the liquid and the last one before they touch cover the rest of the way. The impulses of the
-/// steps then add up to (liq.3) for any length of the step.
-inline double lubrication_force(const Liquid& liquid, double effective_radius, double gap,
-                                double approach, double dt) {
-  const double reach = liquid.gap_reach(effective_radius);
-  if (gap >= reach || approach == 0 || (approach < 0 && !liquid.resists_rebound)) return 0;
-  const double half = 0.5 * std::abs(approach) * dt;
-  const double wide = gap + 2 * half >= reach ? reach : gap + half;
-  const double narrow = gap <= 2 * half ? 0 : gap - half;
-  const double ratio = (wide + liquid.roughness) / (narrow + liquid.roughness);
-  const double force = liquid.resistance(effective_radius) * math::log(ratio) / dt;
-  return approach > 0 ? force : -force;
+/// > 0 that approach at `approach` [m/s]. `resistance` and `reach` are those of the pair
+/// (Liquid::resistance(), Liquid::gap_reach()). The separation is taken to change at this speed
+/// during the step, from half a step before to half a step after; the first step after the bodies
+/// entered the liquid and the last one before they touch cover the rest of the way. The impulses of
+/// the steps then add up to (liq.3) for any length of the step. V is a double or a register.
+template <class V>
+[[gnu::always_inline]] inline V lubrication_force(const Liquid& liquid, const V& resistance,
+                                                  const V& reach, const V& gap, const V& approach,
+                                                  double dt) {
+  const V zero{}, speed = abs(approach);
+  const MaskOf<V> acts = less(gap, reach) & less(zero, liquid.resists_rebound ? speed : approach);
+  if (!any(acts)) return zero;
+  const V half = 0.5 * speed * dt;
+  const V wide = select(less(gap + 2.0 * half, reach), gap + half, reach);
+  const V narrow = select(less(2.0 * half, gap), gap - half, zero);
+  const V ratio = select(acts, (wide + liquid.roughness) / (narrow + liquid.roughness), zero + 1.0);
+  const V force = resistance * math::log(ratio) / dt;
+  return where<V>(acts, select(less(zero, approach), force, -force));
 }
 
 /// Drag of a sphere over Stokes's drag, from the Reynolds number with its diameter: Schiller and
 /// Naumann up to 1000, Newton's constant coefficient 0.44 above (liq.6).
-inline double drag_correction(double reynolds) {
-  constexpr double newton = 1000;
-  return reynolds < newton ? 1 + 0.15 * math::pow(reynolds, 0.687) : 0.44 / 24 * reynolds;
+template <class V>
+[[gnu::always_inline]] inline V drag_correction(const V& reynolds) {
+  const V zero{}, newton = zero + 1000.0;
+  const V power = math::pow(max(min(reynolds, newton), zero + 1e-200), 0.687);  // 1e-200: as 0
+  return select(less(reynolds, newton), 1.0 + 0.15 * power, 0.44 / 24 * reynolds);
 }
 
 }  // namespace mahlwerk::contact

@@ -3,7 +3,6 @@
 #include "mahlwerk/soft/liquid.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace mahlwerk::soft {
 
@@ -21,23 +20,21 @@ LiquidMotion LiquidForces::motion(const MovingWall& jar, const DriveSample& driv
           .angular_acceleration = (0.5 / dt_) * (jar.spin(t + dt_) - jar.spin(t - dt_))};
 }
 
-LiquidLoad LiquidForces::on_ball(const LiquidMotion& liquid, const Species& ball,
+LiquidLoad LiquidForces::on_ball(const LiquidMotion& motion, const Species& ball,
                                  const Vec3& position, const Vec3& velocity, const Vec3& spin,
                                  LiquidWork& work) const {
-  constexpr double pi = std::numbers::pi;
-  const double radius = ball.radius, eta = liquid_.viscosity;
-  const Vec3 flow = cross(liquid.spin, position), slip = velocity - flow;
-  const double reynolds = liquid_.density * norm(slip) * 2 * radius / eta;
-  const Vec3 drag = -(6 * pi * eta * radius * contact::drag_correction(reynolds)) * slip;
-  const Vec3 acceleration = cross(liquid.angular_acceleration, position) + cross(liquid.spin, flow);
-  const double displaced = ball.mass / ball.density * liquid_.density;  // [kg]
-  const Vec3 pressure = displaced * (acceleration - liquid.body_acceleration);
-  const Vec3 slip_spin = spin - liquid.spin;
-  const Vec3 torque = -(8 * pi * eta * radius * radius * radius) * slip_spin;
-  work.lost -= dt_ * (dot(drag, slip) + dot(torque, slip_spin));
-  work.wall += dt_ * (dot(drag, flow + liquid.jar_velocity) + dot(torque, liquid.spin) +
-                      dot(pressure, velocity + liquid.jar_velocity));
-  return {drag + pressure, torque};
+  const auto vec = [](const Vec3& a) { return Vec<double>{a.x, a.y, a.z}; };
+  const LiquidLoads<double> load = on_balls<double>(motion, ball.radius, displaced_mass(ball),
+                                                    vec(position), vec(velocity), vec(spin));
+  work.lost += load.lost, work.wall += load.wall;
+  return {{load.force.x, load.force.y, load.force.z},
+          {load.torque.x, load.torque.y, load.torque.z}};
+}
+
+double LiquidForces::force_of(const SpeciesPair& pair, double gap, double approach) const {
+  const double radius = pair.effective.radius;
+  return contact::lubrication_force(liquid_, liquid_.resistance(radius), liquid_.gap_reach(radius),
+                                    gap, approach, dt_);
 }
 
 Vec3 LiquidForces::between_balls(const SpeciesPair& pair, double radii, const Vec3& separation,
@@ -46,8 +43,7 @@ Vec3 LiquidForces::between_balls(const SpeciesPair& pair, double radii, const Ve
   if (!(gap > 0)) return {};
   const Vec3 n = (1 / distance) * separation;
   const double approach = dot(velocity, n);
-  const double force =
-      contact::lubrication_force(liquid_, pair.effective.radius, gap, approach, dt_);
+  const double force = force_of(pair, gap, approach);
   work.lost += weight * dt_ * force * approach;
   return -force * n;
 }
@@ -59,8 +55,7 @@ Vec3 LiquidForces::at_wall(const SpeciesPair& pair, double radius, const geometr
   if (!(free > 0)) return {};
   const Vec3 wall_velocity = cross(turning, position - gap.distance * gap.inward);
   const double approach = -dot(velocity - wall_velocity, gap.inward);
-  const double size =
-      contact::lubrication_force(liquid_, pair.effective.radius, free, approach, dt_);
+  const double size = force_of(pair, free, approach);
   const Vec3 force = size * gap.inward;
   work.lost += dt_ * size * approach;
   work.wall += dt_ * dot(force, wall_velocity + jar_velocity);

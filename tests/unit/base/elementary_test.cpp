@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <string>
 
+#include "isas.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "statement.hpp"
 
@@ -129,6 +132,45 @@ TEST(Elementary, bits_are_the_same_everywhere) {
       add(y);
   }
   EXPECT_EQ(hash, 1381972666686405785U) << "as found with g++ on x86-64";
+}
+
+/// log and power of numbers, register by register.
+struct InRegisters {
+  static constexpr double power = 0.687;
+  struct Numbers {
+    alignas(64) std::array<double, lanes> x, log, pow;
+  };
+  template <int width>
+  static void run(Numbers& n) {
+    using V = Register<width>;
+    for (int l = 0; l < lanes; l += width) {
+      const V x = load<V>(n.x.data() + l);
+      store<V>(n.log.data() + l, math::log(x));
+      store<V>(n.pow.data() + l, math::pow(x, power));
+    }
+  }
+};
+
+TEST(Elementary, has_the_bits_of_one_number_in_registers) {
+  for (const Isa each : supported_isas()) {
+    const ChosenIsa chosen(each);
+    const auto in_registers = Multiversioned<InRegisters, void (*)(InRegisters::Numbers&)>::best();
+    Random random(5, 1);
+    int wrong = 0;
+    constexpr int registers = 20000;
+    for (int i = 0; i < registers; ++i) {
+      InRegisters::Numbers n{};
+      for (double& x : n.x)
+        x = std::ldexp(random.uniform(0.5, 1), static_cast<int>(random.uniform(-1000, 1000)));
+      n.x[0] = 1, n.x[1] = std::numeric_limits<double>::min(), n.x[2] = 0.5 * std::numbers::sqrt2;
+      in_registers(n);
+      for (std::size_t l = 0; l < lanes; ++l)
+        wrong += static_cast<int>(n.log[l] != math::log(n.x[l]) ||
+                                  n.pow[l] != math::pow(n.x[l], InRegisters::power));
+    }
+    states("lanes that differ from one number, " + std::string(name_of(each)), wrong, 0, 0,
+           "the same operations");
+  }
 }
 
 }  // namespace

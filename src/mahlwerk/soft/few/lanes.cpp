@@ -170,15 +170,12 @@ void FewBodySolver::build_gather_maps() {
   w.gather_maps.assign(w.packets.size(), {});
   w.force_rows.assign(2 * lanes * w.packets.size() + 1, {});
   ForceRow* unused = &w.force_rows.back();
-  const auto address = [&](std::int64_t body) {
-    return &w.bodies[static_cast<std::size_t>(body / lanes)].position.x[body % lanes];
-  };
   std::vector<std::vector<std::uint32_t>> rows(w.count);
   for (std::size_t n = 0; n < w.packets.size(); ++n) {
     const PairPacket& p = w.packets[n];
     GatherMap& map = w.gather_maps[n];
     for (std::size_t l = 0; l < lanes; ++l) {
-      map.body_i[l] = address(p.i[l]), map.body_j[l] = address(p.j[l]);
+      map.body_i[l] = body_address(p.i[l]), map.body_j[l] = body_address(p.j[l]);
       map.row_i[l] = map.row_j[l] = unused;
       if (!p.used[l]) continue;
       const auto row = static_cast<std::uint32_t>(2 * (n * lanes + l));
@@ -194,7 +191,7 @@ void FewBodySolver::build_gather_maps() {
   for (std::size_t k = 0; k < lanes * w.wall_point_lanes.size(); ++k) {
     const WallNeighbour& n = w.wall_neighbours[std::min(k, w.wall_neighbours.size() - 1)];
     WallPointLanes& of = w.wall_point_lanes[k / lanes];
-    of.ball[k % lanes] = address(n.ball), of.face[k % lanes] = n.face;
+    of.ball[k % lanes] = body_address(n.ball), of.face[k % lanes] = n.face;
   }
   w.near_facets.resize(jar_->keeps_near_facets() ? w.wall_neighbours.size() : 0);
   w.rows_of_ball.clear(), w.row_offsets.clear();
@@ -203,6 +200,12 @@ void FewBodySolver::build_gather_maps() {
     for (const std::uint32_t row : of_ball)
       w.row_offsets.push_back(row * static_cast<std::uint32_t>(sizeof(ForceRow)));
   }
+  if (liquid_) build_liquid_neighbours();
+}
+
+const double* FewBodySolver::body_address(std::int64_t body) const {
+  const auto at = static_cast<std::size_t>(body);
+  return &particles_.bodies[at / lanes].position.x[at % lanes];
 }
 
 /// Finds the contacts of each ball among the lanes.

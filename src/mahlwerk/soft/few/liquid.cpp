@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "mahlwerk/soft/few/solver.hpp"
 
 // The liquid: forces on balls and on pairs that do not touch.
@@ -20,55 +22,53 @@ void FewBodySolver::start_in_liquid() {
   }
 }
 
+/// Finds the bodies and the parameters of the listed pairs, in their order.
+void FewBodySolver::build_liquid_neighbours() {
+  const ParticleData& w = particles_;
+  LiquidNeighbours& to = liquid_neighbours_;
+  to.pairs.assign((listed_pairs_.size() + lanes - 1) / lanes, {});
+  to.acting.resize(to.pairs.size());
+  for (LiquidPairs& p : to.pairs) p.body_i.fill(body_address(0)), p.body_j.fill(body_address(0));
+  const contact::Liquid& liquid = liquid_->liquid();
+  for (const PairPacket& packet : w.packets)
+    for (std::size_t from = 0; from < lanes; ++from) {
+      if (!packet.used[from]) continue;
+      const NearPair pair = pair_of(packet, from);
+      const auto at = std::ranges::lower_bound(listed_pairs_, pair);
+      if (at == listed_pairs_.end() || *at != pair) throw Archive::broken();
+      const auto n = static_cast<std::size_t>(at - listed_pairs_.begin()), l = n % lanes;
+      const double radius = pairs_[packet.species_pair[from]].effective.radius;  // of the pair
+      LiquidPairs& p = to.pairs[n / lanes];
+      p.body_i[l] = body_address(packet.i[from]), p.body_j[l] = body_address(packet.j[from]);
+      p.ball_i[l] = at->i, p.ball_j[l] = at->j;
+      p.radii[l] = packet.radius_i[from] + packet.radius_j[from];
+      p.resistance[l] = liquid.resistance(radius), p.reach[l] = liquid.gap_reach(radius);
+      p.touch_squared[l] = p.radii[l] * p.radii[l];
+      p.reach_squared[l] = (p.radii[l] + p.reach[l]) * (p.radii[l] + p.reach[l]);
+    }
+  to.balls.assign(w.balls.size(), {});
+  for (std::size_t b = 0; b < w.count; ++b) {
+    to.balls[b / lanes].radius[b % lanes] = pairs_.species_of(b).radius;
+    to.balls[b / lanes].displaced_mass[b % lanes] = liquid_->displaced_mass(pairs_.species_of(b));
+  }
+}
+
 /// Adds the forces of the liquid at the present step, and the second half kick by them.
 void FewBodySolver::add_liquid(const DriveSample& drive) {
+  static const auto loop = Multiversioned<LiquidLoop, void (*)(LiquidStep&)>::best();
   ParticleData& w = particles_;
-  LiquidWork work;
-  const auto add = [&](std::size_t ball, const Vec3& force, const Vec3& torque) {
-    BallBlock& block = w.balls[ball / lanes];
-    const std::size_t l = ball % lanes;
-    set_lane(block.force, l, get_lane(block.force, l) + force);
-    set_lane(block.torque, l, get_lane(block.torque, l) + torque);
-    set_lane(block.velocity, l, get_lane(block.velocity, l) + block.half_kick_factor[l] * force);
-    set_lane(block.spin, l, get_lane(block.spin, l) + block.half_spin_kick_factor[l] * torque);
-  };
-  const auto predicted = [&](std::size_t ball) {
-    return get_lane(w.bodies[ball / lanes].velocity, ball % lanes);
-  };
-  const double t = mill_time(w.step);
-  for (const NearPair& c : listed_pairs_) {
-    const auto i = static_cast<std::size_t>(c.i);
-    const double radius = initial_balls_[i].radius;
-    const std::int32_t mine = pairs_.species_index(i);
-    if (c.face >= 0) {
-      const Vec3 x = w.position(i);
-      const Vec3& turning = c.face < jar_->first_rotor_face() ? drive.spin : drive.rotor_spin;
-      add(i,
-          liquid_->at_wall(pairs_[pairs_.wall_pair_index(mine, c.face)], radius,
-                           jar_->gap(c.face, x, t, radius + pull_off_distance_), x, predicted(i),
-                           turning, drive.velocity, work),
-          {});
-      continue;
-    }
-    const auto j = static_cast<std::size_t>(c.j);
-    const Vec3 force = liquid_->between_balls(
-        pairs_[pairs_.ball_pair_index(mine, pairs_.species_index(j))],
-        radius + initial_balls_[j].radius, nearest(w.position(j) - w.position(i)),
-        predicted(i) - predicted(j), 1, work);
-    add(i, force, {});
-    add(j, -force, {});
-  }
-  if (liquid_->acts_on_balls()) {
-    const LiquidMotion motion = liquid_->motion(*jar_, drive, t);
-    for (std::size_t b = 0; b < w.count; ++b) {
-      const Vec3 spin = get_lane(w.bodies[b / lanes].angular_velocity, b % lanes);
-      const LiquidLoad load =
-          liquid_->on_ball(motion, pairs_.species_of(b), w.position(b), predicted(b), spin, work);
-      add(b, load.force, load.torque);
-    }
-  }
-  energy_balance_.lost_liquid += work.lost;
-  energy_balance_.wall_work += work.wall;
+  LiquidStep step{.forces = *liquid_,
+                  .motion = liquid_->motion(*jar_, drive, mill_time(w.step)),
+                  .periodic = periodic_,
+                  .periods = jar_->periods(),
+                  .neighbours = liquid_neighbours_,
+                  .count = w.count,
+                  .bodies = w.bodies.data(),
+                  .balls = w.balls.data(),
+                  .work = {}};
+  loop(step);
+  energy_balance_.lost_liquid += step.work.lost;
+  energy_balance_.wall_work += step.work.wall;
 }
 
 /// Whether a ball is so near a wall that the liquid acts between them.

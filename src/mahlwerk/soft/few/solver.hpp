@@ -12,8 +12,8 @@
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/engine.hpp"
+#include "mahlwerk/soft/few/liquid_loop.hpp"
 #include "mahlwerk/soft/few/step_block.hpp"
-#include "mahlwerk/soft/liquid.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
@@ -57,6 +57,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   // Liquid (liquid.cpp).
   void add_liquid_forces(std::size_t, const DriveSample& drive) override { add_liquid(drive); }
   void start_in_liquid();
+  void build_liquid_neighbours();
   void add_liquid(const DriveSample& drive);
   bool liquid_at_wall() const;
 
@@ -92,6 +93,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   void allocate_wall_points();
   void keep_near_facets(std::span<const WallNeighbour> before);
   void build_gather_maps();
+  const double* body_address(std::int64_t body) const;  // of position.x
   static void find_sources(const PairPacket& p, GatherMap& map);
 
   // Contacts that begin and end (contacts.cpp).
@@ -121,6 +123,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   Settings settings_;
   SpeciesPairs pairs_;
   std::optional<LiquidForces> liquid_;
+  LiquidNeighbours liquid_neighbours_;  // derived from the listed pairs and their lanes
   BlockStepper step_block_;
   double start_, skin_;
   double mass_ = 0;  // [kg] of all balls
