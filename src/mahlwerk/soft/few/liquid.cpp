@@ -73,11 +73,12 @@ void FewBodySolver::add_liquid(const DriveSample& drive) {
 
 /// Whether a ball is so near a wall that the liquid acts between them.
 bool FewBodySolver::liquid_at_wall() const {
-  const double t = mill_time(particles_.step), reach = liquid_->gap_reach(pairs_.all());
+  const WallAxes axes = jar_->axes(mill_time(particles_.step));
+  const double reach = liquid_->gap_reach(pairs_.all());
   for (std::size_t b = 0; b < particles_.count; ++b) {
     const double within = initial_balls_[b].radius + reach;
     for (int face = 0; face < jar_->faces(); ++face)
-      if (jar_->distance(face, particles_.position(b), t, within) < within) return true;
+      if (jar_->distance(face, particles_.position(b), axes, within) < within) return true;
   }
   return false;
 }

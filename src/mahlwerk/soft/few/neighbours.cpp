@@ -60,7 +60,8 @@ void FewBodySolver::find_wall_pairs(std::size_t b) {
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
   const double radius = initial_balls_[b].radius;
-  jar_->distances(x, mill_time(particles_.step), radius + skin_ + pull_off_distance_, gaps);
+  jar_->distances(x, jar_->axes(mill_time(particles_.step)), radius + skin_ + pull_off_distance_,
+                  gaps);
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
     if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, radius)) continue;

@@ -71,13 +71,13 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Calls `f` with each listed pair and its overlap [m].
 template <class F>
 void FewBodySolver::each_overlap(const F& f) const {
-  const double t = mill_time(particles_.step);
+  const WallAxes axes = jar_->axes(mill_time(particles_.step));
   for (const NearPair& c : listed_pairs_) {
     const auto i = static_cast<std::size_t>(c.i), j = static_cast<std::size_t>(c.j);
     const double radius = initial_balls_[i].radius;
     const Vec3 x = particles_.position(i);
     if (c.face >= 0)
-      f(c, radius - jar_->gap(c.face, x, t, radius).distance);
+      f(c, radius - jar_->gap(c.face, x, axes, radius).distance);
     else
       f(c, radius + initial_balls_[j].radius - norm(nearest(particles_.position(j) - x)));
   }

@@ -48,6 +48,7 @@ struct alignas(64) ChunkStep {
   const MovingWall* jar = nullptr;
   ManyContactCallbacks* callbacks = nullptr;
   double time = 0;                ///< [s] the mill's clock
+  WallAxes wall_axes;             ///< at this step
   double bin = 0;                 ///< [m] width of the bins of the Verlet list
   double pull_off_distance = 0;   ///< [m] largest of all pairs
   DriveSample drive, next_drive;  ///< at this step and at the next

@@ -32,9 +32,8 @@ void ManyBodySolver::test_walls(Chunk& chunk) {
   VerletList& w = chunk.wall_pairs;
   const auto touches = [&](const NeighbourPair& pair) {
     const BallRecord& ball = rows_[static_cast<std::size_t>(pair.ball)];
-    return jar_->gap(~pair.other, ball.position(), mill_time(step_), ball.radius,
-                     tested_facets(chunk, pair))
-               .distance < ball.radius;
+    return jar_->gap_distance(~pair.other, ball.position(), wall_axes_, ball.radius,
+                              tested_facets(chunk, pair)) < ball.radius;
   };
   const std::size_t due = w.due(chunk.max_wall_gap_decrease, skin_ * VerletList::width);
   for (std::size_t k = due; k-- > 0;) {

@@ -24,7 +24,7 @@ StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n
   const Vec3 x = rows_[i].position();
   const double distance =
       parameters.wall[l] != 0
-          ? jar_->gap(g.j[l], x, mill_time(step_), rows_[i].radius + pull_off_distance_).distance
+          ? jar_->gap(g.j[l], x, wall_axes_, rows_[i].radius + pull_off_distance_).distance
           : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
   const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
   if (overlap < -rows_[i].radius) return {};  // the ball has left this face across an edge

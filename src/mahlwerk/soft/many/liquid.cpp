@@ -38,7 +38,7 @@ void ManyBodySolver::add_liquid_forces(const ChunkStep& step, Chunk& chunk, Ball
     const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
     add(pair.ball,
         liquid_->at_wall(pairs_[pairs_.wall_pair_index(mine, face)], a.radius,
-                         jar_->gap(face, a.position(), step.time, a.radius + pull_off_distance_),
+                         jar_->gap(face, a.position(), wall_axes_, a.radius + pull_off_distance_),
                          a.position(), velocity_of(a), turning, step.drive.velocity, work),
         {});
   };

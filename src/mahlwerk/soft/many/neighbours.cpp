@@ -116,8 +116,7 @@ void ManyBodySolver::rebin_pairs() {
 
 double ManyBodySolver::wall_gap(const NeighbourPair& pair) const {
   const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
-  return jar_->distance(~pair.other, a.position(), mill_time(step_), a.radius + 2 * skin_) -
-         a.radius;
+  return jar_->distance(~pair.other, a.position(), wall_axes_, a.radius + 2 * skin_) - a.radius;
 }
 
 /// Tunes the skin to the least cost of rebuilds and distance tests. The cost is estimated from
@@ -224,10 +223,9 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::ranges::sort(touching);
   std::vector<NeighbourPair> found;
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
-  const double t = mill_time(step_);
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const BallRecord& ball = rows_[static_cast<std::size_t>(i)];
-    jar_->distances(ball.position(), t, ball.radius + skin_ + pull_off_distance_, all);
+    jar_->distances(ball.position(), wall_axes_, ball.radius + skin_ + pull_off_distance_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
       if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, ball.radius)) continue;
@@ -250,7 +248,7 @@ void ManyBodySolver::each_overlap(const F& f) const {
       for (const NeighbourPair& pair : w->pairs) {
         const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
         if (pair.other < 0) {
-          f(pair, a.radius - jar_->gap(~pair.other, a.position(), mill_time(0), a.radius).distance,
+          f(pair, a.radius - jar_->gap(~pair.other, a.position(), wall_axes_, a.radius).distance,
             1.0);
           continue;
         }

@@ -86,6 +86,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   }
   skin_ = 0.5 * smallest;
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
+  wall_axes_ = jar_->axes(mill_time(0));
   initialize_rows(balls);
   energy_balance_.initial_energy = 0;
   const scene::EnergyBalance now = energy_balance();
@@ -182,6 +183,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
 /// chunk.
 void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_drive) {
   ++step_;
+  wall_axes_ = jar_->axes(mill_time(step_));
   rows_.swap(next_rows_);
   spins_.swap(next_spins_);
   if (!update_bounds())
@@ -200,6 +202,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .jar = jar_.get(),
               .callbacks = this,
               .time = mill_time(step_),
+              .wall_axes = wall_axes_,
               .bin = skin_ * VerletList::width,
               .pull_off_distance = pull_off_distance_,
               .drive = drive,

@@ -146,8 +146,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
-  // The balls, in the order of their rows.
   std::int64_t step_ = 0;
+  WallAxes wall_axes_;  // at this step
+
+  // The balls, in the order of their rows.
   HugePageVector<BallRecord> rows_, next_rows_;        // at this step; at the next
   HugePageVector<FloatPosition> reference_positions_;  // when the pairs were last binned
   HugePageVector<SpinRecord> spins_, next_spins_;

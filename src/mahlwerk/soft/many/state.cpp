@@ -92,7 +92,9 @@ void ManyBodySolver::serialize(Archive& archive) {
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
   }
   archive(energy_balance_)(watch_)(target_time_);
-  if (archive.reading()) share_work();
+  if (!archive.reading()) return;
+  wall_axes_ = jar_->axes(mill_time(step_));
+  share_work();
 }
 
 }  // namespace mahlwerk::soft

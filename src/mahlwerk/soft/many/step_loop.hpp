@@ -119,7 +119,7 @@ template <class Law, class V>
   ContactPacket& g = list.packets[n];
   Vec<Lanes> points;
   if (kind == ContactKind::wall)
-    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.time, s.pull_off_distance, points,
+    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.wall_axes, s.pull_off_distance, points,
                        s.jar->keeps_near_facets() ? near_facets(chunk, n) : nullptr);
   const std::uint32_t begun = g.begun, tensile = g.tensile;
   if (begun != 0) s.callbacks->begin(chunk, list, n);

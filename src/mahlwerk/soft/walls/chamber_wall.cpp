@@ -64,34 +64,46 @@ class ChamberWall final : public MovingWall {
   }
   Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
-  geometry::Gap gap(int face, const Vec3& position, double t, double within,
+  WallAxes axes(double t) const override {
+    const Rotation own = jar_.axes(t);
+    if constexpr (has_rotor)
+      return {own, own * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t)};
+    return {own, own};
+  }
+
+  geometry::Gap gap(int face, const Vec3& position, const WallAxes& axes, double within,
                     geometry::NearFacets* facets) const override {
-    const Rotation q = axes(face, t);
+    const Rotation& q = of_face(axes, face);
     geometry::Gap found = gap_near(face, q.apply_inverse(position), within, facets);
     found.inward = q * found.inward;
     return found;
   }
-  void distances(const Vec3& position, double t, double within,
+  double gap_distance(int face, const Vec3& position, const WallAxes& axes, double within,
+                      geometry::NearFacets* facets) const override {
+    return gap_near(face, of_face(axes, face).apply_inverse(position), within, facets).distance;
+  }
+  void distances(const Vec3& position, const WallAxes& axes, double within,
                  std::span<double> out) const override {
-    const Vec3 p = jar_.axis_aligned() ? position : jar_.axes(t).apply_inverse(position);
+    const Vec3 p = jar_.axis_aligned() ? position : axes.own.apply_inverse(position);
     geometry::distances(jar_.shape(), p, within, out);
     if constexpr (has_rotor)
       for (int face = S::first_rotor_face; face < faces_; ++face)
-        out[static_cast<std::size_t>(face)] = gap(face, position, t, within, nullptr).distance;
+        out[static_cast<std::size_t>(face)] = gap(face, position, axes, within, nullptr).distance;
   }
-  double distance(int face, const Vec3& position, double t, double within) const override {
-    const Rotation q = axes(face, t);
-    return geometry::distance(jar_.shape(), face, q.apply_inverse(position), within);
+  double distance(int face, const Vec3& position, const WallAxes& axes,
+                  double within) const override {
+    const Vec3 p = of_face(axes, face).apply_inverse(position);
+    return geometry::distance(jar_.shape(), face, p, within);
   }
   void wall_points(std::span<WallNeighbour> near, std::span<const WallPointLanes> near_lanes,
                    double t, const DriveSample& drive, const BodyBlock* bodies,
                    const BallBlock* balls, BodyBlock* points, bool all,
                    geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
-    const Rotation own = plain ? Rotation{} : jar_.axes(t);
+    const WallAxes at = plain ? WallAxes{} : axes(t);
     if constexpr (in_registers)
-      return wall_points_({jar_.shape(), near_lanes, plain ? nullptr : &own, drive.spin, points});
-    const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
+      return wall_points_(
+          {jar_.shape(), near_lanes, plain ? nullptr : &at.own, drive.spin, points});
     for (std::size_t k = 0; k < near.size(); ++k) {
       const auto b = static_cast<std::size_t>(near[k].ball) / lanes,
                  l = static_cast<std::size_t>(near[k].ball) % lanes;
@@ -102,7 +114,7 @@ class ChamberWall final : public MovingWall {
       }
       const Vec3 position = get_lane(bodies[b].position, l);
       const bool turns = near[k].face >= first_rotor_face_;
-      const Rotation& q = turns ? rotor : own;
+      const Rotation& q = turns ? at.rotor : at.own;
       const Vec3& spin = turns ? drive.rotor_spin : drive.spin;
       geometry::Gap gap = gap_near(near[k].face, plain ? position : q.apply_inverse(position),
                                    near[k].within, facets, k);
@@ -115,15 +127,14 @@ class ChamberWall final : public MovingWall {
     }
   }
   void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
-                   const std::array<std::int32_t, lanes>& faces, std::uint32_t touching, double t,
-                   double beyond, Vec<Lanes>& points, geometry::NearFacets* facets) const override {
+                   const std::array<std::int32_t, lanes>& faces, std::uint32_t touching,
+                   const WallAxes& axes, double beyond, Vec<Lanes>& points,
+                   geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
-    const Rotation own = plain ? Rotation{} : jar_.axes(t);
-    const Rotation rotor = has_rotor ? axes(first_rotor_face_, t) : own;
     for (std::size_t k = 0; k < lanes; ++k) {
       const BallRecord& ball = rows[balls[k]];
       const Vec3 position = ball.position();
-      const Rotation& q = faces[k] >= first_rotor_face_ ? rotor : own;
+      const Rotation& q = of_face(axes, faces[k]);
       const double within = (touching >> k & 1) != 0 ? (1 + past_touch) * ball.radius + beyond : 0;
       geometry::Gap gap =
           gap_near(faces[k], plain ? position : q.apply_inverse(position), within, facets, k);
@@ -143,7 +154,8 @@ class ChamberWall final : public MovingWall {
       if (jar_.shape().can_touch(face, radius))
         least = std::min(least, jar_.safe_time(face, {position, velocity}, t, radius).time);
     for (int face = first_rotor_face_; face < faces_; ++face) {
-      const double gap_to_wall = gap(face, position, t, geometry::never, nullptr).distance - radius;
+      const double gap_to_wall =
+          gap(face, position, axes(t), geometry::never, nullptr).distance - radius;
       const double closing = norm(velocity) + max_wall_speed_;
       const double pull = norm(jar_.gravity()) + norm(jar_.motion_bounds().acceleration);
       least = std::min(least, geometry::plane_safe_time(gap_to_wall, closing, pull));
@@ -152,8 +164,8 @@ class ChamberWall final : public MovingWall {
   }
   /// From the derivative of the normal along the parallel surface through the ball's centre.
   std::pair<double, double> curvatures(int face, const Vec3& position, double t) const override {
-    const Rotation q = axes(face, t);
-    const Vec3 p = q.apply_inverse(position);
+    const WallAxes at = axes(t);
+    const Vec3 p = of_face(at, face).apply_inverse(position);
     const geometry::Gap gap = jar_.shape().gap(face, p);
     const Vec3 n = gap.inward;
     const Vec3 side = std::abs(n.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
@@ -166,7 +178,7 @@ class ChamberWall final : public MovingWall {
     return {at_wall(middle + half), at_wall(middle - half)};
   }
   Vec3 to_face_axes(const Vec3& a, double t, int face) const override {
-    return face >= first_rotor_face_ ? axes(face, t).apply_inverse(a) : jar_.to_jar_axes(a, t);
+    return face >= first_rotor_face_ ? axes(t).rotor.apply_inverse(a) : jar_.to_jar_axes(a, t);
   }
   bool can_touch(int face, double radius) const override {
     return jar_.shape().can_touch(face, radius);
@@ -180,16 +192,8 @@ class ChamberWall final : public MovingWall {
       if (facets != nullptr) return jar_.shape().gap(face, p, within, facets[k]);
     return geometry::gap_near(jar_.shape(), face, p, within);
   }
-  /// Rotation from the axes of a face's geometry (jar or rotor) to those of the jar frame.
-  Rotation axes(int face, double t) const {
-    if constexpr (has_rotor) {
-      const Rotation jar = jar_.axes(t);
-      return face < first_rotor_face_
-                 ? jar
-                 : jar * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t);
-    } else {
-      return jar_.axes(t);
-    }
+  const Rotation& of_face(const WallAxes& axes, int face) const {
+    return has_rotor && face >= first_rotor_face_ ? axes.rotor : axes.own;
   }
 
   scene::TypedChamber<S> jar_;

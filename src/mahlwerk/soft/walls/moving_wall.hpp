@@ -43,6 +43,11 @@ struct alignas(64) WallPointLanes {
   Lanes face{};
 };
 
+/// At an instant, the rotations from the axes of a face's geometry to those of the jar frame.
+struct WallAxes {
+  Rotation own, rotor;  ///< of the jar's faces, of the rotor's
+};
+
 /// Wall for the soft engines (that of the event engine is event::MovingWall): a jar on its mill,
 /// with shape and motion types erased. Times are mill times [s], positions [m] and velocities [m/s]
 /// those of the jar frame.
@@ -54,16 +59,21 @@ class MovingWall {
                             std::span<DriveSample> out) const = 0;
   virtual kinematics::FrameMotion frame_motion(double t) const = 0;
   virtual Vec3 spin(double t) const = 0;
+  virtual WallAxes axes(double t) const = 0;
   /// Distance and inward normal of a face at `position`. A distance above `within` [m] may be
   /// overestimated. `facets` may be those that the last query of the ball has left.
-  virtual geometry::Gap gap(int face, const Vec3& position, double t, double within,
+  virtual geometry::Gap gap(int face, const Vec3& position, const WallAxes& axes, double within,
                             geometry::NearFacets* facets = nullptr) const = 0;
+  /// The distance of gap() alone.
+  virtual double gap_distance(int face, const Vec3& position, const WallAxes& axes, double within,
+                              geometry::NearFacets* facets) const = 0;
   /// Distances of `position` from every face [m]. Up to `within`, each is a lower bound of the
   /// distance of gap() and Lipschitz continuous with constant 1; a greater distance may give any
   /// number above `within`.
-  virtual void distances(const Vec3& position, double t, double within,
+  virtual void distances(const Vec3& position, const WallAxes& axes, double within,
                          std::span<double> out) const = 0;
-  virtual double distance(int face, const Vec3& position, double t, double within) const = 0;
+  virtual double distance(int face, const Vec3& position, const WallAxes& axes,
+                          double within) const = 0;
   /// Updates the wall contact points of balls near a face, in the order of `near`, with the
   /// velocity and spin of the wall there; those of balls that cannot touch yet possibly only if
   /// `all`. A wall contact point is the point of a face nearest to a ball's centre. `near_lanes`
@@ -78,7 +88,7 @@ class MovingWall {
   /// Exact for gaps up to `beyond` [m]. `facets` as above, eight of them.
   virtual void wall_points(const BallRecord* rows, const std::array<std::int32_t, lanes>& balls,
                            const std::array<std::int32_t, lanes>& faces, std::uint32_t touching,
-                           double t, double beyond, Vec<Lanes>& points,
+                           const WallAxes& axes, double beyond, Vec<Lanes>& points,
                            geometry::NearFacets* facets) const = 0;
   /// Safe time [s] of a ball in free flight: a duration from `t` in which it touches no face.
   virtual double safe_time(const Vec3& position, const Vec3& velocity, double t,
