@@ -37,7 +37,7 @@ std::vector<Row> mesh();
 std::vector<Row> observers();
 std::vector<Row> grinding();
 std::vector<Row> campaign();
-std::vector<Row> examples();
+std::vector<Row> whole_examples();
 
 /// bench/help.txt says what each measures.
 struct Benchmark {
@@ -53,7 +53,7 @@ inline constexpr std::array benchmarks{
     Benchmark{"grinding", grinding},   Benchmark{"campaign", campaign, true},
     Benchmark{"peers", beside_peers},  Benchmark{"few", few, true},
     Benchmark{"crowd", crowd, true},   Benchmark{"cost-curve", cost_curve},
-    Benchmark{"mixing", mixing, true}, Benchmark{"examples", examples, true}};
+    Benchmark{"mixing", mixing, true}, Benchmark{"examples", whole_examples, true}};
 
 double cpu_seconds();
 double median(std::vector<double> values);

@@ -63,7 +63,7 @@ void example(std::vector<Row>& rows, const fs::path& place) {
 
 }  // namespace
 
-std::vector<Row> examples() {
+std::vector<Row> whole_examples() {
   std::vector<Row> rows;
   std::vector<fs::path> places;
   for (const fs::directory_entry& one : fs::directory_iterator(MAHLWERK_HOME "/examples"))

@@ -20,6 +20,7 @@ Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
   // Relative to the edge between top and side.
   const double up = shell - out - lifter_height, off = aside - top;
   const double from_side = up * side.cos + off * side.sin;
+  if (std::max(up, from_side) > within) return {not_near, {0, 0, 1}, 0};
   const double down_side = off * side.cos - up * side.sin;
   double distance = 0, n_up = 0, n_off = 0;
   if (off <= 0 && (up > 0 || up > from_side)) {

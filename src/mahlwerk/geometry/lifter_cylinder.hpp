@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
@@ -73,6 +74,15 @@ struct LifterCylinder {
   Gap gap(int face, const Vec3& p, double within) const {
     return face < 3 ? shell().gap(face, p) : bar(face - 3, p, within);
   }
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> gaps(const V& face, const Vec<V>& p) const {
+    const LaneGap<V> at_shell = shell().gaps(face, p);
+    const MaskOf<V> of_bar = less(V{} + 2.5, face);
+    if (!any(of_bar)) return at_shell;
+    const LaneGap<V> at_bar = bar_gaps(face, p);
+    return {select<V>(of_bar, at_bar.distance, at_shell.distance),
+            select<V>(of_bar, at_bar.inward, at_shell.inward)};
+  }
   double distance(int face, const Vec3& p, double within) const {
     return gap(face, p, within).distance;
   }
@@ -107,6 +117,31 @@ struct LifterCylinder {
            lifter_height * math::cos(lifter_face_angle) / math::sin(lifter_face_angle);
   }
   Gap bar(int which, const Vec3& p, double within) const;
+  /// bar() in registers; lanes of other faces have any numbers.
+  template <class V>
+  [[gnu::always_inline]] LaneGap<V> bar_gaps(const V& face, const Vec<V>& p) const {
+    const auto of_face = [&](double SinCos::*part) __attribute__((always_inline)) {
+      return lanes_from<V>([&](int l) __attribute__((always_inline)) {
+        return bars[static_cast<std::size_t>(std::max(face[l] - 3, 0.0))].*part;
+      });
+    };
+    const V zero{}, cos = of_face(&SinCos::cos), sin = of_face(&SinCos::sin);
+    const V out = cos * p.x + sin * p.y, along = cos * p.y - sin * p.x;
+    const V up = 0.5 * diameter - out - lifter_height, off = abs(along) - top;
+    const V from_side = up * side.cos + off * side.sin, down_side = off * side.cos - up * side.sin;
+    const V from_edge = sqrt(up * up + off * off);
+    const MaskOf<V> beside = less(zero, off);
+    const MaskOf<V> above = ~beside & (less(zero, up) | less(from_side, up));
+    const MaskOf<V> at_edge = beside & less(down_side, zero);
+    const auto choose = [&](const V& a, const V& e, const V& s) __attribute__((always_inline)) {
+      return select<V>(above, a, select<V>(at_edge, e, s));
+    };
+    const V n_up = choose(zero + 1.0, up / from_edge, zero + side.cos);
+    V n_off = choose(zero, off / from_edge, zero + side.sin);
+    n_off = select<V>(less(along, zero), -n_off, n_off);
+    return {choose(up, from_edge, from_side),
+            {-n_up * cos - n_off * sin, -n_up * sin + n_off * cos, zero}};
+  }
 };
 
 }  // namespace mahlwerk::geometry

@@ -80,6 +80,16 @@ TEST(CaseFaults, a_missing_unit_and_other_bad_quantities) {
                    {{"jar.diameter", "12"}}));
 }
 
+TEST(CaseFaults, a_share_that_is_meant_as_a_percentage_is_told_how_to_write_it) {
+  const auto remedy = [](const char* line) {
+    const auto found = sample::faults_of(sample::with(sample::vial, "restitution", line));
+    return found.size() == 1 ? found[0].remedy : "";
+  };
+  EXPECT_NE(remedy("restitution = 85").find("write restitution = \"85 %\""), std::string::npos);
+  EXPECT_EQ(remedy("restitution = 850").find('%'), std::string::npos);
+  EXPECT_EQ(remedy("restitution = -1").find('%'), std::string::npos);
+}
+
 TEST(CaseFaults, values_out_of_range) {
   const auto out = [](const std::string& key, const std::string& line, int at, const char* what) {
     return only(with(vial, key, line), "case.toml:" + std::to_string(at), what, "out-of-range");

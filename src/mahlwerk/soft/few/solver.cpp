@@ -57,7 +57,8 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
     smallest = std::min(smallest, balls[b].radius);
     mass_ += pairs_.species_of(b).mass;
   }
-  skin_ = 0.03 * smallest;
+  // A wall that moves towards the balls uses up a thin skin within some fifty steps.
+  skin_ = (jar_->max_wall_speed() > 0 ? 0.1 : 0.03) * smallest;
   if (liquid_) start_in_liquid();
   build_gather_maps();  // of no packets
   rebuild_neighbour_list();

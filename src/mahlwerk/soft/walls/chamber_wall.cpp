@@ -45,8 +45,10 @@ class ChamberWall final : public MovingWall {
     }
     reach_ = jar.shape().reach();
     keeps_near_facets_ = has_facets;
-    if constexpr (in_registers)
+    if constexpr (in_registers) {
       wall_points_ = Multiversioned<WallPointLoop<S>, PointFunction>::best();
+      packet_points_ = Multiversioned<PacketPointLoop<S>, PacketPointFunction>::best();
+    }
   }
 
   void sample_drive(double start, double step, std::int64_t first,
@@ -131,6 +133,9 @@ class ChamberWall final : public MovingWall {
                    const WallAxes& axes, double beyond, Vec<Lanes>& points,
                    geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
+    if constexpr (in_registers)
+      return packet_points_(
+          {jar_.shape(), rows, balls, faces, plain ? nullptr : &axes.own, points});
     for (std::size_t k = 0; k < lanes; ++k) {
       const BallRecord& ball = rows[balls[k]];
       const Vec3 position = ball.position();
@@ -198,7 +203,10 @@ class ChamberWall final : public MovingWall {
 
   scene::TypedChamber<S> jar_;
   using PointFunction = void (*)(const WallPointLoop<S>&);
-  PointFunction wall_points_ = nullptr;  // for the instruction set of this machine
+  using PacketPointFunction = void (*)(const PacketPointLoop<S>&);
+  // For the instruction set of this machine.
+  PointFunction wall_points_ = nullptr;
+  PacketPointFunction packet_points_ = nullptr;
 };
 
 }  // namespace
