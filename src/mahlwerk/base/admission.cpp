@@ -23,6 +23,12 @@ double largest_admitted(std::string_view unit) {
   return found == std::end(limits) ? 1e30 : found->second;
 }
 
+/// The smallest magnitude that is admitted where 0 is none: with a smaller one masses, time steps
+/// or sizes of grids leave the range of numbers.
+double smallest_admitted(std::string_view unit) {
+  return unit == "m" ? 1e-12 : unit == "kg/m3" ? 1e-3 : 1e-30;
+}
+
 }  // namespace
 
 std::string range_text(const Range& range, std::string_view unit) {
@@ -41,10 +47,12 @@ std::string range_text(const Range& range, std::string_view unit) {
 std::string refusal(double value, const Range& range, std::string_view unit) {
   if (!std::isfinite(value)) return "not a finite number";
   if (!range.holds(value)) return "out of range: it must be " + range_text(range, unit);
-  const double most = largest_admitted(unit);
-  return std::abs(value) <= most
-             ? ""
-             : fmt::format("beyond all that a mill has: {} at most", show(most, unit));
+  const double most = largest_admitted(unit), least = smallest_admitted(unit);
+  if (std::abs(value) > most)
+    return fmt::format("beyond all that a mill has: {} at most", show(most, unit));
+  if (!range.holds(0) && std::abs(value) < least)
+    return fmt::format("beyond all that a mill has: {} at least", show(least, unit));
+  return "";
 }
 
 std::array<double, 2> plausible_magnitude(std::string_view unit,

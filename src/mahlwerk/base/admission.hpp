@@ -22,8 +22,8 @@ struct FileColumn {
 std::string range_text(const Range& range, std::string_view unit);
 
 /// What is wrong with a number in `unit`: "out of range: it must be above 0", or "beyond all that a
-/// mill has: 1000 km at most", with which sizes of grids and numbers of steps would overflow. Empty
-/// if the number is admitted.
+/// mill has: 1000 km at most" or, where it must not be 0, "1 pm at least", with which sizes of
+/// grids and numbers of steps would overflow. Empty if the number is admitted.
 std::string refusal(double value, const Range& range, std::string_view unit);
 inline std::string refusal(double value, const FileColumn& column) {
   return refusal(value, column.range, column.unit);

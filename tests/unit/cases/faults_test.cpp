@@ -25,6 +25,15 @@ TEST(CaseFaults, sizes_and_times_that_no_mill_has_are_refused) {
     EXPECT_EQ(found[0].code, "out-of-range");
     EXPECT_NE(found[0].what.find("1000 km at most"), std::string::npos) << found[0].what;
   }
+  for (const auto& [key, line] : {std::pair{"diameter = \"8", "diameter = \"5e-324 m\""},
+                                  std::pair{"density", "density = \"9e-4 kg/m3\""}}) {
+    const auto found = sample::faults_of(sample::with(sample::vial, key, line));
+    ASSERT_EQ(found.size(), 1U) << line;
+    EXPECT_NE(found[0].what.find(" at least"), std::string::npos) << found[0].what;
+  }
+  EXPECT_TRUE(
+      sample::faults_of(sample::with(sample::vial, "amplitude", "amplitude = \"1e-20 m\"")).empty())
+      << "it may be 0";
   Case built = sample::read_sample(sample::vial);
   EXPECT_TRUE(faults(built).empty());
   built.run.time = 1.1e12;

@@ -5,13 +5,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
+#include "mahlwerk/base/start_threads.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/memory.hpp"
@@ -35,6 +39,37 @@ double usual_cost(const cases::Case& decided) {
   return soft_work(decided) * ball_step_cost /
          (decided.run.settle_at_rest + cases::simulated_time(decided));
 }
+
+/// Sets a flag some time after its start, unless it is destroyed before: a slice of a run may take
+/// longer than expected, where a flight that was skipped ends in a contact of small steps.
+class Deadline {
+ public:
+  Deadline() = default;
+  void start(std::chrono::milliseconds patience) {
+    start_threads(timer_, 1, [this, patience](int) {
+      std::unique_lock lock(mutex_);
+      if (!ended_.wait_for(lock, patience, [this] { return done_; })) over_ = true;
+    });
+  }
+  ~Deadline() {
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    ended_.notify_all();
+  }
+  Deadline(const Deadline&) = delete;
+  Deadline& operator=(const Deadline&) = delete;
+
+  const std::atomic<bool>& over() const { return over_; }
+
+ private:
+  std::atomic<bool> over_ = false;
+  bool done_ = false;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  std::vector<std::jthread> timer_;  // joins before the others are destroyed
+};
 
 /// A case that runs until it is stopped.
 cases::Case endless(cases::Case made) {
@@ -67,14 +102,18 @@ Forecast forecast(const cases::Case& decided, std::chrono::milliseconds patience
   const std::int64_t batches = (made.share + most - 1) / most,
                      together = (made.share + batches - 1) / batches;
   const int threads = static_cast<int>(std::max<std::int64_t>(1, cores / replicates));
+  Deadline deadline;
   std::vector<std::unique_ptr<ReplicateRun>> runs;
   std::vector<ReplicateRun*> all;
   for (int r = 0; r < together; ++r) {
-    runs.push_back(std::make_unique<ReplicateRun>(pilot, r, nullptr, nullptr, threads));
+    runs.push_back(
+        std::make_unique<ReplicateRun>(pilot, r, nullptr, nullptr, threads, &deadline.over()));
     all.push_back(runs.back().get());
   }
   const Clock::time_point began = Clock::now();
-  while (std::ranges::none_of(all, &ReplicateRun::done) && Clock::now() - began < patience)
+  deadline.start(2 * patience);
+  while (std::ranges::none_of(all, &ReplicateRun::done) && Clock::now() - began < patience &&
+         !deadline.over())
     ReplicateRun::run_slice_together(all);
   const double spent = std::chrono::duration<double>(Clock::now() - began).count();
   double simulated = 0, collisions = 0;
