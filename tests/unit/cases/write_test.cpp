@@ -129,7 +129,7 @@ class AnyCase {
                          substance()});
     c.jar.elastic = elastic();
     c.jar.substance = substance();
-    c.jar.density = size();
+    c.jar.density = std::max(1e-3, size());
     c.jar.wall = size();
     if (flip()) draw_places(c);
     if (flip()) draw_powder(c.powder.emplace());
