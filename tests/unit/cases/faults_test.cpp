@@ -97,6 +97,10 @@ TEST(CaseFaults, a_share_that_is_meant_as_a_percentage_is_told_how_to_write_it) 
   EXPECT_NE(remedy("restitution = 85").find("write restitution = \"85 %\""), std::string::npos);
   EXPECT_EQ(remedy("restitution = 850").find('%'), std::string::npos);
   EXPECT_EQ(remedy("restitution = -1").find('%'), std::string::npos);
+  const auto tiny = sample::faults_of(
+      sample::with(sample::vial, "restitution", "restitution = 0.5\nsoftening = 1e-35"));
+  ASSERT_EQ(tiny.size(), 1U);
+  EXPECT_EQ(tiny[0].remedy.find('%'), std::string::npos) << tiny[0].remedy;
 }
 
 TEST(CaseFaults, values_out_of_range) {

@@ -28,7 +28,9 @@ std::string as_written(std::string_view key, const Node& node) {
 /// For a share that would be in its range as a percentage: how to write that; else empty.
 std::string percentage_meant(const NumberSpec& spec, const Node& node, double v) {
   const bool share = spec.unit.empty() && spec.range.most <= 1;
-  if (!share || node.kind != Node::Kind::number || !spec.range.holds(0.01 * v)) return "";
+  if (!share || spec.range.holds(v) || node.kind != Node::Kind::number ||
+      !spec.range.holds(0.01 * v))
+    return "";
   return fmt::format("write {} = \"{} %\" if you mean a percentage; ", spec.key, node.text);
 }
 
