@@ -85,7 +85,7 @@ template <class V>
   } else {
     using Words = typename RegisterOf<width_of<V>>::Words;
     constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
-    const Words bits = (Words)x;
+    const auto bits = (Words)x;
     // As last bits of 2^52 the exponent is a number that is added to 2^52.
     const V biased = (V)(bits >> 52U | std::bit_cast<std::uint64_t>(0x1p52)) - 0x1p52;
     return {(V)((bits & fraction) | (std::uint64_t{1022} << 52U)), biased - 1022.0};

@@ -72,7 +72,7 @@ struct LiquidLoop {
   [[gnu::always_inline]] static Vec<V> gather(const std::array<const double*, lanes>& bodies,
                                               const LaneGroup<V>& group, int first) {
     const double* const* body = bodies.data() + group.first;
-    const auto column = [&](int c) __attribute__((always_inline)) {
+    const auto column = [&](std::ptrdiff_t c) __attribute__((always_inline)) {
       return lanes_from<V>([&](int l)
                                __attribute__((always_inline)) { return body[l][c * lanes]; });
     };
@@ -133,9 +133,10 @@ struct LiquidLoop {
       if (p.ball_j[pair % lanes] >= 0) {
         add(s, p.ball_j[pair % lanes], -f);
       } else {
-        const double* wall = p.body_j[pair % lanes] + 3 * lanes;  // velocity
-        s.work.wall +=
-            dt * dot(f, Vec3{wall[0], wall[lanes], wall[2 * lanes]} + s.motion.jar_velocity);
+        constexpr std::ptrdiff_t next = lanes;  // from a number to the next of the same body
+        const double* velocity = p.body_j[pair % lanes] + 3 * next;
+        const Vec3 of_wall{velocity[0], velocity[next], velocity[2 * next]};
+        s.work.wall += dt * dot(f, of_wall + s.motion.jar_velocity);
       }
     }
   }
