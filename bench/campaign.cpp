@@ -4,7 +4,6 @@
 // Overhead of campaigns beside their runs: those of paper A, a large one, one with few balls, and
 // the store alone.
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <fstream>
@@ -20,37 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int runs = 5;
-constexpr double long_enough = 1800;  // [s]
-
-struct Timing {
-  double wall = 0, cpu = 0, memory = 0;  // [s], [s], [MB]
-  double busy() const { return cpu / wall / std::thread::hardware_concurrency(); }
-};
-
-double seconds(const timeval& t) {
-  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-}
-double cpu_of_children() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-/// Runs the program `mahlwerk` from the folder of this one to its end. Times are wall times here: a
-/// campaign has to keep the cores busy.
-Timing run(const std::vector<std::string>& words, const fs::path& folder) {
-  std::vector<std::string> all{
-      (fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk").string()};
-  all.insert(all.end(), words.begin(), words.end());
-  const double before = cpu_of_children();
-  const auto began = std::chrono::steady_clock::now();
-  const ChildResult ended =
-      watch_child({.words = all, .folder = folder, .environment = {}, .limit = long_enough},
-                  [](std::string_view) {});
-  if (!ended.fault.empty())
-    fmt::print(stderr, "bench campaign: {} {}\n", ended.fault, complaint(folder));
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
-          cpu_of_children() - before, ended.peak_memory};
+double share_of_cores(const Timing& t) {
+  return t.cpu / t.wall / std::thread::hardware_concurrency();
 }
 
 /// Figures 4, 5 and 6: 15 settings, five runs of a minute each.
@@ -62,7 +32,8 @@ void paper_a(std::vector<Row>& rows) {
       double wall = 0;
       for (const std::string figure : {"diameter", "amplitude", "frequency"})
         wall +=
-            run({"sweep",
+            time_mahlwerk(
+                {"sweep",
                  (fs::path(MAHLWERK_HOME) / "papers/vertical-vibration-mill" / (figure + ".toml"))
                      .string(),
                  "--out", (folder.path() / figure).string(), "--quiet", "--results", kept},
@@ -105,12 +76,13 @@ void large(std::vector<Row>& rows) {
   for (const int points : {1000, 10'000, 100'000}) {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "case.toml") << fmt::format(tiny, points);
-    const Timing took = run(
+    const Timing took = time_mahlwerk(
         {"sweep", "case.toml", "--out", "out", "--quiet", "--results", "summary"}, folder.path());
     const std::string what = fmt::format("{} one-ball runs of 0.1 s", points);
     rows.push_back({"campaign", what, "mahlwerk", "peak MB", took.memory});
     rows.push_back({"campaign", what, "mahlwerk", "ms of a core a run", 1e3 * took.cpu / points});
-    rows.push_back({"campaign", what, "mahlwerk", "share of the cores' time", took.busy()});
+    rows.push_back(
+        {"campaign", what, "mahlwerk", "share of the cores' time", share_of_cores(took)});
     rows.push_back(
         {"campaign", what, "mahlwerk", "store, kB a run",
          static_cast<double>(fs::file_size(folder.path() / "out/campaign.sqlite")) / 1e3 / points});
@@ -119,18 +91,18 @@ void large(std::vector<Row>& rows) {
 
 /// Paper B's five balls at several speeds.
 void few_balls(std::vector<Row>& rows) {
-  std::vector<double> busy, walls;
+  std::vector<double> shares, walls;
   for (int i = 0; i < 3; ++i) {
     const TemporaryFolder folder;
-    const Timing took =
-        run({"sweep", (fs::path(MAHLWERK_HOME) / "papers/planetary-mill/speed.toml").string(),
-             "--out", "out", "--quiet"},
-            folder.path());
-    busy.push_back(took.busy());
+    const Timing took = time_mahlwerk(
+        {"sweep", (fs::path(MAHLWERK_HOME) / "papers/planetary-mill/speed.toml").string(), "--out",
+         "out", "--quiet"},
+        folder.path());
+    shares.push_back(share_of_cores(took));
     walls.push_back(took.wall);
   }
   rows.push_back({"campaign", "paper B, five balls by speed", "mahlwerk",
-                  "share of the cores' time", median(busy)});
+                  "share of the cores' time", median(shares)});
   rows.push_back(
       {"campaign", "paper B, five balls by speed", "mahlwerk", "seconds", median(walls)});
 }

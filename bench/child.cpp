@@ -260,6 +260,19 @@ std::string complaint(const std::filesystem::path& folder) {
   return last;
 }
 
+Timing time_mahlwerk(std::vector<std::string> words, const fs::path& folder) {
+  constexpr double long_enough = 1800;  // [s]
+  words.insert(words.begin(), fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk");
+  const auto began = Clock::now();
+  const ChildResult ended =
+      watch_child({.words = words, .folder = folder, .environment = {}, .limit = long_enough},
+                  [](std::string_view) {});
+  if (!ended.fault.empty())
+    fmt::print(stderr, "bench: {}: {} {}\n", fmt::join(words, " "), ended.fault, complaint(folder));
+  return {std::chrono::duration<double>(Clock::now() - began).count(), ended.cpu_seconds,
+          ended.peak_memory};
+}
+
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line) {
   return watch_child(child, line).fault;
 }

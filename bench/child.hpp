@@ -52,6 +52,13 @@ ChildResult watch_child(const Child& child, const std::function<void(std::string
 /// The same; returns only the description of the failure.
 std::string run_child(const Child& child, const std::function<void(std::string_view)>& line);
 
+/// What a command of the program `mahlwerk` took.
+struct Timing {
+  double wall = 0, cpu = 0, memory = 0;  ///< [s], [s], [MB] at most
+};
+/// Runs the `mahlwerk` in the folder of this program to its end; a failure goes to standard error.
+Timing time_mahlwerk(std::vector<std::string> words, const std::filesystem::path& folder);
+
 /// The last error message of a program in its errors.txt and log.txt.
 std::string complaint(const std::filesystem::path& folder);
 

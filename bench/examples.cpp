@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 
 #include "benchmarks.hpp"
@@ -17,32 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int turns = 5;
-constexpr double long_enough = 1800;  // [s]
-
-struct Waited {
-  double wall = 0, cpu = 0, memory = 0;  // [s], [s], [MB]
-};
-
-/// Runs the program `mahlwerk` from the folder of this one to its end.
-Waited run(std::vector<std::string> words, const fs::path& folder) {
-  words.insert(words.begin(),
-               (fs::read_symlink("/proc/self/exe").parent_path() / "mahlwerk").string());
-  const auto began = std::chrono::steady_clock::now();
-  const ChildResult ended =
-      watch_child({.words = words, .folder = folder, .environment = {}, .limit = long_enough},
-                  [](std::string_view) {});
-  if (!ended.fault.empty())
-    fmt::print(stderr, "bench examples: {}: {} {}\n", fmt::join(words, " "), ended.fault,
-               complaint(folder));
-  return {std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
-          ended.cpu_seconds, ended.peak_memory};
-}
 
 /// The wall time of a command that takes a moment.
 Row moment(const std::string& what, const char* metric, const std::vector<std::string>& words) {
   std::vector<double> walls;
   const TemporaryFolder folder;
-  for (int turn = 0; turn < turns; ++turn) walls.push_back(run(words, folder.path()).wall);
+  for (int turn = 0; turn < turns; ++turn)
+    walls.push_back(time_mahlwerk(words, folder.path()).wall);
   const auto [least, most] = std::ranges::minmax(walls);
   return {"examples", what, "mahlwerk", metric, median(walls), least, most};
 }
@@ -53,9 +33,9 @@ void example(std::vector<Row>& rows, const fs::path& place) {
   fmt::print(stderr, "examples: {}\n", name);
   rows.push_back(moment(name, "check_wall_s", {"check", place}));
   const TemporaryFolder folder;
-  const Waited whole =
-      run({campaign ? "sweep" : "run", place, "--out", folder.path() / "out", "--quiet"},
-          folder.path());
+  const Timing whole =
+      time_mahlwerk({campaign ? "sweep" : "run", place, "--out", folder.path() / "out", "--quiet"},
+                    folder.path());
   rows.push_back({"examples", name, "mahlwerk", "run_cpu_s", whole.cpu});
   rows.push_back({"examples", name, "mahlwerk", "run_wall_s", whole.wall});
   rows.push_back({"examples", name, "mahlwerk", "peak_memory_MB", whole.memory});

@@ -55,6 +55,10 @@ std::string refusal(double value, const Range& range, std::string_view unit) {
   return "";
 }
 
+bool is_percentage(double value, const Range& range, std::string_view unit) {
+  return unit.empty() && range.most <= 1 && !range.holds(value) && range.holds(0.01 * value);
+}
+
 std::array<double, 2> plausible_magnitude(std::string_view unit,
                                           const PlausibleMagnitude& written) {
   struct Magnitude {

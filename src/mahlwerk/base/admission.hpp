@@ -29,6 +29,9 @@ inline std::string refusal(double value, const FileColumn& column) {
   return refusal(value, column.range, column.unit);
 }
 
+/// Whether a share that is out of its range would be in it as a percentage.
+bool is_percentage(double value, const Range& range, std::string_view unit);
+
 /// The least and largest plausible magnitude of a value of a case in `unit`: as written, or that of
 /// the unit whatever the key; 0 and infinity if there is neither. Beyond them a unit or a digit is
 /// probably wrong.

@@ -25,15 +25,6 @@ std::string as_written(std::string_view key, const Node& node) {
   return quoted ? fmt::format("{} = \"{}\"", key, text) : fmt::format("{} = {}", key, text);
 }
 
-/// For a share that would be in its range as a percentage: how to write that; else empty.
-std::string percentage_meant(const NumberSpec& spec, const Node& node, double v) {
-  const bool share = spec.unit.empty() && spec.range.most <= 1;
-  if (!share || spec.range.holds(v) || node.kind != Node::Kind::number ||
-      !spec.range.holds(0.01 * v))
-    return "";
-  return fmt::format("write {} = \"{} %\" if you mean a percentage; ", spec.key, node.text);
-}
-
 /// The word of `words` that has hyphens where `word` has underscores; empty if there is none.
 std::string respelt(std::string word, const std::vector<std::string>& words) {
   if (word.find('_') == std::string::npos || std::ranges::find(words, word) != words.end())
@@ -165,7 +156,10 @@ double SectionReader::quantity(const Node& at, const NumberSpec& spec) {
     const std::string refused = refusal(v, spec.range, spec.unit);
     if (refused.empty()) return v;
     fault(at, fmt::format("{} is {}", as_written(spec.key, at), refused),
-          fmt::format("{}{} is: {}", percentage_meant(spec, at, v), spec.key, spec.about),
+          (is_percentage(v, spec.range, spec.unit) && at.kind == Node::Kind::number
+               ? fmt::format("write {} = \"{} %\" if you mean a percentage; ", spec.key, at.text)
+               : "") +
+              fmt::format("{} is: {}", spec.key, spec.about),
           "out-of-range");
   } catch (const UnitError& error) {
     fault(at, fmt::format("{}: {}", as_written(spec.key, at), error.what()),
