@@ -62,6 +62,15 @@ struct MaskTypeOf<double> {
 template <class V>
 using MaskOf = typename MaskTypeOf<V>::Type;
 
+/// Where both hold. Clang warns of `&` between bools.
+template <class Mask>
+[[gnu::always_inline]] inline Mask both(const Mask& a, const Mask& b) {
+  if constexpr (std::same_as<Mask, bool>)
+    return a && b;
+  else
+    return a & b;
+}
+
 /// A register or mask from f(lane) of each lane. No loop: GCC 12 does not unroll loops at -O1.
 template <class V, class F>
 [[gnu::always_inline]] inline V lanes_from(const F& f) {

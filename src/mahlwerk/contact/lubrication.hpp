@@ -57,7 +57,8 @@ template <class V>
                                                   const V& reach, const V& gap, const V& approach,
                                                   double dt) {
   const V zero{}, speed = abs(approach);
-  const MaskOf<V> acts = less(gap, reach) & less(zero, liquid.resists_rebound ? speed : approach);
+  const MaskOf<V> acts =
+      both(less(gap, reach), less(zero, liquid.resists_rebound ? speed : approach));
   if (!any(acts)) return zero;
   const V half = 0.5 * speed * dt;
   const V wide = select(less(gap + 2.0 * half, reach), gap + half, reach);

@@ -134,7 +134,7 @@ TEST(SoftSettings, a_linear_spring_is_as_long_at_any_speed) {
 TEST(SoftSettings, steps_too_long_or_without_end_are_refused) {
   EXPECT_EQ(faults_with_step("1 us"), "");
   EXPECT_EQ(faults_with_step("1 ms"), "time-step-too-large");
-  EXPECT_EQ(faults_with_step("1e-300 s"), "time-step-too-small");
+  EXPECT_EQ(faults_with_step("1e-25 s"), "time-step-too-small");
   EXPECT_EQ(codes(soft_case("restitution = 0.5", {{"run.time_step_fraction", "1e-12"}})),
             "time-step-too-small");
   // "auto" does not take the event engine because of such a value.
