@@ -237,7 +237,7 @@ struct Run {
   /// [1] for the step the engine chooses: largest mean error of a collision (soft::StepError)
   double step_error = 0.01;
   double time_step_fraction = 0.25;  ///< of the Rayleigh time, at most, for the same step
-  bool free_flight_skip = true;      ///< whether the soft engine skips steps in free flight
+  bool free_flight_skip = true;  ///< whether the soft engine skips steps in free flight and at rest
   SensitivityMode sensitivity = SensitivityMode::automatic;  ///< to assumed values
   bool operator==(const Run&) const = default;
 };

@@ -14,7 +14,7 @@ namespace mahlwerk::soft {
 struct Settings {
   contact::ContactModel model;
   double time_step = 0;              ///< [s]
-  bool free_flight_skip = true;      ///< skip time in which no contact is possible
+  bool free_flight_skip = true;      ///< skip time in which nothing touches or all is at rest
   std::size_t few_ball_limit = 128;  ///< largest number of balls for FewBodySolver
   /// Limit of the initial overlap, as a fraction of the smaller radius.
   double max_initial_overlap = 0.01;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Bitwise reproducibility of the soft engine: a run gives the same bits if it is cut, or stopped
-// and resumed. Faulty runs stop with an error. A pile stays at rest.
+// and resumed. Faulty runs stop with an error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -161,34 +161,6 @@ TEST(SoftFaults, a_charge_at_rest_in_a_shaken_jar_is_none) {
   const auto engine = soft_engine(mill, balls, of_law(HertzMindlin{}), soft_pair(0.6), 2e-6, true);
   Recorder none;
   EXPECT_NO_THROW(engine->advance(0.1, none));
-}
-
-TEST(SoftRest, a_pile_of_three_balls_stays) {
-  // Two on the floor, held together by the walls; the third lies on them.
-  const double r = 0.005;
-  const scene::Chamber box{
-      geometry::Box{4 * r + 1e-5, 2 * r + 1e-5, 0.04}, kinematics::Still{}, {}, {0, 0, -gravity}};
-  for (const Rolling rule : {Rolling::none, Rolling::cdt, Rolling::epsd}) {
-    std::vector<scene::Ball> balls{{r, 7850, {-r - 1e-6, 0, r - 0.0199}, {}, {}},
-                                   {r, 7850, {r + 1e-6, 0, r - 0.0199}, {}, {}},
-                                   {r, 7850, {1e-4, 0, 3 * r - 0.0199}, {0.05, 0.01, 0}, {}}};
-    const auto engine =
-        soft_engine(box, balls, of_law(HertzMindlin{}, rule), soft_pair(0.4), 5e-6, true);
-    Recorder none;
-    engine->advance(1.5, none);
-    const auto settled = engine->balls();
-    double fastest = 0, moved = 0;
-    for (int i = 1; i <= 50; ++i) {
-      engine->advance(1.5 + 0.01 * i, none);
-      for (const scene::Ball& b : engine->balls()) fastest = max_or_nan(fastest, norm(b.velocity));
-    }
-    const auto later = engine->balls();
-    for (std::size_t b = 0; b < 3; ++b)
-      moved = max_or_nan(moved, norm(later[b].position - settled[b].position));
-    const std::string with = ", rolling rule " + std::to_string(static_cast<int>(rule));
-    stays_below("fastest of a settled pile [m/s]" + with, fastest, 1e-4, "at rest");
-    stays_below("moved in 0.5 s [m]" + with, moved, 0.5 * 1e-4, "at rest");
-  }
 }
 
 }  // namespace

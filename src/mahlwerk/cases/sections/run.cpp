@@ -189,8 +189,9 @@ void describe(KeyVisitor& v, Run& run) {
             {"at rest", "moves with the centre of the jar, without rotation"}},
            run.start_frame);
   describe_step(v, run);
-  v.flag({"hop", true, "the soft engine skips time steps in free flight",
-          "whether the soft engine skips time steps while nothing touches; at most 128 balls",
+  v.flag({"hop", true, "the soft engine skips time steps in free flight and at rest",
+          "whether the soft engine skips time steps while nothing touches (at most 128 balls), and "
+          "all steps once the balls in a jar that stands still are at rest",
           soft_only},
          run.free_flight_skip);
   v.integer({.key = "replicates",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <limits>
 
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -74,8 +75,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   a.lost_tangential -= kept.tangential;  // stored, not dissipated
   a.lost_rolling -= kept.twisting;
   a.lost_open -= kept.tangential + kept.twisting;
-  a.contact_time +=
-      static_cast<double>(balls_in_contact_) * time_of(particles_.step - contact_count_step_);
+  a.contact_time += static_cast<double>(balls_in_contact_) * time_of(now_ - contact_count_step_);
   return a;
 }
 
@@ -90,6 +90,17 @@ void FewBodySolver::check_energy() {
   for (std::size_t b = 1; b < particles_.count; ++b)
     if (!(squared(particles_.velocity(b)) <= squared(particles_.velocity(fastest)))) fastest = b;
   stop(fastest, energy_jump_message);
+}
+
+/// A charge at rest is in a skip without end, in which nothing moves.
+void FewBodySolver::check_rest() {
+  if (!settings_.free_flight_skip || !jar_->stands_still() || liquid_) return;
+  const double gravity = norm(jar_->gravity());
+  ChargeMotion now;
+  for (std::size_t b = 0; b < particles_.count; ++b)
+    now.add(pairs_.species_of(b), particles_.velocity(b), particles_.spin(b), gravity);
+  rest_.update(time_of(particles_.step), now, gravity);
+  if (rest_.at_rest) skip_end_ = std::numeric_limits<std::int64_t>::max();
 }
 
 }  // namespace mahlwerk::soft

@@ -52,7 +52,7 @@ std::int64_t FewBodySolver::collision_free_steps() const {
 }
 
 FewBodySolver::FreeFlight FewBodySolver::free_flight(std::int64_t steps) const {
-  if (steps == 0) return {};
+  if (steps == 0 || rest_.at_rest) return {};
   const double time = time_of(steps);
   const kinematics::FrameMotion from = jar_->frame_motion(mill_time(particles_.step));
   const kinematics::FrameMotion to = jar_->frame_motion(mill_time(particles_.step + steps));

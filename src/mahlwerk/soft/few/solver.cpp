@@ -204,7 +204,9 @@ StepBlock FewBodySolver::step_block(std::vector<ParticleData*>& charges,
 
 void FewBodySolver::end_block() {
   now_ = particles_.step;
-  if (particles_.step % energy_check_interval == 0) check_energy();
+  if (particles_.step % energy_check_interval != 0) return;
+  check_energy();
+  check_rest();
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {

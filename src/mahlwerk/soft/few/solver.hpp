@@ -14,6 +14,7 @@
 #include "mahlwerk/soft/engine.hpp"
 #include "mahlwerk/soft/few/liquid_loop.hpp"
 #include "mahlwerk/soft/few/step_block.hpp"
+#include "mahlwerk/soft/rest_watch.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
@@ -66,6 +67,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   StoredEnergy elastic_energy() const;  // of open contacts
   double energy_at_start() const;       // [J] of the overlaps of the starting positions
   void check_energy();
+  void check_rest();
 
   // Neighbour list (neighbours.cpp).
   struct NearPair {
@@ -135,8 +137,8 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   ParticleData particles_;
   std::vector<NearPair> found_pairs_, listed_pairs_;  // of the last search; those that have a lane
   std::int64_t next_skip_ = 0;                        // earliest step of the next skip
-  std::int64_t skip_end_ = -1;                        // end of the current skip; < 0: none
-  std::int64_t now_ = 0;  // current step; in a skip ahead of particles_.step
+  std::int64_t skip_end_ = -1;  // end of the current skip; < 0: none; at rest it has no end
+  std::int64_t now_ = 0;        // current step; in a skip ahead of particles_.step
   std::int64_t skipped_steps_ = 0;
   double target_time_ = 0;  // [s] target of the last advance()
 
@@ -145,6 +147,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   std::int64_t balls_in_contact_ = 0;      // balls with contacts
   std::int64_t contact_count_step_ = 0;
   EnergyWatch watch_;
+  RestWatch rest_;
   std::vector<scene::Collision> finished_;
   std::vector<PacketLanes> ended_;  // in this step
   std::vector<DriveSample> drive_;

@@ -70,7 +70,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
   scene::EnergyBalance a = energy_balance_;
   for (const Chunk& chunk : chunks_) add_sums(a, chunk);
   a.time = time_of(step_);
-  a.time_steps = step_;
+  a.time_steps = step_ - rested_steps_;
   if (a.time < target_time_ && target_time_ - a.time < 1e-5 * settings_.time_step)
     a.time = target_time_;  // rounding
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
@@ -118,6 +118,22 @@ void ManyBodySolver::check_energy() {
   for (std::size_t k = 1; k < rows_.size(); ++k)
     if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
   stop(fastest, energy_jump_message);
+}
+
+void ManyBodySolver::check_rest() {
+  if (!settings_.free_flight_skip || !jar_->stands_still() || liquid_) return;
+  const double gravity = norm(jar_->gravity());
+  ChargeMotion now;
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    now.add(pairs_.species(species_[k]), velocity(k, {}), spin(k), gravity);
+  rest_.update(time_of(step_), now, gravity);
+}
+
+/// Nothing changes but the time of contact.
+void ManyBodySolver::pass_rest(std::int64_t until) {
+  for (Chunk& chunk : chunks_) chunk.sums.ball_steps += (until - step_) * chunk.balls_in_contact;
+  rested_steps_ += until - step_;
+  step_ = until;
 }
 
 /// Moves the sums of the chunks to the energy balance. Called only at steps that do not depend on

@@ -160,6 +160,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   };
   try {
     while (step_ < until) {
+      if (rest_.at_rest) return pass_rest(until);
       const std::int64_t end =
           std::min(until, (step_ / energy_check_interval + 1) * energy_check_interval);
       const std::vector<DriveSample> all = drive_samples(step_ + 1, end + 1);
@@ -172,6 +173,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
       if (step_ % energy_check_interval != 0) continue;
       flush_sums();
       check_energy();
+      check_rest();
     }
   } catch (...) {
     hand_over();

@@ -16,6 +16,7 @@
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
 #include "mahlwerk/soft/neighbours/grid.hpp"
+#include "mahlwerk/soft/rest_watch.hpp"
 #include "mahlwerk/soft/settings.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
@@ -58,6 +59,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   StoredEnergy stored_in(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
   OpenContacts open_contacts(const Chunk& chunk) const;
   void check_energy();
+  void check_rest();
+  void pass_rest(std::int64_t until);
   void flush_sums();
   void add_sums(scene::EnergyBalance& a, const Chunk& chunk) const;
 
@@ -175,6 +178,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   scene::EnergyBalance energy_balance_;
   EnergyWatch watch_;
+  RestWatch rest_;
+  std::int64_t rested_steps_ = 0;  // passed at once, at rest
   double target_time_ = 0;
   std::vector<FinishedCollision> finished_;
 };

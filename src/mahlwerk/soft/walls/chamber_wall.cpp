@@ -43,6 +43,8 @@ class ChamberWall final : public MovingWall {
       first_rotor_face_ = S::first_rotor_face;
       max_wall_speed_ += geometry::rotor_tip_speed_of(jar.shape());
     }
+    const kinematics::Bounds& moves = jar.motion_bounds();
+    stands_still_ = norm(moves.acceleration) + moves.spin + max_wall_speed_ == 0;
     reach_ = jar.shape().reach();
     keeps_near_facets_ = has_facets;
     if constexpr (in_registers) {

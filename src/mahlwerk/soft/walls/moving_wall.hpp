@@ -107,6 +107,8 @@ class MovingWall {
   /// Largest speed at which the wall may approach a ball at rest in the jar frame [m/s].
   double max_wall_speed() const { return max_wall_speed_; }
   double reach() const { return reach_; }  ///< [m] largest distance of the wall from the centre
+  /// Whether nothing of the jar moves, at any time.
+  bool stands_still() const { return stands_still_; }
   /// Upper bound of the speed of the wall in the laboratory frame [m/s].
   double max_lab_wall_speed(double t) const {
     const double turning = first_rotor_face_ < faces_ ? max_wall_speed_ : 0;
@@ -125,7 +127,7 @@ class MovingWall {
   Vec3 gravity_, periods_;
   int faces_ = 0, first_rotor_face_ = 0;
   double max_wall_speed_ = 0, reach_ = 0;
-  bool keeps_near_facets_ = false;
+  bool keeps_near_facets_ = false, stands_still_ = false;
 };
 
 }  // namespace mahlwerk::soft
