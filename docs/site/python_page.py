@@ -7,6 +7,7 @@ from pages import HOME
 
 SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
+    "Estimates": ["estimate", "Estimate", "Band", "Cause"],
     "Results": ["Result", "Quantity", "Influence", "Notice", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey"],
     "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
@@ -15,7 +16,7 @@ SECTIONS = {
     "Errors": ["MahlwerkError", "InputError", "RunError", "Interrupted"],
 }
 ELSEWHERE = {"Fault"}  # of the compiled part
-FUNCTIONS = {"open", "record_columns", "catalogue", "describe"}
+FUNCTIONS = {"open", "record_columns", "catalogue", "describe", "estimate"}
 
 
 def public_names() -> set[str]:

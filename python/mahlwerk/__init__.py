@@ -24,6 +24,7 @@ from .case import Case
 from .check import Check, Origin
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
+from .estimates import Band, Cause, Estimate, estimate
 from .quantities import Influence, Notice, Quantity
 from .records import record_columns
 from .result import Result
@@ -35,9 +36,10 @@ Fault = _core.Fault
 atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
-__all__ = ["Campaign", "Case", "Check", "Comparison", "Fault", "Fit", "Influence", "InputError", "Interrupted",
-           "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction", "Quantity", "Result",
-           "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "open", "record_columns"]
+__all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Comparison", "Estimate", "Fault", "Fit", "Influence",
+           "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
+           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "estimate", "open",
+           "record_columns"]
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:

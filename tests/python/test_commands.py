@@ -199,3 +199,20 @@ def test_values_that_the_command_line_refuses_are_refused(ball):
             command(["run"], case="none", checkpoint=seconds)
     with pytest.raises(ValueError, match="shell is one of bash, zsh, not 'fish'"):
         command(["completion"], shell="fish")
+
+
+def test_an_estimate_is_that_of_the_command_line(program):
+    words = ["MM 400", "--jar", "25ml", "--material", "ZrO2", "--frequency", "30Hz", "--powder", "200mg",
+             "--balls", "2x10mm", "--balls", "1x5mm", "--set", "seed=2"]
+    code, told = program("estimate", *words, "--json")[:2]
+    assert code == 0
+    here = mahlwerk.estimate("MM 400", jar="25ml", material="ZrO2", frequency="30Hz", powder="200mg",
+                             balls=["2x10mm", "1x5mm"], set={"seed": 2})
+    assert here.data == json.loads(told)
+    power = here["dissipated_power"]
+    assert power.low < float(power) < power.high and power.unit == "W"
+    assert power.causes[0].key.startswith(("contact.", "mill."))
+    assert here.case["seed"] == "2" and "retsch-mm400" in here.case["mill.model"]
+    assert here.notices[0].code == "assumed-mill" and "wide because of" in here._repr_html_()
+    with pytest.raises(mahlwerk.InputError, match="give --frequency"):
+        mahlwerk.estimate("MM 400", balls="2x10mm", material="ZrO2")

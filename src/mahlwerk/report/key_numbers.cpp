@@ -33,7 +33,9 @@ Quantity in_a_short_unit(Quantity q) {
   return q;
 }
 
-std::string title(const Quantity& q, const cases::Case& c) {
+}  // namespace
+
+std::string key_title(const Quantity& q, const cases::Case& c) {
   if (q.name == "collision_rate_above_threshold")
     return "hits of at least " + threshold_text(c.observe.threshold);
   if (q.name == "energy_normal_mean_above_threshold") return "mean normal energy of these hits";
@@ -48,30 +50,30 @@ std::string title(const Quantity& q, const cases::Case& c) {
   return label(q);
 }
 
-std::string value_text(const Quantity& q) {
+std::string key_value(const Quantity& q) {
   if (q.name == "specific_energy_dose" && std::isnan(q.value)) return "no milling time given";
   return readable(in_a_short_unit(q)).text();
 }
 
-using Ends = std::pair<double, double>;
-
-/// "0.62 to 2.1 W".
-std::string range_text(const Ends& ends, const std::string& unit) {
-  const double size = std::fmax(std::abs(ends.first), std::abs(ends.second));
+std::string key_range(double low, double high, const std::string& unit) {
+  const double size = std::fmax(std::abs(low), std::abs(high));
   const Multiple in =
       unit == "s" && size >= one_hour ? Multiple{one_hour, "h"} : multiple(size, unit);
-  const std::string one = two_digits(ends.first / in.factor),
-                    other = two_digits(ends.second / in.factor);
+  const std::string one = two_digits(low / in.factor), other = two_digits(high / in.factor);
   return Readable{one == other ? "about " + one : fmt::format("{} to {}", one, other),
                   readable(1, NAN, in.unit).unit}
       .text();
 }
 
+namespace {
+
+using Ends = std::pair<double, double>;
+
 /// The range of a quantity over assumed values; empty if there is none.
 std::string assumed_text(const Outcome& outcome, const Quantity& q) {
   if (!outcome.summary.sensitivity || !std::isfinite(q.value)) return "";
   const std::optional<Ends> ends = outcome.summary.sensitivity->range(q.name, q.value);
-  return ends && ends->first < ends->second ? range_text(*ends, q.unit) : "";
+  return ends && ends->first < ends->second ? key_range(ends->first, ends->second, q.unit) : "";
 }
 
 std::vector<Line> key_lines(const Outcome& outcome) {
@@ -81,7 +83,7 @@ std::vector<Line> key_lines(const Outcome& outcome) {
                                : ""}};
   for (const std::string& name : results::key_quantities(outcome.summary.quantities)) {
     const Quantity& q = named(outcome.summary.quantities, name);
-    lines.push_back({title(q, outcome.mill_case), value_text(q), assumed_text(outcome, q)});
+    lines.push_back({key_title(q, outcome.mill_case), key_value(q), assumed_text(outcome, q)});
   }
   return lines;
 }
@@ -97,7 +99,7 @@ std::vector<Line> cause_lines(const Outcome& outcome) {
                            std::abs(ends.second - q.value) <= found.scatter.front();
     lines.push_back({one.key,
                      fmt::format("{} to {}, assumed {}", one.ends[0], one.ends[1], one.value),
-                     fmt::format("{} {}{}", label(q), range_text(ends, q.unit),
+                     fmt::format("{} {}{}", label(q), key_range(ends.first, ends.second, q.unit),
                                  by_chance ? ", no more than by chance" : "")});
   }
   return lines;

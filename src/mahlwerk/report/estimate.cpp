@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/report/estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "mahlwerk/report/aligned.hpp"
+#include "mahlwerk/report/key_numbers.hpp"
+#include "mahlwerk/report/study_json.hpp"
+#include "mahlwerk/results/files/json.hpp"
+#include "mahlwerk/results/notices/notice_counts.hpp"
+#include "mahlwerk/results/quantities/traits.hpp"
+
+namespace mahlwerk::report {
+namespace {
+
+using results::Json;
+using results::Outcome;
+using results::Quantity;
+
+/// The quantities: without a milling time the dose in an hour, with one that after it.
+std::vector<std::string> names_of(const Outcome& outcome) {
+  std::vector<std::string> names{"dissipated_power",
+                                 "collision_rate_above_threshold",
+                                 "energy_normal_mean_above_threshold",
+                                 "specific_energy_dose",
+                                 "specific_energy_dose_per_hour",
+                                 "time_to_dose"};
+  const auto value = [&](std::string_view name) {
+    const auto& list = outcome.summary.quantities;
+    const auto q = std::ranges::find(list, name, &Quantity::name);
+    return q == list.end() ? NAN : q->value;
+  };
+  const bool timed = std::isfinite(value("specific_energy_dose"));
+  std::erase_if(names, [&](const std::string& name) {
+    return std::isnan(value(name)) || (timed && name == "specific_energy_dose_per_hour");
+  });
+  return names;
+}
+
+/// How far a cause moves a quantity from its value.
+double reach(const BandCause& cause, double value) {
+  return std::fmax(std::abs(cause.at_ends[0] - value), std::abs(cause.at_ends[1] - value));
+}
+
+std::vector<BandCause> causes_of(const Outcome& outcome, const Quantity& q) {
+  std::vector<BandCause> causes;
+  if (!outcome.summary.sensitivity) return causes;
+  const results::Sensitivity& all = *outcome.summary.sensitivity;
+  const auto at = std::ranges::find(all.quantities, q.name);
+  if (at == all.quantities.end()) return causes;
+  const auto i = static_cast<std::size_t>(at - all.quantities.begin());
+  for (const results::AssumedInfluence& one : all.keys) {
+    BandCause cause{one.key, one.ends, {one.at_ends[0][i], one.at_ends[1][i]}};
+    if (reach(cause, q.value) > all.scatter[i]) causes.push_back(std::move(cause));
+  }
+  std::ranges::stable_sort(causes, std::ranges::greater(),
+                           [&](const BandCause& c) { return reach(c, q.value); });
+  return causes;
+}
+
+/// "restitution" of contact.restitution.
+std::string plain(std::string_view key) {
+  std::string word(key.substr(key.rfind('.') + 1));
+  std::ranges::replace(word, '_', ' ');
+  return word;
+}
+
+std::string reason(const Band& band) {
+  constexpr std::size_t most = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, band.causes.size()); ++i) {
+    const BandCause& one = band.causes[i];
+    text +=
+        fmt::format("{}{} {} to {}", i > 0 ? ", " : "", plain(one.key), one.ends[0], one.ends[1]);
+  }
+  return text.empty() ? "chance: the replicates differ" : text;
+}
+
+/// What would narrow the band of the first quantity most.
+std::string advice(const std::vector<Band>& all) {
+  if (all.empty() || all.front().causes.empty()) return "";
+  const BandCause& first = all.front().causes.front();
+  return fmt::format(
+      "To narrow the bands, measure what makes them widest, and give it: --set {}=...\n"
+      "(between {} and {} the {} is {}).\n",
+      first.key, first.ends[0], first.ends[1], label(all.front().quantity),
+      key_range(first.at_ends[0], first.at_ends[1], all.front().quantity.unit));
+}
+
+}  // namespace
+
+std::vector<Band> bands(const Outcome& outcome) {
+  std::vector<Band> all;
+  for (const std::string& name : names_of(outcome)) {
+    const Quantity& q = results::named(outcome.summary.quantities, name);
+    const results::Range range = results::range_of(name);
+    const double half = std::isfinite(q.half_width()) ? q.half_width() : 0;
+    Band band{q, std::fmax(range.least, q.value - half), std::fmin(range.most, q.value + half),
+              causes_of(outcome, q)};
+    for (const BandCause& cause : band.causes)
+      for (const double value : cause.at_ends) {
+        band.low = std::fmin(band.low, value);
+        band.high = std::fmax(band.high, value);
+      }
+    all.push_back(std::move(band));
+  }
+  return all;
+}
+
+std::string estimate_words(const Outcome& outcome) {
+  const std::vector<Band> all = bands(outcome);
+  std::vector<std::array<std::string, 4>> lines{{"", "best guess", "band", "wide because of"}};
+  for (const Band& band : all)
+    lines.push_back({key_title(band.quantity, outcome.mill_case), key_value(band.quantity),
+                     key_range(band.low, band.high, band.quantity.unit), reason(band)});
+  std::string text = fmt::format("{}\n\n{}\n", outcome.mill_case.title, aligned(lines));
+  text +=
+      "Bands: each assumed value alone at both ends of its plausible range, and 95 % of chance.\n";
+  text += advice(all);
+  for (const Notice& one : outcome.notices)
+    if (one.warns()) text += fmt::format("\nWarning: {}\n", one.text);
+  return text;
+}
+
+Json estimate_json(const Outcome& outcome, std::string_view case_text, std::string_view version) {
+  Json quantities = Json::object();
+  for (const Band& band : bands(outcome)) {
+    Json causes = Json::array();
+    for (const BandCause& one : band.causes)
+      causes.push_back(Json::object({{"key", one.key},
+                                     {"range", Json::array({one.ends[0], one.ends[1]})},
+                                     {"at_ends", Json::array({one.at_ends[0], one.at_ends[1]})}}));
+    quantities[band.quantity.name] = Json::object({{"value", band.quantity.value},
+                                                   {"low", band.low},
+                                                   {"high", band.high},
+                                                   {"unit", band.quantity.unit},
+                                                   {"causes", std::move(causes)}});
+  }
+  results::NoticeCounts notices;
+  results::count(notices, outcome.notices);
+  return with(study_head("estimate", version, outcome.mill_case.title, ""),
+              {{"engine", cases::name_of(outcome.engine)},
+               {"quantities", std::move(quantities)},
+               {"notices", results::notices_json(notices)},
+               {"toml", case_text}});
+}
+
+}  // namespace mahlwerk::report
