@@ -78,6 +78,7 @@ TEST_F(Estimate, refuses_in_the_words_of_its_options) {
   expect_refused("estimate 'MM 400' --balls 2x10mm", "give --frequency");
   expect_refused("estimate 'MM 400' --balls 2x10mm", "give --material");
   expect_refused("estimate Emax --material zro2 --balls 2x10mm --speed 1000rpm", "give --jar");
+  expect_refused("run 'MM 400'", "mahlwerk estimate retsch-mm400 --balls");
   std::ofstream(here_ / "there.toml") << "mine";
   expect_refused(mill + "--balls 2x10mm --save there.toml", "--force");
   EXPECT_EQ(text("there.toml"), "mine");

@@ -21,12 +21,30 @@ cases::Catalogue catalogue() {
   return cases::Catalogue(data_folder("catalogue"));
 }
 
+namespace {
+
+/// What to type where a case was expected.
+std::string instead_of(const std::string& target) {
+  std::vector<std::string> mills;
+  try {
+    mills = catalogue().entries_called("mills", target);
+  } catch (const InputError&) {  // without a catalogue
+  }
+  if (mills.size() != 1) return "give a case file, or a folder that contains one";
+  return fmt::format(
+      "this is a mill of the catalogue: mahlwerk estimate {0} --balls 2x10mm gives first answers, "
+      "mahlwerk new --mill {0} FILE writes a case",
+      mills.front());
+}
+
+}  // namespace
+
 std::vector<fs::path> case_files(const std::string& target) {
   const fs::path place(target);
   std::error_code failed;
   if (!fs::exists(place, failed))
-    throw InputError(Fault{target, "there is no such file or folder",
-                           "give a case file, or a folder that contains one", "no-such-case"});
+    throw InputError(
+        Fault{target, "there is no such file or folder", instead_of(target), "no-such-case"});
   if (!fs::is_directory(place, failed)) return {place};
   if (fs::exists(place / "case.toml", failed)) return {place / "case.toml"};
   std::vector<fs::path> found;

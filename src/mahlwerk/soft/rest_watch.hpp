@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/vec3.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
@@ -36,6 +37,8 @@ struct RestWatch {
   double quiet_since = -1;  ///< [s] from then on no ball was faster; < 0: some are
   double spinning = 0;      ///< [J] energy of the spins then
   bool at_rest = false;
+
+  void serialize(Archive& archive) { archive(quiet_since)(spinning)(at_rest); }
 
   void update(double time, const ChargeMotion& now, double gravity) {
     const bool quiet = now.lift < largest_lift;

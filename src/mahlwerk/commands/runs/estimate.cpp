@@ -77,26 +77,31 @@ cases::Case read(const EstimateArguments& given, const std::string& text,
   return made;
 }
 
+/// [s] of a core for one replicate of a decided case, about, on any machine.
+double cost_of_replicate(const cases::Case& decided, double simulated) {
+  constexpr double event_cost = 0.02;  // of a ball and simulated second, in a bed in motion
+  if (cases::in_time_steps(decided.run.engine))
+    return campaign::soft_work(decided) * campaign::ball_step_cost;
+  double balls = 0;
+  for (const cases::BallSet& set : decided.balls) balls += static_cast<double>(set.count);
+  return balls * simulated * event_cost;
+}
+
 /// [s] Counted time: a hundred periods of the mill between one and five seconds, at least three
-/// periods; less where many balls would take more than about half a minute of two cores.
+/// periods; less where many balls would take more than about half a minute of a core. It follows
+/// from the case alone, so that an estimate is the same on any machine.
 double time_to_count(const cases::Case& mill_case) {
-  constexpr double most_work = 1.5e9;  // balls times steps
+  constexpr double most_cost = 30;  // [s] of a core
   const double period = cases::mill_period(mill_case);
-  const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 5.0) : 1.0;
+  const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 5.0) : 1.0,
+               least = std::isfinite(period) ? 3 * period : 0.1;
   cases::Case decided = campaign::decided_case(mill_case, campaign::choose_engine(mill_case));
   decided.run.time = usual;
-  double time = usual;
-  if (cases::in_time_steps(decided.run.engine)) {
-    const double settling = cases::least_settling(decided);
-    const double further = campaign::assumed_values_cost(decided, settling);
-    const double work =
-        campaign::soft_work(decided) * static_cast<double>(decided.run.replicates) * (1 + further);
-    time *= std::min(1.0, most_work / work);
-  }
-  const double least = std::isfinite(period) ? 3 * period : 0.1;
-  const double chosen = std::max(time, least),
-               digit = std::pow(10, std::floor(std::log10(chosen)) - 1);
-  return std::ceil(chosen / digit - 1e-9) * digit;  // two digits
+  const double settling = cases::least_settling(decided);
+  const double cost = cost_of_replicate(decided, settling + usual) *
+                      static_cast<double>(decided.run.replicates) *
+                      (1 + campaign::assumed_values_cost(decided, settling));
+  return std::max(usual * std::min(1.0, most_cost / cost), least);
 }
 
 EstimateJob prepare(const EstimateArguments& given, const cases::Catalogue& known) {

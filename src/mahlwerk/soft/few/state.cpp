@@ -34,7 +34,8 @@ void FewBodySolver::serialize(Archive& archive) {
   const std::size_t blocks = w.balls.size();
   archive(w.bodies)(w.balls);
   archive(w.packets)(w.wall_neighbours)(contacts_of_)(listed_pairs_);
-  archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(rest_)(target_time_);
+  archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(target_time_);
+  rest_.serialize(archive);
   if (w.bodies.size() <= blocks || w.balls.size() != blocks) throw Archive::broken();
   if (!archive.reading()) return;
   w.contacts = 0;

@@ -91,7 +91,8 @@ void ManyBodySolver::serialize(Archive& archive) {
     }
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
   }
-  archive(energy_balance_)(watch_)(rest_)(rested_steps_)(target_time_);
+  archive(energy_balance_)(watch_)(rested_steps_)(target_time_);
+  rest_.serialize(archive);
   if (!archive.reading()) return;
   wall_axes_ = jar_->axes(mill_time(step_));
   share_work();
