@@ -56,6 +56,31 @@ TEST_F(Estimate, narrows_with_what_is_known) {
   EXPECT_NE(one.find("quantities")->find("specific_energy_dose_per_hour"), nullptr) << "no --time";
 }
 
+TEST_F(Estimate, has_bands_of_doses_that_go_with_the_power) {
+  const ProgramResult told = mahlwerk(words + "--json --time 1h");
+  ASSERT_EQ(told.code, 0) << told.output;
+  const Json all = Json::parse(told.output);
+  for (const char* end : {"low", "high"}) {
+    const double power = number(all, "dissipated_power", end) /
+                         number(all, "dissipated_power", "value"),
+                 dose = number(all, "specific_energy_dose", end) /
+                        number(all, "specific_energy_dose", "value");
+    EXPECT_NEAR(dose, power, 1e-12 * power);
+  }
+  EXPECT_NEAR(number(all, "time_to_dose", "low") * number(all, "dissipated_power", "high"),
+              number(all, "time_to_dose", "value") * number(all, "dissipated_power", "value"),
+              1e-9);
+}
+
+TEST_F(Estimate, prints_nothing_if_quiet_and_how_to_run_the_case_with_what_was_set) {
+  EXPECT_EQ(mahlwerk(words + "--quiet --set run.replicates=1 --set run.time='0.2 s'").output, "");
+  const ProgramResult told =
+      mahlwerk(words + "--save a.toml --set run.replicates=1 --set run.time='0.2 s'");
+  EXPECT_NE(told.output.find("mahlwerk run a.toml --set run.replicates=1 --set 'run.time=0.2 s'"),
+            std::string::npos)
+      << told.output;
+}
+
 TEST_F(Estimate, says_what_makes_a_band_wide_and_where_more_is) {
   const ProgramResult told = mahlwerk(words);
   ASSERT_EQ(told.code, 0) << told.output;
@@ -78,6 +103,13 @@ TEST_F(Estimate, refuses_in_the_words_of_its_options) {
   expect_refused("estimate 'MM 400' --balls 2x10mm", "give --frequency");
   expect_refused("estimate 'MM 400' --balls 2x10mm", "give --material");
   expect_refused("estimate Emax --material zro2 --balls 2x10mm --speed 1000rpm", "give --jar");
+  expect_refused(mill + "--balls 2x10mm --jar 2.5ml", "no such jar");
+  expect_refused(mill + "--balls 2x10mm --time 1h", "give --powder");
+  expect_refused(mill + "--balls 2x10mm --speed 300rpm", "leave out --speed");
+  expect_refused(mill + "--balls 2x10mm --save . --force", "this is a folder");
+  expect_refused(mill + "--balls 2x10mm --save no/where.toml", "no folder for this file");
+  expect_refused("estimate gaffet-g7 --material zro2 --balls 2x10mm --speed 300rpm",
+                 "--set mill.ratio=");
   expect_refused("run 'MM 400'", "mahlwerk estimate retsch-mm400 --balls");
   std::ofstream(here_ / "there.toml") << "mine";
   expect_refused(mill + "--balls 2x10mm --save there.toml", "--force");

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "mahlwerk/report/aligned.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
@@ -46,6 +47,25 @@ std::vector<std::string> names_of(const Outcome& outcome) {
 /// How far a cause moves a quantity from its value.
 double reach(const BandCause& cause, double value) {
   return std::fmax(std::abs(cause.at_ends[0] - value), std::abs(cause.at_ends[1] - value));
+}
+
+/// The power of the quantity that is proportional to the dissipated power or its inverse: the doses
+/// and the time to one. 0: neither. Their bands follow from that of the power.
+int order_in_power(std::string_view name) {
+  if (name == "specific_energy_dose" || name == "specific_energy_dose_per_hour") return 1;
+  return name == "time_to_dose" ? -1 : 0;
+}
+
+/// The band of a quantity that goes with the power.
+Band band_by_power(const Quantity& q, const Band& power) {
+  const auto at = [&](double watt) {
+    const double ratio = watt / power.quantity.value;
+    return order_in_power(q.name) > 0 ? q.value * ratio : q.value / ratio;
+  };
+  Band band{q, at(power.low), at(power.high), power.causes};
+  if (band.low > band.high) std::swap(band.low, band.high);
+  for (BandCause& cause : band.causes) cause.at_ends = {at(cause.at_ends[0]), at(cause.at_ends[1])};
+  return band;
 }
 
 std::vector<BandCause> causes_of(const Outcome& outcome, const Quantity& q) {
@@ -99,6 +119,10 @@ std::vector<Band> bands(const Outcome& outcome) {
   std::vector<Band> all;
   for (const std::string& name : names_of(outcome)) {
     const Quantity& q = results::named(outcome.summary.quantities, name);
+    if (order_in_power(name) != 0 && !all.empty() && all.front().quantity.value > 0) {
+      all.push_back(band_by_power(q, all.front()));
+      continue;
+    }
     const results::Range range = results::range_of(name);
     const double half = std::isfinite(q.half_width()) ? q.half_width() : 0;
     Band band{q, std::fmax(range.least, q.value - half), std::fmin(range.most, q.value + half),
@@ -121,7 +145,9 @@ std::string estimate_words(const Outcome& outcome) {
                      key_range(band.low, band.high, band.quantity.unit), reason(band)});
   std::string text = fmt::format("{}\n\n{}\n", outcome.mill_case.title, aligned(lines));
   text +=
-      "Bands: each assumed value alone at both ends of its plausible range, and 95 % of chance.\n";
+      "Bands: each assumed value alone at both ends of its plausible range, where that is more "
+      "than "
+      "chance,\nand the 95 % interval over replicates. Doses go with the power.\n";
   text += advice(all);
   for (const Notice& one : outcome.notices)
     if (one.warns()) text += fmt::format("\nWarning: {}\n", one.text);

@@ -32,6 +32,7 @@ struct ChargeMotion {
 /// (dem.47).
 struct RestWatch {
   static constexpr double largest_lift = 1e-10;
+  static constexpr double falls = 8;  ///< of a ball by its diameter that it watches: a topple grows
   static constexpr double largest_change = 1e-7;  ///< of the energy of the spins, over m g d
 
   double quiet_since = -1;  ///< [s] from then on no ball was faster; < 0: some are
@@ -47,7 +48,7 @@ struct RestWatch {
       quiet_since = quiet ? time : -1;
       spinning = now.spinning;
     } else {
-      at_rest = time - quiet_since > std::sqrt(2 * now.largest / gravity);
+      at_rest = time - quiet_since > falls * std::sqrt(2 * now.largest / gravity);
     }
   }
 };

@@ -24,6 +24,7 @@ EstimateWords planetary(std::vector<std::string> balls) {
 
 TEST(EstimateCase, has_balls_by_number_mass_filling_and_name) {
   EXPECT_EQ(made(planetary({"2x10mm"})).balls.front().count, 2);
+  EXPECT_EQ(made(planetary({"02 \u00d7 10 mm"})).balls.front().count, 2);
   EXPECT_EQ(made(planetary({" 3 x 0.5 cm "})).balls.front().diameter, 0.005);
   // 20 g of balls of 10 mm and 6000 kg/m3, 3.14 g each
   EXPECT_EQ(made(planetary({"20 g x 10 mm"})).balls.front().count, 6);
@@ -45,7 +46,8 @@ TEST(EstimateCase, has_the_jar_of_the_mill_by_volume_or_name) {
     EXPECT_NE(volume(same).find("model = \"retsch-pm-50ml\""), std::string::npos) << same;
   EXPECT_NE(volume("retsch-mm-25ml").find("retsch-mm-25ml"), std::string::npos)
       << "a jar of another mill, by its name";
-  EXPECT_THROW(volume("51ml"), InputError);
+  for (const char* none : {"51ml", "5.0 ml", "-50ml", "50 mm"})
+    EXPECT_THROW(volume(none), InputError) << none;
 }
 
 TEST(EstimateCase, has_powder_by_mass_or_ratio_and_a_milling_time) {
@@ -54,7 +56,7 @@ TEST(EstimateCase, has_powder_by_mass_or_ratio_and_a_milling_time) {
   words.time = "2 h";
   EXPECT_EQ(made(words).powder->mass, 0.002);
   EXPECT_EQ(made(words).milling->time, 7200);
-  words.powder = "10:1";
+  words.powder = "10 : 1";
   const double balls = 10 * 6000 * 5.235987755982988e-7;  // kg
   EXPECT_NEAR(made(words).powder->mass, balls / 10, 1e-12);
   for (const char* wrong : {"10:0", "a:1", "10:1:2", ":", "-1:2"}) {

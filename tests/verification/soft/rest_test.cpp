@@ -79,7 +79,7 @@ TEST(SoftRest, is_passed_at_once_and_leaves_the_charge_where_its_steps_would) {
     const double mgd = 24 * 7850 * gravity * largest * std::numbers::pi / 6 * std::pow(largest, 3);
     stays_below(
         "difference of what was lost, over m g d" + what, std::abs(a.lost() - b.lost()) / mgd,
-        soft::RestWatch::largest_lift + soft::RestWatch::largest_change * time / 0.035, "dem.47");
+        soft::RestWatch::largest_lift + soft::RestWatch::largest_change * time / 0.28, "dem.47");
     states("time of contact over that of all steps" + what, a.contact_time / b.contact_time, 1,
            1e-3, "the same contacts");
     EXPECT_EQ(a.collisions, b.collisions);
@@ -138,6 +138,26 @@ TEST(SoftRest, is_not_the_apex_of_a_flight) {
   engine->advance(deadline, seen);
   EXPECT_EQ(seen.all.size(), 1U);
   EXPECT_EQ(engine->energy_balance().time_steps, std::lround(deadline / step));
+}
+
+TEST(SoftRest, is_not_that_of_a_ball_that_begins_to_topple) {
+  // One ball on another, 0.1 um beside its top: it begins slower than the limit of rest.
+  const double r = 0.0025, side = 0.03, beside = 1e-7;
+  const scene::Chamber box{
+      geometry::Box{side, side, side}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  const std::vector<scene::Ball> balls{{r, 7850, {0, 0, r - side / 2}, {}, {}},
+                                       {r, 7850, {beside, 0, 3 * r - side / 2}, {}, {}}};
+  for (const bool many : {false, true}) {
+    soft::Settings settings{of_law(HertzMindlin{}), step, true};
+    settings.few_ball_limit = many ? 0 : 128;
+    const auto engine =
+        soft::make_engine(box, balls, settings, contact::PairTable(1, 6, soft_pair(0.4)), 0);
+    Recorder none;
+    engine->advance(2, none);
+    stays_below("height of the upper ball over that of the lower, in radii",
+                (engine->balls()[1].position.z - engine->balls()[0].position.z) / r, 0.1,
+                "it has fallen beside it");
+  }
 }
 
 TEST(SoftRest, is_not_looked_for_in_a_jar_that_turns_or_in_a_liquid) {

@@ -44,6 +44,17 @@ struct EstimateJob {
   cases::Case mill_case;
 };
 
+/// The key that a fault names: "[mill] lacks `ratio`" gives "mill.ratio"; empty: none.
+std::string key_of(std::string_view what) {
+  const auto between = [&](char open, char close) {
+    const std::size_t begin = what.find(open), end = what.find(close, begin + 1);
+    return begin == what.npos || end == what.npos ? std::string_view()
+                                                  : what.substr(begin + 1, end - begin - 1);
+  };
+  const std::string_view section = between('[', ']'), key = between('`', '`');
+  return section.empty() || key.empty() ? "" : fmt::format("{}.{}", section, key);
+}
+
 /// The fault for somebody who has no file: without its line, and with the option that mends it.
 Fault without_file(Fault fault) {
   static constexpr std::array<std::array<std::string_view, 2>, 4> options{
@@ -53,10 +64,21 @@ Fault without_file(Fault fault) {
        {"`kind`", "--jar NAME, or --set jar.kind=cylinder and its sizes"}}};
   if (!fault.where.starts_with(no_file)) return fault;
   fault.where = no_file;
+  for (const std::string_view option : {"frequency", "speed"})
+    if (fault.code == "unknown-key" && key_of(fault.what) == fmt::format("mill.{}", option))
+      fault.remedy = fmt::format("this mill has none: leave out --{}", option);
   if (fault.code != "missing-value") return fault;
+  if (const std::string key = key_of(fault.what); !key.empty())
+    fault.remedy = fmt::format("give --set {}=VALUE ({})", key, fault.remedy);
   for (const auto& [key, option] : options)
     if (fault.what.find(key) != std::string::npos) fault.remedy = fmt::format("give {}", option);
   return fault;
+}
+std::vector<Fault> without_file(const std::vector<Fault>& faults) {
+  std::vector<Fault> told;
+  std::ranges::transform(faults, std::back_inserter(told),
+                         [](const Fault& fault) { return without_file(fault); });
+  return told;
 }
 
 cases::Case read(const EstimateArguments& given, const std::string& text,
@@ -67,9 +89,7 @@ cases::Case read(const EstimateArguments& given, const std::string& text,
   try {
     made = cases::read_text(text, std::string(no_file), known, set);
   } catch (const InputError& e) {
-    std::vector<Fault> faults;
-    std::ranges::transform(e.faults(), std::back_inserter(faults), without_file);
-    throw InputError(std::move(faults));
+    throw InputError(without_file(e.faults()));
   }
   if (!made.sweep.empty())
     throw InputError(Fault{"--set sweep", "an estimate has no campaign",
@@ -87,13 +107,13 @@ double cost_of_replicate(const cases::Case& decided, double simulated) {
   return balls * simulated * event_cost;
 }
 
-/// [s] Counted time: a hundred periods of the mill between one and five seconds, at least three
+/// [s] Counted time: a hundred periods of the mill between one and three seconds, at least three
 /// periods; less where many balls would take more than about half a minute of a core. It follows
 /// from the case alone, so that an estimate is the same on any machine.
 double time_to_count(const cases::Case& mill_case) {
   constexpr double most_cost = 30;  // [s] of a core
   const double period = cases::mill_period(mill_case);
-  const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 5.0) : 1.0,
+  const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 3.0) : 1.0,
                least = std::isfinite(period) ? 3 * period : 0.1;
   cases::Case decided = campaign::decided_case(mill_case, campaign::choose_engine(mill_case));
   decided.run.time = usual;
@@ -110,47 +130,73 @@ EstimateJob prepare(const EstimateArguments& given, const cases::Catalogue& know
   text = estimate_case(given.words, known, show_rounded(time, "s", 2));
   EstimateJob job{text, read(given, text, known)};
   if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
-    throw InputError(std::move(wrong));
+    throw InputError(without_file(wrong));
   return job;
 }
 
-/// The case as a file: with the values of --set, as comments that say where it is from.
-std::string saved_text(const EstimateArguments& given, const EstimateJob& job) {
-  std::string text =
-      "# A case by `mahlwerk estimate`; `mahlwerk check` shows every value that it assumes.\n";
+/// Throws InputError if the case cannot be saved there.
+void check_save(const std::filesystem::path& file, bool force) {
+  std::error_code none;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const bool is_folder = std::filesystem::is_directory(file, none);
+  if (file.empty() || is_folder || !std::filesystem::is_directory(folder, none))
+    throw InputError(Fault{"--save " + file.string(),
+                           is_folder ? "this is a folder" : "there is no folder for this file",
+                           "name a file in a folder that exists: --save my-case.toml",
+                           "bad-command-line"});
+  refuse_existing(file, force);
+}
+
+/// The values of --set as the command line takes them, with a blank before each.
+std::string set_words(const EstimateArguments& given) {
+  std::string words;
   for (const cases::Override& one : given.set)
-    text += fmt::format("# run it with --set {}\n", shell_word(one.key + "=" + one.value));
-  return text + job.text;
+    words += " --set " + shell_word(one.key + "=" + one.value);
+  return words;
+}
+
+/// The case as a file, with comments that say how it is run.
+std::string saved_text(const EstimateArguments& given, const EstimateJob& job) {
+  const std::string first =
+      "# A case by `mahlwerk estimate`; `mahlwerk check` shows every value that it assumes.\n";
+  std::string text = first;
+  if (!given.set.empty()) text += fmt::format("# The estimate had also:{}", set_words(given));
+  std::ranges::replace(text.begin() + static_cast<std::ptrdiff_t>(first.size()), text.end(), '\n',
+                       ' ');
+  return text + '\n' + job.text;
+}
+
+/// The outcome with what its assumed values do; the runs for it may be stopped.
+results::Outcome compute(const EstimateArguments& given, const EstimateJob& job,
+                         const cases::Catalogue& known) {
+  ProgressLine line(given.running.quiet);
+  campaign::RunOptions options = run_options(given.running.threads);
+  options.progress = [&](const campaign::Progress& p) { line.show(p); };
+  results::Outcome outcome = campaign::run(job.mill_case, options);
+  const auto with_value = [&](const std::string& key, const std::string& value) {
+    return read(given, job.text, known, {{key, value}});
+  };
+  if (!stop_wanted())
+    outcome.summary.sensitivity = campaign::sensitivity_to_assumed(outcome, with_value, options);
+  return outcome;
 }
 
 int estimate(const EstimateArguments& given) {
   catch_ctrl_c();
   const cases::Catalogue known = catalogue();
+  if (given.save) check_save(*given.save, given.running.force);
   const EstimateJob job = prepare(given, known);
-  if (given.save) {
-    refuse_existing(*given.save, given.running.force);
-    results::write_whole(*given.save, saved_text(given, job));
-  }
-  ProgressLine line(given.running.quiet);
-  campaign::RunOptions options = run_options(given.running.threads);
-  options.progress = [&](const campaign::Progress& p) { line.show(p); };
-  results::Outcome outcome = campaign::run(job.mill_case, options);
-  if (!stop_wanted())
-    outcome.summary.sensitivity = campaign::sensitivity_to_assumed(
-        outcome,
-        [&](const std::string& key, const std::string& value) {
-          return read(given, job.text, known, {{key, value}});
-        },
-        options);
+  if (given.save) results::write_whole(*given.save, saved_text(given, job));
+  const results::Outcome outcome = compute(given, job, known);
+  if (stop_wanted())
+    return report_interrupted(given.running, "an estimate keeps no numbers; start it again.");
   if (const int ended = report_exit_status({outcome}); ended != success) return ended;
-  if (given.running.json)
-    json_to_stdout(report::estimate_json(outcome, job.text, version()));
-  else
-    to_stdout(report::estimate_words(outcome));
-  if (given.running.prints_text())
-    to_stdout(given.save
-                  ? fmt::format("\nMore: mahlwerk run {}\n", shell_word(given.save->string()))
-                  : "\nMore: --save FILE writes the case, mahlwerk run FILE gives everything.\n");
+  if (given.running.json) json_to_stdout(report::estimate_json(outcome, job.text, version()));
+  if (!given.running.prints_text()) return success;
+  to_stdout(report::estimate_words(outcome));
+  const std::string file = given.save ? shell_word(given.save->string()) : "FILE";
+  to_stdout(fmt::format("\nMore: {}mahlwerk run {}{}\n",
+                        given.save ? "" : "--save FILE writes the case; ", file, set_words(given)));
   return success;
 }
 

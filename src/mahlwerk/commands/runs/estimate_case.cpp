@@ -51,11 +51,12 @@ std::optional<double> in_unit(std::string_view text, std::string_view unit) {
   }
 }
 
-/// The jars of a mill that have a volume, or are called so.
+/// The jars of a mill that have a volume or, if the word is none, are called so.
 std::vector<std::string> jars_called(const CatalogueEntry& mill, const std::string& word,
                                      const Catalogue& catalogue) {
   const std::optional<double> volume = in_unit(word, "m3");
-  const std::vector<std::string> called = catalogue.entries_called("jars", word);
+  const std::vector<std::string> called =
+      volume ? std::vector<std::string>{} : catalogue.entries_called("jars", word);
   std::vector<std::string> found;
   for (const std::string& name : mill.jars) {
     const CatalogueEntry jar = catalogue.find("jars", name);
@@ -73,7 +74,8 @@ std::string jar_name(const EstimateWords& words, const CatalogueEntry& mill,
   if (words.jar.empty()) return mill.jars.empty() ? "" : mill.jars[mill.jars.size() / 2];
   const std::vector<std::string> found = jars_called(mill, words.jar, catalogue);
   if (found.size() == 1) return found.front();
-  if (found.empty() && !catalogue.entries_called("jars", words.jar).empty())
+  if (found.empty() && !in_unit(words.jar, "m3") &&
+      !catalogue.entries_called("jars", words.jar).empty())
     return catalogue.find("jars", words.jar, "--jar").name;
   const std::string has = fmt::format("{}", fmt::join(found.empty() ? mill.jars : found, ", "));
   throw InputError(Fault{
@@ -102,16 +104,18 @@ std::string ball_set(const std::string& word, const std::string& material,
   if (!catalogue.entries_called("media", word).empty())
     return set + line("model", catalogue.find("media", word, "--balls").name) +
            line_if("material", material);
-  const std::size_t cross = word.find_first_of("xX*");
+  constexpr std::string_view sign = "\u00d7";  // the multiplication sign
+  std::size_t cross = word.find_first_of("xX*"), width = 1;
+  if (cross == std::string::npos) cross = word.find(sign), width = sign.size();
   if (cross == std::string::npos)
     throw InputError(ball_fault(word, "this is neither \"NUMBER x DIAMETER\" nor a ball set"));
   const std::string_view amount = trimmed(std::string_view(word).substr(0, cross)),
-                         diameter = trimmed(std::string_view(word).substr(cross + 1));
+                         diameter = trimmed(std::string_view(word).substr(cross + width));
   if (!in_unit(diameter, "m")) throw InputError(ball_fault(word, "after the x there is no length"));
   set += line("diameter", diameter) + line_if("material", material);
   const NumberText count = number_text(amount);
   if (count.rest.empty() && std::isfinite(count.number))
-    return set + fmt::format("count = {}\n", amount);
+    return set + fmt::format("count = {}\n", count.number);
   if (in_unit(amount, "kg")) return set + line("mass", amount);
   if (amount.ends_with('%') && in_unit(amount, "")) return set + line("bulk_filling", amount);
   throw InputError(
@@ -123,8 +127,8 @@ std::string powder_section(const std::string& word) {
   const std::size_t colon = word.find(':');
   if (colon == std::string::npos) return "\n[powder]\n" + line("mass", word);
   const std::string_view text = word;
-  const NumberText balls = number_text(text.substr(0, colon)),
-                   powder = number_text(text.substr(colon + 1));
+  const NumberText balls = number_text(trimmed(text.substr(0, colon))),
+                   powder = number_text(trimmed(text.substr(colon + 1)));
   const double ratio = balls.number / powder.number;
   if (!balls.rest.empty() || !powder.rest.empty() || !(ratio > 0) || !std::isfinite(ratio))
     throw InputError(Fault{"--powder " + word, "this is no ratio of masses",
@@ -134,10 +138,11 @@ std::string powder_section(const std::string& word) {
   return fmt::format("\n[powder]\nball_to_powder = {}\n", ratio);
 }
 
-std::string title(const EstimateWords& words, const CatalogueEntry& mill) {
+std::string title(const EstimateWords& words, const CatalogueEntry& mill, const std::string& jar) {
   std::string title = mill.title;
-  for (const std::string& part : {words.jar, fmt::format("{}", fmt::join(words.balls, " and ")),
-                                  words.material, words.frequency + words.speed})
+  for (const std::string& part :
+       {words.jar.empty() ? jar : words.jar, fmt::format("{}", fmt::join(words.balls, " and ")),
+        words.material, words.frequency + words.speed})
     if (!part.empty()) title += ", " + part;
   return title;
 }
@@ -148,9 +153,13 @@ std::string estimate_case(const EstimateWords& words, const Catalogue& catalogue
                           const std::string& counted) {
   const CatalogueEntry mill = catalogue.find("mills", words.mill, "MILL");
   if (words.balls.empty()) throw InputError(ball_fault("", "no balls are given"));
+  if (!words.time.empty() && words.powder.empty())
+    throw InputError(Fault{"--time " + words.time, "no powder is given, so no dose follows",
+                           "give --powder, or leave out --time", "bad-command-line"});
   const std::string jar = jar_name(words, mill, catalogue);
-  std::string text = line("title", title(words, mill)) + "\n[mill]\n" + line("model", mill.name) +
-                     line_if("frequency", words.frequency) + line_if("speed", words.speed);
+  std::string text = line("title", title(words, mill, jar)) + "\n[mill]\n" +
+                     line("model", mill.name) + line_if("frequency", words.frequency) +
+                     line_if("speed", words.speed);
   text += "\n[jar]\n" + line_if("model", jar) + line_if("material", words.material);
   for (const std::string& one : words.balls) text += ball_set(one, words.material, catalogue);
   if (!words.powder.empty()) text += powder_section(words.powder);
