@@ -46,13 +46,15 @@ TEST(SoftRest, a_pile_of_three_balls_stays) {
 constexpr double step = 5e-6;
 
 /// A charge that falls in a box, computed by the solver for few balls or that for many.
-std::unique_ptr<scene::Engine> falling(bool many, bool hop, int count = 24) {
+std::unique_ptr<scene::Engine> falling(bool many, bool hop, int count = 18) {
   const scene::Chamber box{
       geometry::Box{0.025, 0.025, 0.03}, kinematics::Still{}, {}, {0, 0, -gravity}};
   soft::Settings settings{of_law(HertzMindlin{}, Rolling::epsd), step, hop};
   settings.few_ball_limit = many ? 0 : 128;
-  return soft::make_engine(box, charge(count), settings, contact::PairTable(1, 6, soft_pair(0.4)),
-                           0.37);
+  contact::Pair pair = soft_pair(0.2);
+  pair.rolling_friction = 0.1;
+  return soft::make_engine(box, lattice_of(count, 0.0063, {0.003, 0.0028}), settings,
+                           contact::PairTable(1, 6, pair), 0.37);
 }
 
 TEST(SoftRest, is_passed_at_once_and_leaves_the_charge_where_its_steps_would) {
@@ -66,9 +68,9 @@ TEST(SoftRest, is_passed_at_once_and_leaves_the_charge_where_its_steps_would) {
     stepped->advance(time, all);
     const scene::EnergyBalance a = passed->energy_balance(), b = stepped->energy_balance();
     EXPECT_EQ(b.time_steps, std::lround(time / step));
-    stays_below("share of the steps that are computed" + what,
-                static_cast<double>(a.time_steps) / static_cast<double>(b.time_steps), 0.6,
-                "the charge is at rest most of the time");
+    const double computed = static_cast<double>(a.time_steps) * step;
+    stays_below("computed until it rested [s]" + what, computed, 0.9 * time,
+                "the charge is at rest at the end");
     EXPECT_EQ(a.time, b.time);
     const auto balls = passed->balls(), others = stepped->balls();
     double moved = 0;
@@ -76,7 +78,7 @@ TEST(SoftRest, is_passed_at_once_and_leaves_the_charge_where_its_steps_would) {
       moved = max_or_nan(moved, norm(balls[k].position - others[k].position));
     const double speed = std::sqrt(2 * soft::RestWatch::largest_lift * gravity * largest);
     stays_below("moved meanwhile [m]" + what, moved, speed * time, "dem.47");
-    const double mgd = 24 * 7850 * gravity * largest * std::numbers::pi / 6 * std::pow(largest, 3);
+    const double mgd = 18 * 7850 * gravity * largest * std::numbers::pi / 6 * std::pow(largest, 3);
     stays_below(
         "difference of what was lost, over m g d" + what, std::abs(a.lost() - b.lost()) / mgd,
         soft::RestWatch::largest_lift + soft::RestWatch::largest_change * time / 0.28, "dem.47");
