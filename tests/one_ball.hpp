@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/event/engine.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
@@ -22,6 +23,15 @@ struct Recorder final : scene::Observer {
     all.insert(all.end(), finished.begin(), finished.end());
   }
 };
+
+/// Gives an engine the state of another, of the same balls, by way of an archive.
+inline void copy_state(scene::Engine& from, scene::Engine& to) {
+  Archive out;
+  from.serialize(out);
+  Archive in(out.bytes());
+  to.serialize(in);
+  in.finish();
+}
 
 constexpr double gravity = 9.81;
 

@@ -14,7 +14,7 @@ from .changes import checked_threads
 from .commands import command
 from .pages import table_html
 from .progress import Progress
-from .quantities import Notice
+from .quantities import Notice, notices_of
 
 __all__ = ["Band", "Cause", "Estimate", "estimate"]
 
@@ -63,7 +63,7 @@ class Estimate:
 
     @property
     def notices(self) -> list[Notice]:
-        return [Notice(one["code"], one["severity"], one["text"]) for one in self.data["notices"]]
+        return notices_of(self.data)
 
     @property
     def case(self) -> Case:

@@ -24,6 +24,11 @@ class Notice(NamedTuple):
         return self.severity != "note"
 
 
+def notices_of(told: dict[str, Any]) -> list[Notice]:
+    """The notices that a study or a summary tells."""
+    return [Notice(one["code"], one["severity"], one["text"]) for one in told["notices"]]
+
+
 class Influence(NamedTuple):
     """What an assumed value of a case does to the key quantities."""
 

@@ -17,7 +17,7 @@ from . import _core
 from .errors import InputError
 from .files import named_folder
 from .pages import Page, table_html
-from .quantities import Influence, Notice, Quantity, nan_if_none
+from .quantities import Influence, Notice, Quantity, nan_if_none, notices_of
 from .records import array_of_records
 from .tables import frame_of, of_columns, read_csv
 
@@ -143,7 +143,7 @@ class Result:
 
     @property
     def notices(self) -> list[Notice]:
-        return [Notice(one["code"], one["severity"], one["text"]) for one in self.about["notices"]]
+        return notices_of(self.about)
 
     @property
     def warnings(self) -> list[Notice]:

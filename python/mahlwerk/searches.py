@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import _core
 from .errors import InputError
 from .pages import Page
-from .quantities import Notice
+from .quantities import Notice, notices_of
 from .result import Result
 from .tables import frame_of, read_csv
 
@@ -83,7 +83,7 @@ class Remarks(Found):
 
     @property
     def notices(self) -> list[Notice]:
-        return [Notice(one["code"], one["severity"], one["text"]) for one in self.data["notices"]]
+        return notices_of(self.data)
 
 
 class Fit(Found):

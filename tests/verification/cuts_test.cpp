@@ -72,11 +72,7 @@ void stop_and_go_on(const Make& make, double when, double time) {
   whole->advance(when, in_one);
   whole->advance(time, in_one);
   first->advance(when, in_two);
-  Archive out;
-  first->serialize(out);
-  Archive in(out.bytes());
-  second->serialize(in);
-  in.finish();
+  copy_state(*first, *second);
   expect_same(*first, *second);
   second->advance(time, in_two);
   expect_same(in_one, in_two);

@@ -15,6 +15,7 @@
 #include "mahlwerk/report/study_json.hpp"
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/notices/notice_counts.hpp"
+#include "mahlwerk/results/quantities/key_quantities.hpp"
 #include "mahlwerk/results/quantities/traits.hpp"
 
 namespace mahlwerk::report {
@@ -24,23 +25,15 @@ using results::Json;
 using results::Outcome;
 using results::Quantity;
 
-/// The quantities: without a milling time the dose in an hour, with one that after it.
+/// The key quantities with a number, but one dose: after the milling time, else in an hour.
 std::vector<std::string> names_of(const Outcome& outcome) {
-  std::vector<std::string> names{"dissipated_power",
-                                 "collision_rate_above_threshold",
-                                 "energy_normal_mean_above_threshold",
-                                 "specific_energy_dose",
-                                 "specific_energy_dose_per_hour",
-                                 "time_to_dose"};
-  const auto value = [&](std::string_view name) {
-    const auto& list = outcome.summary.quantities;
-    const auto q = std::ranges::find(list, name, &Quantity::name);
-    return q == list.end() ? NAN : q->value;
-  };
-  const bool timed = std::isfinite(value("specific_energy_dose"));
+  const std::vector<Quantity>& list = outcome.summary.quantities;
+  std::vector<std::string> names = results::key_quantities(list);
   std::erase_if(names, [&](const std::string& name) {
-    return std::isnan(value(name)) || (timed && name == "specific_energy_dose_per_hour");
+    return name == "specific_energy_dose_rate" || std::isnan(results::named(list, name).value);
   });
+  if (std::ranges::find(names, "specific_energy_dose") != names.end())
+    std::erase(names, "specific_energy_dose_per_hour");
   return names;
 }
 
@@ -77,7 +70,9 @@ std::vector<BandCause> causes_of(const Outcome& outcome, const Quantity& q) {
   const auto i = static_cast<std::size_t>(at - all.quantities.begin());
   for (const results::AssumedInfluence& one : all.keys) {
     BandCause cause{one.key, one.ends, {one.at_ends[0][i], one.at_ends[1][i]}};
-    if (reach(cause, q.value) > all.scatter[i]) causes.push_back(std::move(cause));
+    if (all.beyond_chance(i, cause.at_ends[0], q.value) ||
+        all.beyond_chance(i, cause.at_ends[1], q.value))
+      causes.push_back(std::move(cause));
   }
   std::ranges::stable_sort(causes, std::ranges::greater(),
                            [&](const BandCause& c) { return reach(c, q.value); });
@@ -127,10 +122,10 @@ std::vector<Band> bands(const Outcome& outcome) {
     const double half = std::isfinite(q.half_width()) ? q.half_width() : 0;
     Band band{q, std::fmax(range.least, q.value - half), std::fmin(range.most, q.value + half),
               causes_of(outcome, q)};
-    for (const BandCause& cause : band.causes)
-      for (const double value : cause.at_ends) {
-        band.low = std::fmin(band.low, value);
-        band.high = std::fmax(band.high, value);
+    if (const auto& found = outcome.summary.sensitivity)
+      if (const auto over = found->range(name, q.value)) {
+        band.low = std::fmin(band.low, over->first);
+        band.high = std::fmax(band.high, over->second);
       }
     all.push_back(std::move(band));
   }
@@ -145,9 +140,8 @@ std::string estimate_words(const Outcome& outcome) {
                      key_range(band.low, band.high, band.quantity.unit), reason(band)});
   std::string text = fmt::format("{}\n\n{}\n", outcome.mill_case.title, aligned(lines));
   text +=
-      "Bands: each assumed value alone at both ends of its plausible range, where that is more "
-      "than "
-      "chance,\nand the 95 % interval over replicates. Doses go with the power.\n";
+      "Bands: each assumed value alone at both ends of its plausible range, beyond what chance\n"
+      "makes, and the 95 % interval over replicates. Doses go with the power.\n";
   text += advice(all);
   for (const Notice& one : outcome.notices)
     if (one.warns()) text += fmt::format("\nWarning: {}\n", one.text);

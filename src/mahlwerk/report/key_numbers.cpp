@@ -95,8 +95,8 @@ std::vector<Line> cause_lines(const Outcome& outcome) {
   for (const results::AssumedInfluence& one : found.keys) {
     const Quantity& q = named(outcome.summary.quantities, found.quantities.front());
     const Ends ends{one.at_ends[0].front(), one.at_ends[1].front()};
-    const bool by_chance = std::abs(ends.first - q.value) <= found.scatter.front() &&
-                           std::abs(ends.second - q.value) <= found.scatter.front();
+    const bool by_chance = !found.beyond_chance(0, ends.first, q.value) &&
+                           !found.beyond_chance(0, ends.second, q.value);
     lines.push_back({one.key,
                      fmt::format("{} to {}, assumed {}", one.ends[0], one.ends[1], one.value),
                      fmt::format("{} {}{}", label(q), key_range(ends.first, ends.second, q.unit),

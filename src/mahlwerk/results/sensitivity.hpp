@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +35,11 @@ struct Sensitivity {
   std::vector<AssumedInfluence> keys;  ///< the largest influence first
   std::vector<std::string> left_out;   ///< assumed keys for which no run was made
 
+  /// Whether a value of the quantity of that index differs from that of the result, `value`, by
+  /// more than chance makes.
+  bool beyond_chance(std::size_t quantity, double at_end, double value) const {
+    return std::abs(at_end - value) > scatter[quantity];
+  }
   /// Least and largest value over all keys whose influence exceeds the scatter, and of the result
   /// itself, `value`; none for a quantity that is not among `quantities`.
   std::optional<std::pair<double, double>> range(std::string_view quantity, double value) const;

@@ -4,29 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/soft/settings.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
+#include "mahlwerk/soft/walls/moving_wall.hpp"
 
 namespace mahlwerk::soft {
-
-/// Speeds of a charge that may have come to rest.
-struct ChargeMotion {
-  double lift = 0;      ///< [1] largest height to which a ball could rise, over its diameter
-  double spinning = 0;  ///< [J] energy of the spins
-  double least = std::numeric_limits<double>::infinity();  ///< [J] smallest m g d
-  double largest = 0;                                      ///< [m] diameter
-
-  void add(const Species& ball, const Vec3& velocity, const Vec3& spin, double gravity) {
-    const double diameter = 2 * ball.radius;
-    lift = std::max(lift, squared(velocity) / (2 * gravity * diameter));
-    spinning += 0.5 * ball.inertia * squared(spin);
-    least = std::min(least, ball.mass * gravity * diameter);
-    largest = std::max(largest, diameter);
-  }
-};
 
 /// Finds when the charge of a jar that stands still has come to rest. It stays at rest from then on
 /// (dem.47).
@@ -41,14 +27,28 @@ struct RestWatch {
 
   void serialize(Archive& archive) { archive(quiet_since)(spinning)(at_rest); }
 
-  void update(double time, const ChargeMotion& now, double gravity) {
-    const bool quiet = now.lift < largest_lift;
-    const bool steady = std::abs(now.spinning - spinning) < largest_change * now.least;
+  /// To be called in regular steps. `ball(k)` is the Species, velocity and spin of ball k.
+  template <class F>
+  void update(double time, const Settings& settings, const MovingWall& jar, std::size_t balls,
+              const F& ball) {
+    if (!settings.free_flight_skip || !jar.stands_still() || settings.liquid) return;
+    const double gravity = norm(jar.gravity());
+    double lift = 0, now_spinning = 0, least = geometry::never, largest = 0;
+    for (std::size_t k = 0; k < balls; ++k) {
+      const auto& [species, velocity, spin] = ball(k);
+      const double diameter = 2 * species.radius;
+      lift = std::max(lift, squared(velocity) / (2 * gravity * diameter));
+      now_spinning += 0.5 * species.inertia * squared(spin);
+      least = std::min(least, species.mass * gravity * diameter);
+      largest = std::max(largest, diameter);
+    }
+    const bool quiet = lift < largest_lift,
+               steady = std::abs(now_spinning - spinning) < largest_change * least;
     if (!quiet || !steady || quiet_since < 0) {
       quiet_since = quiet ? time : -1;
-      spinning = now.spinning;
+      spinning = now_spinning;
     } else {
-      at_rest = time - quiet_since > falls * std::sqrt(2 * now.largest / gravity);
+      at_rest = time - quiet_since > falls * std::sqrt(2 * largest / gravity);
     }
   }
 };

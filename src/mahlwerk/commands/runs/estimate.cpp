@@ -97,30 +97,19 @@ cases::Case read(const EstimateArguments& given, const std::string& text,
   return made;
 }
 
-/// [s] of a core for one replicate of a decided case, about, on any machine.
-double cost_of_replicate(const cases::Case& decided, double simulated) {
-  constexpr double event_cost = 0.02;  // of a ball and simulated second, in a bed in motion
-  if (cases::in_time_steps(decided.run.engine))
-    return campaign::soft_work(decided) * campaign::ball_step_cost;
-  double balls = 0;
-  for (const cases::BallSet& set : decided.balls) balls += static_cast<double>(set.count);
-  return balls * simulated * event_cost;
-}
-
 /// [s] Counted time: a hundred periods of the mill between one and three seconds, at least three
-/// periods; less where many balls would take more than about half a minute of a core. It follows
-/// from the case alone, so that an estimate is the same on any machine.
-double time_to_count(const cases::Case& mill_case) {
+/// periods; less where the soft engine would take more than about half a minute of a core. It
+/// follows from the case alone, so that an estimate is the same on any machine.
+double time_to_count(cases::Case mill_case) {
   constexpr double most_cost = 30;  // [s] of a core
   const double period = cases::mill_period(mill_case);
   const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 3.0) : 1.0,
                least = std::isfinite(period) ? 3 * period : 0.1;
-  cases::Case decided = campaign::decided_case(mill_case, campaign::choose_engine(mill_case));
-  decided.run.time = usual;
-  const double settling = cases::least_settling(decided);
-  const double cost = cost_of_replicate(decided, settling + usual) *
-                      static_cast<double>(decided.run.replicates) *
-                      (1 + campaign::assumed_values_cost(decided, settling));
+  mill_case.run.time = usual;
+  const double cost =
+      campaign::soft_work(mill_case) * campaign::ball_step_cost *
+      static_cast<double>(mill_case.run.replicates) *
+      (1 + campaign::assumed_values_cost(mill_case, cases::least_settling(mill_case)));
   return std::max(usual * std::min(1.0, most_cost / cost), least);
 }
 
@@ -157,13 +146,10 @@ std::string set_words(const EstimateArguments& given) {
 
 /// The case as a file, with comments that say how it is run.
 std::string saved_text(const EstimateArguments& given, const EstimateJob& job) {
-  const std::string first =
-      "# A case by `mahlwerk estimate`; `mahlwerk check` shows every value that it assumes.\n";
-  std::string text = first;
-  if (!given.set.empty()) text += fmt::format("# The estimate had also:{}", set_words(given));
-  std::ranges::replace(text.begin() + static_cast<std::ptrdiff_t>(first.size()), text.end(), '\n',
-                       ' ');
-  return text + '\n' + job.text;
+  std::string set = given.set.empty() ? "" : "# The estimate had also:" + set_words(given);
+  std::ranges::replace(set, '\n', ' ');
+  return "# A case by `mahlwerk estimate`; `mahlwerk check` shows every value that it assumes.\n" +
+         set + '\n' + job.text;
 }
 
 /// The outcome with what its assumed values do; the runs for it may be stopped.

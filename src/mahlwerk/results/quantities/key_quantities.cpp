@@ -18,7 +18,7 @@ std::optional<std::pair<double, double>> Sensitivity::range(std::string_view qua
   double low = value, high = value;
   for (const AssumedInfluence& one : keys)
     for (const std::vector<double>& values : one.at_ends) {
-      if (!(std::abs(values[i] - value) > scatter[i])) continue;
+      if (!beyond_chance(i, values[i], value)) continue;
       low = std::fmin(low, values[i]);
       high = std::fmax(high, values[i]);
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -94,12 +95,10 @@ void FewBodySolver::check_energy() {
 
 /// A charge at rest is in a skip without end, in which nothing moves.
 void FewBodySolver::check_rest() {
-  if (!settings_.free_flight_skip || !jar_->stands_still() || liquid_) return;
-  const double gravity = norm(jar_->gravity());
-  ChargeMotion now;
-  for (std::size_t b = 0; b < particles_.count; ++b)
-    now.add(pairs_.species_of(b), particles_.velocity(b), particles_.spin(b), gravity);
-  rest_.update(time_of(particles_.step), now, gravity);
+  const auto ball = [&](std::size_t b) {
+    return std::tuple(pairs_.species_of(b), particles_.velocity(b), particles_.spin(b));
+  };
+  rest_.update(time_of(particles_.step), settings_, *jar_, particles_.count, ball);
   if (rest_.at_rest) skip_end_ = std::numeric_limits<std::int64_t>::max();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -121,12 +122,10 @@ void ManyBodySolver::check_energy() {
 }
 
 void ManyBodySolver::check_rest() {
-  if (!settings_.free_flight_skip || !jar_->stands_still() || liquid_) return;
-  const double gravity = norm(jar_->gravity());
-  ChargeMotion now;
-  for (std::size_t k = 0; k < rows_.size(); ++k)
-    now.add(pairs_.species(species_[k]), velocity(k, {}), spin(k), gravity);
-  rest_.update(time_of(step_), now, gravity);
+  const auto ball = [&](std::size_t k) {
+    return std::tuple(pairs_.species(species_[k]), velocity(k, {}), spin(k));
+  };
+  rest_.update(time_of(step_), settings_, *jar_, rows_.size(), ball);
 }
 
 /// Nothing changes but the time of contact.
