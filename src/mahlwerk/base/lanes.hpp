@@ -80,10 +80,8 @@ template <class V, class F>
   (std::make_integer_sequence<int, width_of<V>>{});
 }
 
-[[gnu::always_inline]] inline double select(bool which, double a, double b) {
-  return which ? a : b;
-}
-template <Vector V>
+template <class V>
+requires(Vector<V> || std::same_as<V, double>)
 [[gnu::always_inline]] inline V select(const MaskOf<V>& which, const V& a, const V& b) {
   return which ? a : b;
 }
@@ -117,12 +115,13 @@ template <Vector V>
 }
 
 /// a < b as a mask. GCC 12 splits the comparison of registers into scalars unless a select uses it.
-[[gnu::always_inline]] inline bool less(double a, double b) {
-  return a < b;
-}
-template <Vector V>
+template <class V>
+requires(Vector<V> || std::same_as<V, double>)
 [[gnu::always_inline]] inline MaskOf<V> less(const V& a, const V& b) {
-  return (MaskOf<V>)(a < b ? (V)~MaskOf<V>{} : V{});  // reinterprets the bits
+  if constexpr (std::same_as<V, double>)
+    return a < b;
+  else
+    return (MaskOf<V>)(a < b ? (V)~MaskOf<V>{} : V{});  // reinterprets the bits
 }
 
 /// a > b ? a : b, and a < b ? a : b; for registers one instruction, which compilers do not choose
@@ -225,11 +224,17 @@ template <int width>
 /// Loads and stores of registers at addresses that are aligned to their size.
 template <class V>
 [[gnu::always_inline]] inline V load(const double* from) {
-  return *reinterpret_cast<const typename RegisterOf<width_of<V>>::Aliased*>(from);
+  if constexpr (std::same_as<V, double>)
+    return *from;
+  else
+    return *reinterpret_cast<const typename RegisterOf<width_of<V>>::Aliased*>(from);
 }
 template <class V>
 [[gnu::always_inline]] inline void store(double* to, const V& a) {
-  *reinterpret_cast<typename RegisterOf<width_of<V>>::Aliased*>(to) = a;
+  if constexpr (std::same_as<V, double>)
+    *to = a;
+  else
+    *reinterpret_cast<typename RegisterOf<width_of<V>>::Aliased*>(to) = a;
 }
 
 /// A 3-vector of V: one vector, or one for each lane (structure of arrays).
@@ -301,7 +306,10 @@ struct LaneGroup {
   }
   [[gnu::always_inline]] Mask operator()(const LaneMask& column) const {
     using Aliased = typename RegisterOf<width_of<V>>::AliasedMask;
-    return *reinterpret_cast<const Aliased*>(column.values + first);
+    if constexpr (std::same_as<V, double>)
+      return column.values[first] != 0;
+    else
+      return *reinterpret_cast<const Aliased*>(column.values + first);
   }
   [[gnu::always_inline]] Vec<V> operator()(const Vec<Lanes>& columns) const {
     return {(*this)(columns.x), (*this)(columns.y), (*this)(columns.z)};

@@ -9,30 +9,10 @@
 
 namespace mahlwerk::geometry {
 
-/// Gap to a bar, in the plane across the axis. Coordinates: up towards the axis, and aside from the
-/// middle of the bar. The bar is all that is below its top and between its sides (geo.13).
 Gap LifterCylinder::bar(int which, const Vec3& p, double within) const {
-  const double shell = 0.5 * diameter, reach = shell - lifter_height - within;
+  const double reach = 0.5 * diameter - lifter_height - within;
   if (reach > 0 && p.x * p.x + p.y * p.y < reach * reach) return {not_near, {0, 0, 1}, 0};
-  const SinCos& at = bars[static_cast<std::size_t>(which)];
-  const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
-  const double aside = std::abs(along);
-  // Relative to the edge between top and side.
-  const double up = shell - out - lifter_height, off = aside - top;
-  const double from_side = up * side.cos + off * side.sin;
-  if (std::max(up, from_side) > within) return {not_near, {0, 0, 1}, 0};
-  const double down_side = off * side.cos - up * side.sin;
-  double distance = 0, n_up = 0, n_off = 0;
-  if (off <= 0 && (up > 0 || up > from_side)) {
-    distance = up, n_up = 1;
-  } else if (off > 0 && down_side < 0) {
-    distance = math::hypot(up, off), n_up = up / distance, n_off = off / distance;
-  } else {
-    distance = from_side, n_up = side.cos, n_off = side.sin;
-  }
-  if (along < 0) n_off = -n_off;
-  const Vec3 inward{-n_up * at.cos - n_off * at.sin, -n_up * at.sin + n_off * at.cos, 0};
-  return {distance, inward, 0};
+  return section().gap(bars[static_cast<std::size_t>(which)], p, within);
 }
 
 /// The shell less the bars. The cross section of a bar is a trapezoid on the chord between its

@@ -15,6 +15,39 @@
 
 namespace mahlwerk::geometry {
 
+/// The cross section of a bar of a drum. A bar is all that is below its top and between its sides.
+struct BarSection {
+  double shell_radius = 0, height = 0;  // [m] of the drum; of the bar above its shell
+  double top = 0;                       // [m] half the width of its flat top
+  SinCos side{0, 1};                    // of the angle of its sides
+
+  /// Gap to a bar at the angle `at` about the axis (geo.13). Coordinates: up towards the axis, and
+  /// aside from the middle of the bar.
+  Gap gap(const SinCos& at, const Vec3& p, double within) const {
+    const double out = at.cos * p.x + at.sin * p.y, along = at.cos * p.y - at.sin * p.x;
+    // Relative to the edge between top and side.
+    const double up = shell_radius - out - height, off = std::abs(along) - top;
+    const double from_side = up * side.cos + off * side.sin;
+    if (std::max(up, from_side) > within) return {not_near, {0, 0, 1}, 0};
+    const double down_side = off * side.cos - up * side.sin;
+    double distance = 0, n_up = 0, n_off = 0;
+    if (off <= 0 && (up > 0 || up > from_side)) {
+      distance = up, n_up = 1;
+    } else if (off > 0 && down_side < 0) {
+      distance = math::hypot(up, off), n_up = up / distance, n_off = off / distance;
+    } else {
+      distance = from_side, n_up = side.cos, n_off = side.sin;
+    }
+    if (along < 0) n_off = -n_off;
+    return {distance, {-n_up * at.cos - n_off * at.sin, -n_up * at.sin + n_off * at.cos, 0}, 0};
+  }
+};
+
+/// [rad] about the axis, of bar `i`.
+constexpr double bar_angle(int i, double bars) {
+  return 2 * std::numbers::pi * i / bars;
+}
+
 /// A cylinder with flat ends and equal bars along its shell: a drum with lifters, or with a liner
 /// of many low bars. Each bar is a face; it is convex, so a ball touches it at one point (geo.13).
 struct LifterCylinder {
@@ -65,7 +98,7 @@ struct LifterCylinder {
     top = half_top();
     side = sin_cos(lifter_face_angle);
     bars.clear();
-    for (int i = 0; i < faces - 3; ++i) bars.push_back(sin_cos(2 * std::numbers::pi * i / lifters));
+    for (int i = 0; i < faces - 3; ++i) bars.push_back(sin_cos(bar_angle(i, lifters)));
   }
   /// Why the jar is impossible; empty if it is valid.
   std::string flaw() const;
@@ -108,10 +141,11 @@ struct LifterCylinder {
     const Vec3 half{0.5 * diameter, 0.5 * diameter, 0.5 * height};
     return {-half, half};
   }
+  Cylinder shell() const { return {diameter, height}; }
+  BarSection section() const { return {0.5 * diameter, lifter_height, top, side}; }
   bool operator==(const LifterCylinder&) const = default;
 
  private:
-  Cylinder shell() const { return {diameter, height}; }
   double half_top() const {
     return 0.5 * lifter_width -
            lifter_height * math::cos(lifter_face_angle) / math::sin(lifter_face_angle);

@@ -85,24 +85,10 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
 StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
                            const double* law_history, const Vec3& spring, double twist,
                            const contact::ContactModel& model) {
-  const contact::LawCoefficients coefficients = coefficients_of(parameters, lane);
-  double history[contact::law_history_size];
-  std::copy_n(law_history, contact::law_history_size, history);
-  const double pressed = std::max(overlap, 0.0);
   return std::visit(
-      [&]<class L>(const L& law) {
-        StoredEnergy energy{law.elastic_energy(coefficients, history, overlap), 0, 0};
-        const auto force = L::evaluate(coefficients.data(), history, pressed, 0.0);
-        const double stiffness = force.stiffness;
-        if (!(stiffness > 0)) return energy;
-        const double most = parameters.friction[lane] * std::abs(force.load) / stiffness;  // [m]
-        const double length = norm(spring) / (model.partial_slip ? stiffness : 1);
-        const double held = std::min(length, most);
-        energy.tangential = 0.5 * stiffness * held * held;
-        const double square = parameters.twisting_radius[lane] * pressed;  // a^2 (dem.42)
-        const double turned = std::min(std::abs(twist) * std::sqrt(square), 4.0 / 3 * most);
-        energy.twisting = 0.25 * stiffness * turned * turned;
-        return energy;
+      [&](const auto& law) {
+        return stored_energy(law, parameters, lane, overlap, law_history, spring, twist,
+                             model.partial_slip);
       },
       *model.law);
 }

@@ -5,6 +5,7 @@
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/soft/kernel/contact_force.hpp"
+#include "mahlwerk/soft/kernel/stored_energy.hpp"
 #include "mahlwerk/soft/settings.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 #include "mahlwerk/soft/walls/moving_wall.hpp"
@@ -29,16 +30,6 @@ void begin_law_history(Lanes (&law_history)[contact::law_history_size],
                        const PairParameters& parameters, std::size_t lane, double approach,
                        const contact::AnyLaw& law);
 
-/// Energy [J] that a contact stores.
-struct StoredEnergy {
-  double normal = 0, tangential = 0, twisting = 0;
-
-  double total() const { return normal + tangential + twisting; }
-  void add(const StoredEnergy& other, double weight) {
-    normal += weight * other.normal;
-    tangential += weight * other.tangential, twisting += weight * other.twisting;
-  }
-};
 /// What the springs of a contact store, at most as much as friction can hold.
 StoredEnergy stored_energy(const PairParameters& parameters, std::size_t lane, double overlap,
                            const double* law_history, const Vec3& spring, double twist,

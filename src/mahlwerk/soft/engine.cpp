@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/device/solver.hpp"
 #include "mahlwerk/soft/few/replicate_batch.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
@@ -18,6 +19,9 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const Settings& settings,
                                            const contact::PairTable& pairs, double start) {
   auto jar = moving_wall(chamber);
+  if (settings.device)
+    return std::make_unique<DeviceSolver>(std::move(jar), *chamber.shape, balls, settings, pairs,
+                                          start);
   if (balls.size() > settings.few_ball_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);

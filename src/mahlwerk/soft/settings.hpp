@@ -3,12 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
 
 namespace mahlwerk::soft {
+
+class Device;
 
 /// Settings of the soft engine: contact model and time stepping.
 struct Settings {
@@ -20,6 +24,8 @@ struct Settings {
   double max_initial_overlap = 0.01;
   int threads = 1;  ///< threads of one run; results do not depend on it
   std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
+  /// Makes the device that computes a run; none: the processor.
+  std::function<std::unique_ptr<Device>()> device = nullptr;
 };
 
 }  // namespace mahlwerk::soft

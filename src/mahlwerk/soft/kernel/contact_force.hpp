@@ -132,7 +132,7 @@ template <class V>
     // (7/5) m R^2 for a solid ball.
     const V damping = limited(2.0 * constants.rolling_damping *
                               sqrt(group(pair.slip_factor) * inertia * stiffness));
-    torque = spring_torque - where<V>(~at_limit, damping) * rolling_velocity;
+    torque = spring_torque - select<V>(at_limit, zero, damping) * rolling_velocity;
     history.rolling_spring_torque = where<V>(touching, spring_torque);
   }
   work.rolling = -where<V>(touching, constants.dt * dot(torque, rolling_velocity));

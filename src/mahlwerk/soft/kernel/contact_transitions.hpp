@@ -131,7 +131,7 @@ template <class Law, class V>
       elastic_weight<Law>(step_fraction, adheres) - already_counted,
       0.5 + step_fraction - already_counted);
   correct(full_force.damper, jump_force.damper, f.damper);
-  f.damper = where<V>(acts | ~corrected, f.damper);
+  f.damper = select<V>(corrected, where<V>(acts, f.damper), f.damper);
   const V load_over_force = full_force.load - full_force.force;
   f.force = select<V>(corrected, where<V>(acts, elastic + f.damper), f.force);
   f.load = select<V>(corrected, f.force + jump_weight * load_over_force, f.load);

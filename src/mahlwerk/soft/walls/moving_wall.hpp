@@ -13,16 +13,9 @@
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/body_blocks.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
+#include "mahlwerk/soft/walls/drive_sample.hpp"
 
 namespace mahlwerk::soft {
-
-/// The drive (motion of the jar) sampled at one step, in the jar frame.
-struct DriveSample {
-  Vec3 body_acceleration;  ///< [m/s2] gravity minus the acceleration of the jar's centre
-  Vec3 velocity;           ///< [m/s] of the jar's centre
-  Vec3 spin;               ///< [rad/s] of the jar
-  Vec3 rotor_spin;         ///< [rad/s] of the rotor's faces
-};
 
 /// Fraction of the radius: range beyond touch in which the wall point is still computed, for
 /// contacts that have just ended (dem.36).
@@ -41,11 +34,6 @@ struct WallNeighbour {
 struct alignas(64) WallPointLanes {
   std::array<const double*, lanes> ball{};  ///< address of BodyBlock::position.x
   Lanes face{};
-};
-
-/// At an instant, the rotations from the axes of a face's geometry to those of the jar frame.
-struct WallAxes {
-  Rotation own, rotor;  ///< of the jar's faces, of the rotor's
 };
 
 /// Wall for the soft engines (that of the event engine is event::MovingWall): a jar on its mill,

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <type_traits>
+
+#include "mahlwerk/geometry/lifter_cylinder.hpp"
+
+// Shapes as kernels read them: without memory of their own.
+namespace mahlwerk::soft {
+
+/// What stands for a shape on a device: itself, where it is a plain value.
+template <class S>
+struct DeviceShapeOf {
+  using Type = S;
+};
+
+/// A drum with bars, whose angles follow from their numbers.
+struct FlatLifterCylinder {
+  geometry::Cylinder shell;
+  geometry::BarSection section;
+  double lifters = 0;
+
+  geometry::Gap gap(int face, const Vec3& p) const {
+    if (face < 3) return shell.gap(face, p);
+    return section.gap(sin_cos(geometry::bar_angle(face - 3, lifters)), p, geometry::never);
+  }
+  bool can_touch(int, double) const { return true; }
+};
+template <>
+struct DeviceShapeOf<geometry::LifterCylinder> {
+  using Type = FlatLifterCylinder;
+};
+
+template <class S>
+using DeviceShape = typename DeviceShapeOf<S>::Type;
+
+/// Whether kernels can read a shape: a mesh has trees of its own, and a stirrer's gap is no template.
+template <class S>
+concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>> &&
+    !requires { S::first_rotor_face; };
+
+template <class S>
+DeviceShape<S> device_shape(const S& shape) {
+  if constexpr (std::same_as<S, geometry::LifterCylinder>)
+    return {shape.shell(), shape.section(), shape.lifters};
+  else
+    return shape;
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/soft/device/device.hpp"
+
+// The kernels by their names. kernels.cu.in compiles the same functions for graphics cards, a module
+// for each law, each shape, and what all share.
+namespace mahlwerk::soft {
+
+/// A kernel of the law or shape `of`, whose module is named after it, with underscores.
+Kernel kernel_of(std::string_view of, const char* name, decltype(Kernel::call) call);
+
+/// Kernels that know the contact law.
+struct LawKernels {
+  Kernel compute_contact, sum_contacts, begin_counting;
+};
+/// Those of a law (contact_kernels.hpp), compiled for the host with its loops.
+template <class Law>
+LawKernels law_kernels();
+
+/// Kernels that know the shape of the jar (wall_kernels.hpp), and the shape as they read it.
+struct ShapeKernels {
+  Kernel find_wall_point, count_walls, fill_walls;
+  std::vector<unsigned char> shape;
+};
+/// Empty for a shape that has none yet.
+std::optional<ShapeKernels> shape_kernels(const geometry::AnyShape& shape);
+
+/// Kernels that know neither.
+struct CommonKernels {
+  Kernel move_ball, end_step, sum_balls, sum_work, collect_work;
+  Kernel find_corners, count_cells, fill_cells, sort_cell, sort_balls;
+  Kernel sum_segment, scan_segments, scan_segment;
+  Kernel count_pairs, fill_pairs, count_incoming, fill_incoming, sort_incoming;
+};
+const CommonKernels& common_kernels();
+
+}  // namespace mahlwerk::soft

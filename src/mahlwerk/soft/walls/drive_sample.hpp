@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "mahlwerk/base/rotation.hpp"
+
+namespace mahlwerk::soft {
+
+/// The drive (motion of the jar) sampled at one step, in the jar frame.
+struct DriveSample {
+  Vec3 body_acceleration;  ///< [m/s2] gravity minus the acceleration of the jar's centre
+  Vec3 velocity;           ///< [m/s] of the jar's centre
+  Vec3 spin;               ///< [rad/s] of the jar
+  Vec3 rotor_spin;         ///< [rad/s] of the rotor's faces
+};
+
+/// At an instant, the rotations from the axes of a face's geometry to those of the jar frame.
+struct WallAxes {
+  Rotation own, rotor;  ///< of the jar's faces, of the rotor's
+};
+
+}  // namespace mahlwerk::soft

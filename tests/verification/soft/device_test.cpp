@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The soft engine on a device (DeviceSolver), computed by the host: the same physics as the solvers
+// of the processor, and the same bits however a run is cut, stopped or divided among threads.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "crowd.hpp"
+#include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/device/device.hpp"
+#include "same_bits.hpp"
+#include "statement.hpp"
+
+namespace mahlwerk::tests::device_test {
+namespace {
+
+/// Charges that a device computes: all but curved walls.
+std::vector<World> device_worlds() {
+  std::vector<World> all = worlds();
+  std::erase_if(all, [](const World& w) { return w.law.curved_walls; });
+  World bars = all.front();
+  bars.name = "drum with bars";
+  geometry::LifterCylinder drum;
+  drum.diameter = 0.05, drum.height = 0.04, drum.lifters = 6, drum.lifter_height = 0.003,
+  drum.lifter_width = 0.004, drum.lifter_face_angle = 1.2;
+  drum.complete();
+  bars.mill = {drum, kinematics::Tumbling{12}, scene::mounted_along({1, 0, 0}),
+               {0, 0, -gravity}};
+  bars.balls = lattice_of(60, 0.0055, {0.0025});
+  all.push_back(bars);
+  return all;
+}
+
+std::unique_ptr<scene::Engine> on_device(const World& w, int threads = 1) {
+  const int faces = geometry::faces(*w.mill.shape);
+  soft::Settings rules{w.law, w.step, false};
+  rules.device = [=] { return soft::host_device(threads); };
+  return soft::make_engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
+}
+
+TEST(DeviceSolver, moves_as_many_balls_do) {
+  // Same laws and same steps, but sums in another order: rounding errors grow with each collision.
+  // The tolerance follows from a third run whose start is displaced by 1e-13 m.
+  for (const World& w : device_worlds()) {
+    SCOPED_TRACE(w.name);
+    World aside = w;
+    for (scene::Ball& b : aside.balls) b.position.x += 1e-13;
+    const auto many = crowd(w), device = on_device(w), nudged = on_device(aside);
+    Recorder by_many, by_device, by_nudged;
+    const double time = 0.012;
+    many->advance(time, by_many);
+    device->advance(time, by_device);
+    nudged->advance(time, by_nudged);
+    const auto a = many->balls(), b = device->balls(), c = nudged->balls();
+    double off = 0, grown = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      off = max_or_nan(off, norm(a[i].position - b[i].position));
+      grown = max_or_nan(grown, norm(c[i].position - b[i].position));
+    }
+    EXPECT_GT(by_device.all.size(), 30U);
+    EXPECT_EQ(by_many.all.size(), by_device.all.size());
+    stays_below(w.name + ": positions off after 12 ms [m]", off, std::max(1e-12, 10 * grown),
+                "the same by ManyBodySolver; grown from 1e-13 m");
+    const scene::EnergyBalance x = many->energy_balance(), y = device->energy_balance();
+    const double scale = x.kinetic + std::abs(x.wall_work) + x.lost();
+    for (const auto part : {&scene::EnergyBalance::kinetic, &scene::EnergyBalance::potential,
+                            &scene::EnergyBalance::elastic, &scene::EnergyBalance::wall_work,
+                            &scene::EnergyBalance::lost_normal,
+                            &scene::EnergyBalance::lost_tangential,
+                            &scene::EnergyBalance::lost_rolling, &scene::EnergyBalance::slid,
+                            &scene::EnergyBalance::lost_open})
+      EXPECT_NEAR(x.*part, y.*part, std::max(1e-9, 1e6 * grown) * scale);
+    EXPECT_NEAR(x.contact_time, y.contact_time, 20 * w.step);
+    EXPECT_EQ(x.collisions, y.collisions);
+    EXPECT_EQ(x.lasting_contacts, y.lasting_contacts);
+  }
+}
+
+TEST(DeviceSolver, gives_the_same_bits_on_any_number_of_threads) {
+  for (const World& w : device_worlds()) {
+    SCOPED_TRACE(w.name);
+    const auto one = on_device(w), three = on_device(w, 3);
+    Recorder by_one, by_three;
+    one->advance(0.03, by_one);
+    three->advance(0.03, by_three);
+    EXPECT_GT(by_one.all.size(), 50U);
+    expect_same(by_one, by_three);
+    expect_same(*one, *three);
+  }
+}
+
+TEST(DeviceSolver, cuts_do_not_change_a_run_by_a_bit) {
+  constexpr double time = 0.03;
+  for (const World& w : device_worlds()) {
+    SCOPED_TRACE(w.name);
+    const auto whole = on_device(w), pieces = on_device(w);
+    Recorder in_one, in_many;
+    whole->advance(time, in_one);
+    Random random(3, 0);
+    std::vector<double> cuts{time};
+    for (int i = 0; i < 100; ++i) cuts.push_back(random.uniform(0, time));
+    std::ranges::sort(cuts);
+    for (const double cut : cuts) pieces->advance(cut, in_many);
+    expect_same(in_one, in_many);
+    expect_same(*whole, *pieces);
+  }
+}
+
+TEST(DeviceSolver, resumed_runs_go_on_to_the_bit) {
+  constexpr double time = 0.02;
+  for (const World& w : device_worlds())
+    for (const double when : {0.0, 1e-4, 0.0113}) {
+      SCOPED_TRACE(fmt::format("{} at {}", w.name, when));
+      const auto whole = on_device(w), first = on_device(w), second = on_device(w, 2);
+      Recorder in_one, in_two;
+      whole->advance(when, in_one);
+      whole->advance(time, in_one);
+      first->advance(when, in_two);
+      copy_state(*first, *second);
+      expect_same(*first, *second);
+      second->advance(time, in_two);
+      expect_same(in_one, in_two);
+      expect_same(*whole, *second);
+    }
+}
+
+}  // namespace
+}  // namespace mahlwerk::tests::device_test
