@@ -220,6 +220,10 @@ constexpr bool in_time_steps(EngineName engine) {
 /// simulates less time than the run itself.
 enum class SensitivityMode { automatic, on, off };
 
+/// What computes a run of the soft engine: the processor, or a graphics card. "auto" is the
+/// processor until times on cards are known (docs/performance.md).
+enum class DeviceName { automatic, cpu, gpu };
+
 struct Run {
   EngineName engine = EngineName::event;
   double time = 0;                                    ///< [s] counted; with `until`: at most
@@ -238,6 +242,7 @@ struct Run {
   double step_error = 0.01;
   double time_step_fraction = 0.25;  ///< of the Rayleigh time, at most, for the same step
   bool free_flight_skip = true;  ///< whether the soft engine skips steps in free flight and at rest
+  DeviceName device = DeviceName::automatic;
   SensitivityMode sensitivity = SensitivityMode::automatic;  ///< to assumed values
   bool operator==(const Run&) const = default;
 };

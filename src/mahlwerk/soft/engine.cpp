@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "mahlwerk/contact/laws.hpp"
-#include "mahlwerk/soft/device/solver.hpp"
 #include "mahlwerk/soft/few/replicate_batch.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
+#include "mahlwerk/soft/on_device.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
 
 namespace mahlwerk::soft {
@@ -20,8 +20,7 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const contact::PairTable& pairs, double start) {
   auto jar = moving_wall(chamber);
   if (settings.device)
-    return std::make_unique<DeviceSolver>(std::move(jar), *chamber.shape, balls, settings, pairs,
-                                          start);
+    return make_device_engine(std::move(jar), *chamber.shape, balls, settings, pairs, start);
   if (balls.size() > settings.few_ball_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);

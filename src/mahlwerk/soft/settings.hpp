@@ -25,7 +25,7 @@ struct Settings {
   int threads = 1;  ///< threads of one run; results do not depend on it
   std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
   /// Makes the device that computes a run; none: the processor.
-  std::function<std::unique_ptr<Device>()> device = nullptr;
+  std::function<std::shared_ptr<Device>()> device = nullptr;
 };
 
 }  // namespace mahlwerk::soft

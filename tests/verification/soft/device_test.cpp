@@ -8,10 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
 
 #include "crowd.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/soft/device/device.hpp"
+#include "mahlwerk/soft/on_device.hpp"
 #include "same_bits.hpp"
 #include "statement.hpp"
 
@@ -35,11 +39,16 @@ std::vector<World> device_worlds() {
   return all;
 }
 
-std::unique_ptr<scene::Engine> on_device(const World& w, int threads = 1) {
+using MakeDevice = std::function<std::shared_ptr<soft::Device>()>;
+
+std::unique_ptr<scene::Engine> on_device(const World& w, const MakeDevice& device) {
   const int faces = geometry::faces(*w.mill.shape);
   soft::Settings rules{w.law, w.step, false};
-  rules.device = [=] { return soft::host_device(threads); };
+  rules.device = device;
   return soft::make_engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
+}
+std::unique_ptr<scene::Engine> on_device(const World& w, int threads = 1) {
+  return on_device(w, [=] { return soft::host_device(threads); });
 }
 
 TEST(DeviceSolver, moves_as_many_balls_do) {
@@ -83,13 +92,13 @@ TEST(DeviceSolver, moves_as_many_balls_do) {
 TEST(DeviceSolver, gives_the_same_bits_on_any_number_of_threads) {
   for (const World& w : device_worlds()) {
     SCOPED_TRACE(w.name);
-    const auto one = on_device(w), three = on_device(w, 3);
-    Recorder by_one, by_three;
-    one->advance(0.03, by_one);
-    three->advance(0.03, by_three);
-    EXPECT_GT(by_one.all.size(), 50U);
-    expect_same(by_one, by_three);
-    expect_same(*one, *three);
+    const auto one = on_device(w), two = on_device(w, 2);
+    Recorder by_one, by_two;
+    one->advance(0.01, by_one);
+    two->advance(0.01, by_two);
+    EXPECT_GT(by_one.all.size(), 20U);
+    expect_same(by_one, by_two);
+    expect_same(*one, *two);
   }
 }
 
@@ -126,6 +135,74 @@ TEST(DeviceSolver, resumed_runs_go_on_to_the_bit) {
       expect_same(in_one, in_two);
       expect_same(*whole, *second);
     }
+}
+
+/// Runs with the pretended card as the driver's.
+class GraphicsCard : public testing::Test {
+ protected:
+  GraphicsCard() { setenv("MAHLWERK_CUDA_DRIVER", MAHLWERK_CARD, 1); }
+  ~GraphicsCard() override {
+    for (const char* name : {"MAHLWERK_CUDA_DRIVER", "MAHLWERK_CARD_FAILS", "MAHLWERK_CARD_MEMORY"})
+      unsetenv(name);
+  }
+  void SetUp() override {
+    if (!std::filesystem::exists(MAHLWERK_DEVICE_CODE "/common.ptx"))
+      GTEST_SKIP() << "no device code: it needs clang";
+  }
+};
+
+TEST_F(GraphicsCard, computes_the_bits_of_the_host_in_any_order_of_threads) {
+  for (const World& w : device_worlds()) {
+    SCOPED_TRACE(w.name);
+    const auto host = on_device(w), card = on_device(w, soft::graphics_card);
+    Recorder by_host, by_card;
+    host->advance(0.02, by_host);
+    card->advance(0.02, by_card);
+    EXPECT_GT(by_host.all.size(), 40U);
+    expect_same(by_host, by_card);
+    expect_same(*host, *card);
+  }
+}
+
+/// What a run says that ends with an error.
+std::string error_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST_F(GraphicsCard, that_fails_ends_a_run_with_its_words_and_loses_no_collision) {
+  World w = device_worlds().front();
+  Recorder whole;
+  on_device(w)->advance(0.02, whole);
+  const auto card = on_device(w, soft::graphics_card);
+  Recorder part;
+  card->advance(0.01, part);
+  setenv("MAHLWERK_CARD_FAILS", "cuCtxSynchronize 60", 1);
+  const std::string words = error_of([&] {
+    for (double t = 0.01; t < 0.05; t += 1e-4) card->advance(t, part);
+  });
+  EXPECT_EQ(words, "the graphics card Pretended Card failed (compute): unspecified launch failure");
+  ASSERT_GT(part.all.size(), 10U);
+  for (std::size_t k = 0; k < std::min(part.all.size(), whole.all.size()); ++k)
+    EXPECT_TRUE(same_bits(part.all[k], whole.all[k])) << k;
+}
+
+TEST_F(GraphicsCard, without_enough_memory_is_refused) {
+  setenv("MAHLWERK_CARD_MEMORY", "200000", 1);
+  const World w = device_worlds().front();
+  const std::string words = error_of([&] { on_device(w, soft::graphics_card); });
+  EXPECT_TRUE(words.starts_with("the memory of the graphics card Pretended Card is full")) << words;
+}
+
+TEST(GraphicsCards, that_are_not_there_are_named) {
+  setenv("MAHLWERK_CUDA_DRIVER", "/nowhere/libcuda.so", 1);
+  const std::string words = error_of([] { soft::graphics_card(); });
+  unsetenv("MAHLWERK_CUDA_DRIVER");
+  EXPECT_NE(words.find("there is no driver library /nowhere/libcuda.so"), std::string::npos) << words;
 }
 
 }  // namespace

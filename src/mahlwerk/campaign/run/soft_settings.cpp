@@ -11,6 +11,8 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/campaign/run/device_faults.hpp"
+#include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
@@ -18,6 +20,7 @@
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
+#include "mahlwerk/soft/on_device.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -127,6 +130,7 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
+  if (mill_case.run.device == cases::DeviceName::gpu) s.rules.device = soft::graphics_card;
   // Balls that another run or the jar at rest has pressed together keep their overlaps.
   constexpr double pressed = 0.5;
   if (mill_case.run.start_from.states || mill_case.run.settle_at_rest > 0)
@@ -167,6 +171,19 @@ double soft_work(const cases::Case& mill_case) {
          soft_settings(mill_case).rules.time_step;
 }
 
+namespace {
+
+/// Which card computes, and the memory it needs.
+Notices card_notices(const cases::Case& mill_case) {
+  if (mill_case.run.device != cases::DeviceName::gpu) return {};
+  return {note("graphics-card",
+               fmt::format("Computed by the graphics card {}, with about {} of its memory for each "
+                           "replicate.",
+                           soft::graphics_card_info().name, bytes_in_words(card_memory(mill_case))))};
+}
+
+}  // namespace
+
 Notices soft_notices(const cases::Case& mill_case) {
   const SoftSettings s = soft_settings(mill_case);
   const double step = s.rules.time_step;
@@ -183,6 +200,7 @@ Notices soft_notices(const cases::Case& mill_case) {
   // LAMMPS has other errors: it corrects neither springs nor the first and last step of a contact.
   if (mill_case.run.engine != cases::EngineName::lammps)
     notes.push_back(note("step-error", error_note(mill_case, s)));
+  append(notes, card_notices(mill_case));
   return notes;
 }
 
@@ -207,6 +225,7 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
   std::vector<Fault> found = cases::engine_faults(mill_case);
   if (mill_case.run.engine == cases::EngineName::lammps)
     std::ranges::move(lammps::faults(mill_case), std::back_inserter(found));
+  if (found.empty()) found = device_faults(mill_case);
   if (!cases::in_time_steps(mill_case.run.engine) || !found.empty()) return found;
   const SoftSettings s = soft_settings(mill_case);
   if (s.steps.overlap > sinking)

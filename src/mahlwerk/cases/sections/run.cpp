@@ -148,6 +148,18 @@ void describe_sensitivity(KeyVisitor& v, Run& run) {
          run.sensitivity);
 }
 
+/// Written only where a case gives it, as it changes no result but its last digits.
+void describe_device(KeyVisitor& v, Run& run) {
+  if (v.reader() == nullptr && !v.visits_all() && run.device == DeviceName::automatic) return;
+  v.word({"device",
+          {"auto", "cpu", "gpu"},
+          "auto",
+          "the processor",
+          "what computes a run with engine = \"soft\"",
+          {"the processor", "the processor", "the first NVIDIA graphics card of the machine"}},
+         run.device);
+}
+
 /// The soft engine's step: a time, or an error with a share of the Rayleigh time.
 void describe_step(KeyVisitor& v, Run& run) {
   const NumberSpec step = NumberSpec("time_step", "s", positive,
@@ -194,6 +206,7 @@ void describe(KeyVisitor& v, Run& run) {
           "all steps once the balls in a jar that stands still are at rest",
           soft_only},
          run.free_flight_skip);
+  describe_device(v, run);
   v.integer({.key = "replicates",
              .least = 1,
              .most = max_replicates,

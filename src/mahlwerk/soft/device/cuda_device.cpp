@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/soft/device/cuda_device.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,6 +13,8 @@
 #include "mahlwerk/base/data_folder.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/soft/device/cuda_driver.hpp"
+#include "mahlwerk/soft/device/device.hpp"
+#include "mahlwerk/soft/on_device.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -151,7 +151,7 @@ class CudaDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> graphics_card() {
+std::shared_ptr<Device> graphics_card() {
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<Card>> cards;
   const char* said = std::getenv("MAHLWERK_CUDA_DRIVER");
@@ -159,7 +159,7 @@ std::unique_ptr<Device> graphics_card() {
   const std::lock_guard lock(mutex);
   std::unique_ptr<Card>& card = cards[library];
   if (!card) card = std::make_unique<Card>(library);
-  return std::make_unique<CudaDevice>(*card);
+  return std::make_shared<CudaDevice>(*card);
 }
 
 }  // namespace mahlwerk::soft

@@ -37,7 +37,7 @@ class Device {
 };
 
 /// The host as a device, with `threads` threads: the plain reference of a graphics card.
-std::unique_ptr<Device> host_device(int threads = 1);
+std::shared_ptr<Device> host_device(int threads = 1);
 
 /// An array in the memory of a device. It grows without keeping its elements.
 template <class T>

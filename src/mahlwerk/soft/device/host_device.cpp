@@ -42,8 +42,8 @@ class HostDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> host_device(int threads) {
-  return std::make_unique<HostDevice>(threads);
+std::shared_ptr<Device> host_device(int threads) {
+  return std::make_shared<HostDevice>(threads);
 }
 
 }  // namespace mahlwerk::soft

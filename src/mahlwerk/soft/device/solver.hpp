@@ -115,7 +115,7 @@ class DeviceSolver final : public scene::Engine {
   std::unique_ptr<const MovingWall> jar_;
   Settings settings_;
   SpeciesPairs pairs_;
-  std::unique_ptr<Device> device_;
+  std::shared_ptr<Device> device_;
   LawKernels law_;
   ShapeKernels shape_;
   double start_, mass_ = 0;

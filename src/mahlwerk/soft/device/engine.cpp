@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "mahlwerk/soft/device/solver.hpp"
+#include "mahlwerk/soft/on_device.hpp"
+
+namespace mahlwerk::soft {
+
+CardInfo graphics_card_info() {
+  const auto card = graphics_card();
+  return {card->name(), static_cast<double>(card->free_bytes())};
+}
+
+std::string device_lacks(const geometry::AnyShape& shape, const Settings& settings) {
+  if (!shape_kernels(shape)) return fmt::format("a jar of kind \"{}\"", geometry::name_of(shape));
+  if (settings.liquid) return "a liquid";
+  if (settings.model.curved_walls) return "the curvature of walls (contact.curved_walls)";
+  return {};
+}
+
+std::unique_ptr<scene::Engine> make_device_engine(std::unique_ptr<const MovingWall> jar,
+                                                  const geometry::AnyShape& shape,
+                                                  const std::vector<scene::Ball>& balls,
+                                                  const Settings& settings,
+                                                  const contact::PairTable& pairs, double start) {
+  return std::make_unique<DeviceSolver>(std::move(jar), shape, balls, settings, pairs, start);
+}
+
+}  // namespace mahlwerk::soft

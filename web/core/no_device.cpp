@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// A page computes with the processor alone (soft/on_device.hpp).
+#include "mahlwerk/soft/on_device.hpp"
+
+#include "mahlwerk/base/error.hpp"
+
+namespace mahlwerk::soft {
+
+class Device {};
+
+std::shared_ptr<Device> graphics_card() {
+  throw InputError(Fault{"run.device", "a page cannot use the graphics card",
+                         "write device = \"cpu\", or run the case with the program",
+                         "no-graphics-card"});
+}
+CardInfo graphics_card_info() {
+  graphics_card();
+  return {};
+}
+std::string device_lacks(const geometry::AnyShape&, const Settings&) {
+  return {};
+}
+std::unique_ptr<scene::Engine> make_device_engine(std::unique_ptr<const MovingWall>,
+                                                  const geometry::AnyShape&,
+                                                  const std::vector<scene::Ball>&, const Settings&,
+                                                  const contact::PairTable&, double) {
+  graphics_card();
+  return nullptr;
+}
+
+}  // namespace mahlwerk::soft
