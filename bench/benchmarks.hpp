@@ -32,6 +32,7 @@ inline std::vector<Row> beside_peers() {
   return rows;
 }
 std::vector<Row> cost_curve();
+std::vector<Row> card();
 std::vector<Row> mixing();
 std::vector<Row> mesh();
 std::vector<Row> observers();
@@ -46,14 +47,21 @@ struct Benchmark {
   bool only_by_name = false;  ///< too long to run with all the others
 };
 
-inline constexpr std::array benchmarks{
-    Benchmark{"one-ball", one_ball},   Benchmark{"fluid", fluid},
-    Benchmark{"event", event},         Benchmark{"soft", soft},
-    Benchmark{"mesh", mesh, true},     Benchmark{"observers", observers},
-    Benchmark{"grinding", grinding},   Benchmark{"campaign", campaign, true},
-    Benchmark{"peers", beside_peers},  Benchmark{"few", few, true},
-    Benchmark{"crowd", crowd, true},   Benchmark{"cost-curve", cost_curve},
-    Benchmark{"mixing", mixing, true}, Benchmark{"examples", whole_examples, true}};
+inline constexpr std::array benchmarks{Benchmark{"one-ball", one_ball},
+                                       Benchmark{"fluid", fluid},
+                                       Benchmark{"event", event},
+                                       Benchmark{"soft", soft},
+                                       Benchmark{"mesh", mesh, true},
+                                       Benchmark{"observers", observers},
+                                       Benchmark{"grinding", grinding},
+                                       Benchmark{"campaign", campaign, true},
+                                       Benchmark{"peers", beside_peers},
+                                       Benchmark{"few", few, true},
+                                       Benchmark{"crowd", crowd, true},
+                                       Benchmark{"cost-curve", cost_curve},
+                                       Benchmark{"card", card, true},
+                                       Benchmark{"mixing", mixing, true},
+                                       Benchmark{"examples", whole_examples, true}};
 
 double cpu_seconds();
 double median(std::vector<double> values);

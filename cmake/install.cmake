@@ -27,7 +27,7 @@ target_compile_features(mahlwerk_library INTERFACE cxx_std_20)
 target_compile_options(mahlwerk_library INTERFACE -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 target_include_directories(mahlwerk_library INTERFACE $<INSTALL_INTERFACE:include>)
-add_dependencies(installable mahlwerk mahlwerk_library)
+add_dependencies(installable mahlwerk mahlwerk_library device_code)
 
 # Manual pages and completions are what the program prints about itself.
 set(texts ${PROJECT_BINARY_DIR}/texts)
@@ -67,6 +67,8 @@ install(DIRECTORY ${texts}/man1 DESTINATION share/man COMPONENT program)
 install(FILES ${texts}/bash/mahlwerk DESTINATION share/bash-completion/completions
   COMPONENT program)
 install(FILES ${texts}/zsh/_mahlwerk DESTINATION ${zsh_completions} COMPONENT program)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/mahlwerk/device DESTINATION share/mahlwerk
+  COMPONENT program OPTIONAL FILES_MATCHING PATTERN "*.ptx")  # where clang has made it
 install(DIRECTORY catalogue papers validation examples DESTINATION share/mahlwerk
   COMPONENT program PATTERN __pycache__ EXCLUDE)
 # The documents, with the folders that they link to beside them.

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A driver library of a graphics card that is none: memory is the host's, filled with garbage, and a
-// launch calls the kernels of the same names on the host, the last index first. It checks what it is
-// given: addresses, sizes, grids, contexts, and that the device code has the kernel. Environment
-// variables: MAHLWERK_CARD_FAILS="NAME N" lets the N-th call of a function fail, MAHLWERK_CARD_MEMORY
-// limits the memory [bytes], MAHLWERK_CARDS their number (1).
+// A driver library of a graphics card that is none: memory is the host's, filled with garbage, and
+// a launch calls the kernels of the same names on the host, the last index first. It checks what it
+// is given: addresses, sizes, grids, contexts, and that the device code has the kernel. Environment
+// variables: MAHLWERK_CARD_FAILS="NAME N" lets the N-th call of a function fail,
+// MAHLWERK_CARD_MEMORY limits the memory [bytes], MAHLWERK_CARDS their number (1).
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // A page computes with the processor alone (soft/on_device.hpp).
-#include "mahlwerk/soft/on_device.hpp"
-
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/soft/on_device.hpp"
 
 namespace mahlwerk::soft {
 

@@ -81,8 +81,8 @@ template <class V, class F>
 }
 
 template <class V>
-requires(Vector<V> || std::same_as<V, double>)
-[[gnu::always_inline]] inline V select(const MaskOf<V>& which, const V& a, const V& b) {
+requires(Vector<V> || std::same_as<V, double>) [[gnu::always_inline]] inline V
+    select(const MaskOf<V>& which, const V& a, const V& b) {
   return which ? a : b;
 }
 /// a where `which`, else 0.
@@ -117,7 +117,7 @@ template <Vector V>
 /// a < b as a mask. GCC 12 splits the comparison of registers into scalars unless a select uses it.
 template <class V>
 requires(Vector<V> || std::same_as<V, double>)
-[[gnu::always_inline]] inline MaskOf<V> less(const V& a, const V& b) {
+    [[gnu::always_inline]] inline MaskOf<V> less(const V& a, const V& b) {
   if constexpr (std::same_as<V, double>)
     return a < b;
   else

@@ -93,4 +93,14 @@ inline std::vector<World> worlds() {
   };
 }
 
+/// Balls enough for several chunks of ManyBodySolver, both of which compute a halo contact.
+inline World drum_of(int count) {
+  const scene::Chamber drum{geometry::Cylinder{0.06, 0.06},
+                            kinematics::Tumbling{10},
+                            scene::mounted_along({1, 0, 0}),
+                            {0, 0, -gravity}};
+  return {"drum", drum, lattice_of(count, 0.0022, {0.001}, 0.2),
+          of_law(contact::HertzMindlin{}, contact::Rolling::cdt), 2e-6};
+}
+
 }  // namespace mahlwerk::tests

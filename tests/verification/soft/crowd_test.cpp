@@ -115,16 +115,6 @@ TEST(ManyBodySolver, is_the_same_to_the_bit_however_it_is_cut_stopped_and_shared
   }
 }
 
-/// Several chunks. Both chunks of a halo contact compute it.
-World drum_of(int count) {
-  const scene::Chamber drum{geometry::Cylinder{0.06, 0.06},
-                            kinematics::Tumbling{10},
-                            scene::mounted_along({1, 0, 0}),
-                            {0, 0, -gravity}};
-  return {"drum", drum, lattice_of(count, 0.0022, {0.001}, 0.2),
-          of_law(HertzMindlin{}, Rolling::cdt), 2e-6};
-}
-
 TEST(ManyBodySolver, of_several_chunks_has_the_same_bits_by_threads_and_registers) {
   const World w = drum_of(4000);
   const auto one = crowd(w), three = crowd(w, 3);

@@ -40,9 +40,10 @@ std::vector<Fault> device_faults(const cases::Case& mill_case) {
                                std::move(remedy), "not-on-graphics-card"}};
   };
   if (mill_case.run.engine != cases::EngineName::soft)
-    return fault(fmt::format("device = \"gpu\": engine = \"{}\" does not compute on a graphics card",
-                             cases::name_of(mill_case.run.engine)),
-                 "write engine = \"soft\", or device = \"cpu\"");
+    return fault(
+        fmt::format("device = \"gpu\": engine = \"{}\" does not compute on a graphics card",
+                    cases::name_of(mill_case.run.engine)),
+        "write engine = \"soft\", or device = \"cpu\"");
   if (const std::string lacks =
           soft::device_lacks(*mill_case.jar.shape, soft_settings(mill_case).rules);
       !lacks.empty())

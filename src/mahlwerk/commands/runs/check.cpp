@@ -13,6 +13,7 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
+#include "mahlwerk/campaign/run/device_faults.hpp"
 #include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/forecast.hpp"
 #include "mahlwerk/campaign/run/later_motion.hpp"
@@ -76,6 +77,9 @@ void add_costs(const std::vector<cases::Case>& points, int cores, double collisi
         "at most, of all replicates that run together and the results of those that "
         "have ended"},
        {"files", files / mega, megabytes, "about, of all results on the disk"}});
+  if (points.front().run.device == cases::DeviceName::gpu)
+    c.follows.push_back({"card_memory", campaign::card_memory(points.front()) / mega, megabytes,
+                         "about, of the graphics card for each replicate that runs"});
 }
 
 CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue& known,

@@ -9,8 +9,8 @@
 #include "mahlwerk/soft/walls/drive_sample.hpp"
 
 // The state of a run as plain arrays, which kernels read and write: on a graphics card, or in the
-// memory of the host (docs/theory/soft.md). Everything here is trivially copyable. Rows are balls in
-// the order of their cells.
+// memory of the host (docs/theory/soft.md). Everything here is trivially copyable. Rows are balls
+// in the order of their cells.
 namespace mahlwerk::soft {
 
 /// Whether a listed pair touches; `ended`: not any more in this step, whose force is the last.
@@ -54,8 +54,8 @@ struct PairForce {
 /// ball.
 struct ContactList {
   std::int32_t pairs = 0, walls = 0;
-  std::int32_t* pair_first = nullptr;  ///< of each ball, and the end: first pair
-  std::int32_t* wall_first = nullptr;  ///< likewise, counted from `pairs`
+  std::int32_t* pair_first = nullptr;       ///< of each ball, and the end: first pair
+  std::int32_t* wall_first = nullptr;       ///< likewise, counted from `pairs`
   std::int32_t *i = nullptr, *j = nullptr;  ///< rows; at a wall, j is the face
   Touch* touch = nullptr;
   ContactState* state = nullptr;
@@ -77,10 +77,10 @@ struct BallArrays {
 /// Cells of the balls of one size class: at least as wide as their diameter and the skin, so that
 /// a ball of this class or a finer one touches balls in 27 cells at most.
 struct CellGrid {
-  Vec3 low, inverse_size;        ///< [m], [1/m]
-  std::int32_t count[3]{};       ///< number of cells along each axis
-  bool wrapped[3]{};             ///< periodic along the axis
-  std::int32_t first = 0;        ///< number of the first cell
+  Vec3 low, inverse_size;   ///< [m], [1/m]
+  std::int32_t count[3]{};  ///< number of cells along each axis
+  bool wrapped[3]{};        ///< periodic along the axis
+  std::int32_t first = 0;   ///< number of the first cell
   std::int32_t cells() const { return count[0] * count[1] * count[2]; }
 };
 
@@ -93,7 +93,7 @@ struct StepInput {
 /// A contact that has ended: what its collision record needs.
 struct EndedContact {
   std::int64_t step = 0, onset_step = 0;
-  std::int32_t index = 0;         ///< of the pair in its list
+  std::int32_t index = 0;            ///< of the pair in its list
   std::int32_t ball = 0, other = 0;  ///< ids; other < 0: face ~other
   std::int32_t species_pair = 0;
   Vec3 position, separation;  ///< [m] of the ball; towards the other body, of any length
@@ -103,7 +103,7 @@ struct EndedContact {
 
 /// What sums over the present state need (EnergyBalance).
 struct StateSums {
-  Vec3 kick_change;                   ///< [m/s] half a step times the change of the body acceleration
+  Vec3 kick_change;  ///< [m/s] half a step times the change of the body acceleration
   Vec3 frame_velocity, frame_centre;  ///< [m/s], [m] of the jar
   Vec3 gravity;                       ///< [m/s2]
 };
@@ -126,22 +126,22 @@ struct DeviceArrays {
   static constexpr std::size_t most_model_bytes = 128;
 
   std::int32_t balls = 0;
-  std::int32_t partials = 0;        ///< number of partial sums of a reduction
-  BallArrays now, sorted;           ///< `sorted`: the target of a sort
-  Vec3* reference = nullptr;        ///< positions when the lists were built
-  ContactList list, old_list;       ///< `old_list`: during a rebuild
-  Vec3* wall_points = nullptr;      ///< [m] of each wall pair
-  PairForce* forces = nullptr;      ///< of each listed pair
-  ContactSums* sums = nullptr;      ///< of each listed pair, since they were collected
+  std::int32_t partials = 0;               ///< number of partial sums of a reduction
+  BallArrays now, sorted;                  ///< `sorted`: the target of a sort
+  Vec3* reference = nullptr;               ///< positions when the lists were built
+  ContactList list, old_list;              ///< `old_list`: during a rebuild
+  Vec3* wall_points = nullptr;             ///< [m] of each wall pair
+  PairForce* forces = nullptr;             ///< of each listed pair
+  ContactSums* sums = nullptr;             ///< of each listed pair, since they were collected
   std::int32_t* incoming_first = nullptr;  ///< pairs whose second ball is this one
   std::int32_t* incoming = nullptr;
 
   std::int32_t *cell = nullptr, *order = nullptr, *new_row = nullptr;  ///< of each ball
-  std::int32_t *cell_first = nullptr, *cursor = nullptr;  ///< of each cell; scratch
+  std::int32_t *cell_first = nullptr, *cursor = nullptr;               ///< of each cell; scratch
   std::int32_t* scanned = nullptr;  ///< what scan kernels sum, in place
   std::int32_t scan_count = 0;
   std::int32_t* scan_partials = nullptr;
-  double* partial = nullptr;              ///< results of reductions
+  double* partial = nullptr;                 ///< results of reductions
   std::int32_t* balls_in_contact = nullptr;  ///< counters: balls with contacts, over the steps
 
   EndedContact* ended = nullptr;
@@ -150,18 +150,18 @@ struct DeviceArrays {
 
   const StepInput* inputs = nullptr;  ///< from step `first_input` on
   std::int64_t first_input = 0;
-  const PairParameters* parameters = nullptr;   ///< of each species pair, the same in all lanes
-  const double* separation_energy = nullptr;    ///< [J] likewise
-  const VectorPair* half_kicks = nullptr;       ///< of each species: half a step over mass, inertia
-  const std::int32_t* size_class = nullptr;     ///< of each species
-  const double* mass = nullptr;                 ///< [kg] of each species
-  const double* inertia = nullptr;              ///< [kg m2] of each species
-  std::int32_t species_row = 0;                 ///< species pairs of one species
+  const PairParameters* parameters = nullptr;  ///< of each species pair, the same in all lanes
+  const double* separation_energy = nullptr;   ///< [J] likewise
+  const VectorPair* half_kicks = nullptr;      ///< of each species: half a step over mass, inertia
+  const std::int32_t* size_class = nullptr;    ///< of each species
+  const double* mass = nullptr;                ///< [kg] of each species
+  const double* inertia = nullptr;             ///< [kg m2] of each species
+  std::int32_t species_row = 0;                ///< species pairs of one species
   std::int32_t species = 0;
   std::int32_t faces = 0, first_rotor_face = 0;
-  double skin = 0, pull_off_distance = 0;       ///< [m]
+  double skin = 0, pull_off_distance = 0;  ///< [m]
   CellGrid grid[most_classes];
-  double class_radius[most_classes]{};          ///< [m] of the largest ball
+  double class_radius[most_classes]{};  ///< [m] of the largest ball
   int classes = 0;
   StepConstants constants;
   StateSums state_sums;

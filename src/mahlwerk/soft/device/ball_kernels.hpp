@@ -91,8 +91,7 @@ inline void sum_balls(const DeviceArrays& a, std::int64_t index) {
     const SpinRecord& spin = a.now.spins[k];
     const VectorPair& half = a.now.half_step[k];
     const Vec3 v{half.x, half.y, half.z}, w{half.a, half.b, half.c};
-    const Vec3 velocity =
-        2.0 * v - Vec3{row.u, row.v, row.w} + at.kick_change + at.frame_velocity;
+    const Vec3 velocity = 2.0 * v - Vec3{row.u, row.v, row.w} + at.kick_change + at.frame_velocity;
     const Vec3 turning = 2.0 * w - Vec3{spin.x, spin.y, spin.z};
     const std::int32_t s = a.now.species[k];
     sum.kinetic += 0.5 * (a.mass[s] * squared(velocity) + a.inertia[s] * squared(turning));

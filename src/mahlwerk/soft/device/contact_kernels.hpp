@@ -30,27 +30,33 @@ inline std::int32_t species_pair_of(const DeviceArrays& a, std::int32_t p) {
   return a.now.species[a.list.i[p]] * a.species_row + other;
 }
 
-inline PairMotion<double> pair_motion(const DeviceArrays& a, std::int32_t p) {
+/// From the centre of the first body to that of the second, or to the wall [m].
+inline Vec<double> separation_of(const DeviceArrays& a, std::int32_t p) {
+  const Vec3 from = a.now.rows[a.list.i[p]].position();
+  if (p >= a.list.pairs) return in_lane(a.wall_points[p - a.list.pairs] - from);
+  const Vec<double> separation = in_lane(a.now.rows[a.list.j[p]].position() - from);
+  return a.constants.periodic ? folded(separation, a.constants.periods) : separation;
+}
+
+inline PairMotion<double> pair_motion(const DeviceArrays& a, std::int32_t p,
+                                      const Vec<double>& separation) {
   const std::int32_t i = a.list.i[p], j = a.list.j[p];
   const BallRecord& ball = a.now.rows[i];
   const SpinRecord& spin = a.now.spins[i];
   const Vec<double> velocity{ball.u, ball.v, ball.w};
   PairMotion<double> motion;
+  motion.separation = separation;
   motion.wi = {spin.x, spin.y, spin.z};
   if (p < a.list.pairs) {
     const BallRecord& other = a.now.rows[j];
     const SpinRecord& its = a.now.spins[j];
-    motion.separation = {other.x - ball.x, other.y - ball.y, other.z - ball.z};
-    if (a.constants.periodic) motion.separation = folded(motion.separation, a.constants.periods);
     motion.relative_velocity = velocity - Vec<double>{other.u, other.v, other.w};
     motion.vj = {0, 0, 0};
     motion.wj = {its.x, its.y, its.z};
   } else {
     const DriveSample& drive = a.input().drive;
-    const Vec<double> at = in_lane(a.wall_points[p - a.list.pairs]);
     motion.wj = in_lane(j < a.first_rotor_face ? drive.spin : drive.rotor_spin);
-    motion.vj = cross(motion.wj, at);
-    motion.separation = at - in_lane(ball.position());
+    motion.vj = cross(motion.wj, in_lane(a.wall_points[p - a.list.pairs]));
     motion.relative_velocity = velocity - motion.vj;
   }
   return motion;
@@ -110,8 +116,8 @@ inline void begin_contact(const DeviceArrays& a, std::int32_t p, const PairParam
 }
 
 /// Adds the work of a step to the sums of the contact and of the run.
-inline void add_work_of_step(const DeviceArrays& a, std::int32_t p, const PairParameters& parameters,
-                             const WorkOfStep<double>& work) {
+inline void add_work_of_step(const DeviceArrays& a, std::int32_t p,
+                             const PairParameters& parameters, const WorkOfStep<double>& work) {
   ContactState& state = a.list.state[p];
   state.impulse += work.impulse;
   state.lost_normal += work.normal;
@@ -162,17 +168,19 @@ inline void compute_contact(const DeviceArrays& a, std::int64_t index) {
   const auto p = static_cast<std::int32_t>(index);
   const ContactList& list = a.list;
   const bool touched = list.touch[p] == Touch::touching, wall = p >= list.pairs;
-  const std::int32_t species_pair = species_pair_of(a, p);
-  const PairParameters& parameters = a.parameters[species_pair];
+  const Vec<double> separation = separation_of(a, p);
+  const double squared = dot(separation, separation);
+  double near = a.now.rows[list.i[p]].radius + (wall ? 0.0 : a.now.rows[list.j[p]].radius);
   constexpr LaneGroup<double> group{0};
-  const PairMotion<double> motion = pair_motion(a, p);
-  const double squared = dot(motion.separation, motion.separation),
-               near = touch_distance<double>(group, parameters, touched);
+  if (touched) near += group(a.parameters[species_pair_of(a, p)].pull_off_distance);
   const bool touching = squared < near * near;
-  if (!touching && !touched) {
+  if (!touching && !touched) {  // most pairs: of their balls nothing but the position is read
     list.touch[p] = Touch::apart;
     return;
   }
+  const std::int32_t species_pair = species_pair_of(a, p);
+  const PairParameters& parameters = a.parameters[species_pair];
+  const PairMotion<double> motion = pair_motion(a, p, separation);
   const ContactGeometry<double> geometry =
       contact_geometry<double>(group, parameters, motion, squared);
   if (!touched) begin_contact<Law>(a, p, parameters, motion, geometry);
@@ -181,15 +189,15 @@ inline void compute_contact(const DeviceArrays& a, std::int64_t index) {
   StepConstants constants = a.constants;
   constants.jar_velocity = a.input().drive.velocity;
   WorkOfStep<double> work;
-  const ContactForce<double> force = contact_force<Law, double>(
-      group, parameters, history, work, constants, motion, geometry, touching,
-      touched != touching ? &transitions : nullptr, wall);
+  const ContactForce<double> force =
+      contact_force<Law, double>(group, parameters, history, work, constants, motion, geometry,
+                                 touching, touched != touching ? &transitions : nullptr, wall);
   store_history(list, p, history);
   a.forces[p] = {force.force, force.torque_i, force.torque_j};
   add_work_of_step(a, p, parameters, work);
   list.touch[p] = touching ? Touch::touching : Touch::ended;
   if (wall && touching) list.normals[p - list.pairs] = of_lane(geometry.n);
-  if (!touching) end_contact(a, p, species_pair, motion.separation);
+  if (!touching) end_contact(a, p, species_pair, separation);
 }
 
 /// What a touching pair stores at the present step. Rows are one step ahead.
@@ -206,8 +214,8 @@ inline StoredEnergy stored_in(const DeviceArrays& a, std::int32_t p) {
       in_lane((wall ? a.wall_points[p - a.list.pairs] : present(j)) - present(i));
   if (!wall && a.constants.periodic) separation = folded(separation, a.constants.periods);
   const PairParameters& parameters = a.parameters[species_pair_of(a, p)];
-  const double overlap = parameters.radius_i[0] + parameters.radius_j[0] -
-                         sqrt(dot(separation, separation));
+  const double overlap =
+      parameters.radius_i[0] + parameters.radius_j[0] - sqrt(dot(separation, separation));
   const GroupHistory<double> history = load_history(a.list, p);
   return stored_energy(law_of<Law>(a), parameters, 0, overlap, history.law_history,
                        of_lane(history.spring), history.twist, a.constants.partial_slip);

@@ -43,11 +43,10 @@ class Card {
     check(driver.cuDeviceGetAttribute(&major, cuda_major_version, device), "read its version");
     check(driver.cuDeviceGetAttribute(&minor, cuda_minor_version, device), "read its version");
     if (major < 8)
-      throw InputError(Fault{"run.device",
-                             fmt::format("the graphics card {} has compute capability {}.{}", name,
-                                         major, minor),
-                             "use a card of 8.0 (Ampere) or later, or write device = \"cpu\"",
-                             "old-graphics-card"});
+      throw InputError(Fault{
+          "run.device",
+          fmt::format("the graphics card {} has compute capability {}.{}", name, major, minor),
+          "use a card of 8.0 (Ampere) or later, or write device = \"cpu\"", "old-graphics-card"});
     check(driver.cuDevicePrimaryCtxRetain(&context, device), "open it");
   }
 
@@ -84,8 +83,7 @@ class Card {
 
 class CudaDevice final : public Device {
  public:
-  explicit CudaDevice(Card& card)
-      : card_(card), arrays_(allocate(sizeof(DeviceArrays))) {}
+  explicit CudaDevice(Card& card) : card_(card), arrays_(allocate(sizeof(DeviceArrays))) {}
   ~CudaDevice() override { release(arrays_); }
   CudaDevice(const CudaDevice&) = delete;
   CudaDevice& operator=(const CudaDevice&) = delete;
@@ -102,9 +100,10 @@ class CudaDevice final : public Device {
     CudaPointer memory = 0;
     const CudaStatus status = card_.driver.cuMemAlloc_v2(&memory, std::max<std::size_t>(bytes, 1));
     if (status == cuda_out_of_memory)
-      throw RunError(fmt::format("the memory of the graphics card {} is full: {} MB more are "
-                                 "needed, {} MB are free. Use fewer balls, or device = \"cpu\"",
-                                 card_.name, bytes / 1000000 + 1, free_bytes() / 1000000));
+      throw RunError(
+          fmt::format("the memory of the graphics card {} is full: {} MB more are "
+                      "needed, {} MB are free. Use fewer balls, or device = \"cpu\"",
+                      card_.name, bytes / 1000000 + 1, free_bytes() / 1000000));
     card_.check(status, "reserve memory");
     return reinterpret_cast<void*>(memory);
   }

@@ -22,25 +22,25 @@ constexpr CudaStatus cuda_out_of_memory = 2;
 constexpr int cuda_major_version = 75, cuda_minor_version = 76;
 
 /// Calls X(name, parameters) for each function.
-#define MAHLWERK_CUDA_FUNCTIONS(X)                                                          \
-  X(cuInit, (unsigned))                                                                     \
-  X(cuDeviceGetCount, (int*))                                                               \
-  X(cuDeviceGet, (int*, int))                                                               \
-  X(cuDeviceGetName, (char*, int, int))                                                     \
-  X(cuDeviceGetAttribute, (int*, int, int))                                                 \
-  X(cuDevicePrimaryCtxRetain, (CudaContext**, int))                                         \
-  X(cuCtxSetCurrent, (CudaContext*))                                                        \
-  X(cuMemGetInfo_v2, (std::size_t*, std::size_t*))                                          \
-  X(cuMemAlloc_v2, (CudaPointer*, std::size_t))                                             \
-  X(cuMemFree_v2, (CudaPointer))                                                            \
-  X(cuMemcpyHtoD_v2, (CudaPointer, const void*, std::size_t))                               \
-  X(cuMemcpyDtoH_v2, (void*, CudaPointer, std::size_t))                                     \
-  X(cuMemsetD8_v2, (CudaPointer, unsigned char, std::size_t))                               \
-  X(cuModuleLoadData, (CudaModule**, const void*))                                          \
-  X(cuModuleGetFunction, (CudaFunction**, CudaModule*, const char*))                        \
-  X(cuLaunchKernel, (CudaFunction*, unsigned, unsigned, unsigned, unsigned, unsigned,       \
-                     unsigned, unsigned, CudaStream*, void**, void**))                      \
-  X(cuCtxSynchronize, ())                                                                   \
+#define MAHLWERK_CUDA_FUNCTIONS(X)                                                              \
+  X(cuInit, (unsigned))                                                                         \
+  X(cuDeviceGetCount, (int*))                                                                   \
+  X(cuDeviceGet, (int*, int))                                                                   \
+  X(cuDeviceGetName, (char*, int, int))                                                         \
+  X(cuDeviceGetAttribute, (int*, int, int))                                                     \
+  X(cuDevicePrimaryCtxRetain, (CudaContext**, int))                                             \
+  X(cuCtxSetCurrent, (CudaContext*))                                                            \
+  X(cuMemGetInfo_v2, (std::size_t*, std::size_t*))                                              \
+  X(cuMemAlloc_v2, (CudaPointer*, std::size_t))                                                 \
+  X(cuMemFree_v2, (CudaPointer))                                                                \
+  X(cuMemcpyHtoD_v2, (CudaPointer, const void*, std::size_t))                                   \
+  X(cuMemcpyDtoH_v2, (void*, CudaPointer, std::size_t))                                         \
+  X(cuMemsetD8_v2, (CudaPointer, unsigned char, std::size_t))                                   \
+  X(cuModuleLoadData, (CudaModule**, const void*))                                              \
+  X(cuModuleGetFunction, (CudaFunction**, CudaModule*, const char*))                            \
+  X(cuLaunchKernel, (CudaFunction*, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, \
+                     unsigned, CudaStream*, void**, void**))                                    \
+  X(cuCtxSynchronize, ())                                                                       \
   X(cuGetErrorString, (CudaStatus, const char**))
 
 /// The functions of an opened driver library, which stays open.

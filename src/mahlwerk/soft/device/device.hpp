@@ -12,15 +12,15 @@
 
 namespace mahlwerk::soft {
 
-/// A function of an index over the arrays of a run. On the host it is called; on a graphics card the
-/// function `name` of the module `module` is the same source, compiled for the card.
+/// A function of an index over the arrays of a run. On the host it is called; on a graphics card
+/// the function `name` of the module `module` is the same source, compiled for the card.
 struct Kernel {
   std::string module, name;
   void (*call)(const DeviceArrays& arrays, std::int64_t index) = nullptr;
 };
 
-/// What computes kernels for one run, and the memory where its arrays are. Operations are done in their
-/// order. All throw RunError where the device fails, with its own words.
+/// What computes kernels for one run, and the memory where its arrays are. Operations are done in
+/// their order. All throw RunError where the device fails, with its own words.
 class Device {
  public:
   virtual ~Device() = default;

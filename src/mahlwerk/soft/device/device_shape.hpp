@@ -35,10 +35,12 @@ struct DeviceShapeOf<geometry::LifterCylinder> {
 template <class S>
 using DeviceShape = typename DeviceShapeOf<S>::Type;
 
-/// Whether kernels can read a shape: a mesh has trees of its own, and a stirrer's gap is no template.
+/// Whether kernels can read a shape: a mesh has trees of its own, and a stirrer's gap is no
+/// template.
 template <class S>
-concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>> &&
-    !requires { S::first_rotor_face; };
+concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>> && !requires {
+  S::first_rotor_face;
+};
 
 template <class S>
 DeviceShape<S> device_shape(const S& shape) {

@@ -26,7 +26,9 @@ class HostDevice final : public Device {
   void write(void* to, const void* from, std::size_t bytes) override {
     std::memcpy(to, from, bytes);
   }
-  void read(void* to, const void* from, std::size_t bytes) override { std::memcpy(to, from, bytes); }
+  void read(void* to, const void* from, std::size_t bytes) override {
+    std::memcpy(to, from, bytes);
+  }
   void zero(void* to, std::size_t bytes) override { std::memset(to, 0, bytes); }
   void run(const Kernel& kernel, const DeviceArrays& arrays, std::int64_t count) override {
     team_.run_on_all([&](int thread) {

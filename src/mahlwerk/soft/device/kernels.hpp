@@ -8,8 +8,8 @@
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/soft/device/device.hpp"
 
-// The kernels by their names. kernels.cu.in compiles the same functions for graphics cards, a module
-// for each law, each shape, and what all share.
+// The kernels by their names. kernels.cu.in compiles the same functions for graphics cards, a
+// module for each law, each shape, and what all share.
 namespace mahlwerk::soft {
 
 /// A kernel of the law or shape `of`, whose module is named after it, with underscores.

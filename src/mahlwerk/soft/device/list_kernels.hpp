@@ -29,8 +29,7 @@ inline CellPlace place_in(const CellGrid& g, const BallRecord& row) {
            cell_along(row.y, g.low.y, g.inverse_size.y, g.count[1], g.wrapped[1]),
            cell_along(row.z, g.low.z, g.inverse_size.z, g.count[2], g.wrapped[2])}};
 }
-inline std::int32_t cell_number(const CellGrid& g, std::int32_t x, std::int32_t y,
-                                std::int32_t z) {
+inline std::int32_t cell_number(const CellGrid& g, std::int32_t x, std::int32_t y, std::int32_t z) {
   return g.first + (z * g.count[1] + y) * g.count[0] + x;
 }
 inline int class_of(const DeviceArrays& a, std::int32_t k) {
@@ -196,7 +195,8 @@ inline void fill_pairs(const DeviceArrays& a, std::int64_t index) {
     a.list.touch[p] = Touch::apart;
     a.sums[p] = {};
     const std::int32_t was_i = a.order[k], was_j = a.order[j];
-    const std::int32_t first = was_i < was_j ? was_i : was_j, second = was_i < was_j ? was_j : was_i;
+    const std::int32_t first = was_i < was_j ? was_i : was_j,
+                       second = was_i < was_j ? was_j : was_i;
     if (old.touch != nullptr)
       for (std::int32_t q = old.pair_first[first]; q < old.pair_first[first + 1]; ++q)
         if (old.j[q] == second && old.touch[q] == Touch::touching)

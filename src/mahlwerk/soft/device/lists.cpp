@@ -196,8 +196,8 @@ void DeviceSolver::check_start() {
       throw overlap_error(static_cast<std::size_t>(all.id[row]),
                           wall ? "the jar" : fmt::format("ball {}", all.id[other] + 1),
                           depth / smaller, wall ? "its radius" : "the smaller radius");
-    const std::int32_t pair = wall ? pairs_.wall_pair_index(of, j[p])
-                                   : pairs_.ball_pair_index(of, all.species[other]);
+    const std::int32_t pair =
+        wall ? pairs_.wall_pair_index(of, j[p]) : pairs_.ball_pair_index(of, all.species[other]);
     const Species* partner = wall ? nullptr : &pairs_.species(all.species[other]);
     if (depth > 0)
       start_energy_ += soft::energy_at_start(

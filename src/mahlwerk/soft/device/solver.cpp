@@ -46,12 +46,28 @@ DeviceSolver::DeviceSolver(std::unique_ptr<const MovingWall> jar, const geometry
       sorted_(std::make_unique<BallMemory>(*device_)),
       list_(std::make_unique<ListMemory>(*device_)),
       old_list_(std::make_unique<ListMemory>(*device_)),
-      reference_(*device_), wall_points_(*device_), forces_(*device_), sums_(*device_),
-      incoming_first_(*device_), incoming_(*device_), cell_(*device_), order_(*device_),
-      new_row_(*device_), cell_first_(*device_), cursor_(*device_), scan_partials_(*device_),
-      balls_in_contact_(*device_), size_class_(*device_), partial_(*device_),
-      separation_energy_(*device_), species_mass_(*device_), species_inertia_(*device_),
-      ended_(*device_), control_(*device_), inputs_(*device_), parameters_(*device_),
+      reference_(*device_),
+      wall_points_(*device_),
+      forces_(*device_),
+      sums_(*device_),
+      incoming_first_(*device_),
+      incoming_(*device_),
+      cell_(*device_),
+      order_(*device_),
+      new_row_(*device_),
+      cell_first_(*device_),
+      cursor_(*device_),
+      scan_partials_(*device_),
+      balls_in_contact_(*device_),
+      size_class_(*device_),
+      partial_(*device_),
+      separation_energy_(*device_),
+      species_mass_(*device_),
+      species_inertia_(*device_),
+      ended_(*device_),
+      control_(*device_),
+      inputs_(*device_),
+      parameters_(*device_),
       half_kicks_(*device_) {
   std::visit([&](const auto& law) { put_bytes(arrays_.law, &law, sizeof law); },
              *settings_.model.law);
@@ -90,8 +106,7 @@ void DeviceSolver::set_species(const contact::PairTable& pairs) {
       const auto at = static_cast<std::size_t>(k);
       parameters[at] = pair_parameters(pairs_[k], s, other, settings_);
       released[at] = separation_energy(parameters[at], 0, *settings_.model.law);
-      arrays_.pull_off_distance =
-          std::max(arrays_.pull_off_distance, pairs_[k].pull_off_distance);
+      arrays_.pull_off_distance = std::max(arrays_.pull_off_distance, pairs_[k].pull_off_distance);
     };
     for (std::int32_t b = 0; b < count; ++b) put(pairs_.ball_pair_index(a, b), &pairs_.species(b));
     for (int face = 0; face < pairs.faces(); ++face) put(pairs_.wall_pair_index(a, face), nullptr);
@@ -148,8 +163,7 @@ void DeviceSolver::set_balls(const std::vector<scene::Ball>& balls) {
   for (std::size_t row = 0; row < count; ++row) {
     const scene::Ball& ball = balls[static_cast<std::size_t>(sorted.id[row])];
     const Vec3 v = ball.velocity + 0.5 * dt * drive[0].body_acceleration,
-               predicted = v + 0.5 * dt * drive[1].body_acceleration,
-               x = ball.position + dt * v;
+               predicted = v + 0.5 * dt * drive[1].body_acceleration, x = ball.position + dt * v;
     const Vec3& w = ball.spin;
     start.half_step[row] = {v.x, v.y, v.z, 0, w.x, w.y, w.z, 0};
     start.rows[row] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
@@ -200,7 +214,8 @@ std::int64_t DeviceSolver::last_step_of_lists() const {
   return reference_step_ + static_cast<std::int64_t>(std::min(steps, 1e15));
 }
 
-/// Computes steps up to `end`, or to one after which the lists must be built or records handed over.
+/// Computes steps up to `end`, or to one after which the lists must be built or records handed
+/// over.
 void DeviceSolver::run_steps(std::int64_t end) {
   if (lists_due_ || step_ + 1 > last_step_of_lists()) rebuild_lists(step_ + 1);
   const std::int64_t last = std::min(end, std::max(step_ + 1, last_step_of_lists()));

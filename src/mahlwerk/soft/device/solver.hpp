@@ -89,7 +89,14 @@ class DeviceSolver final : public scene::Engine {
   // Memory of a list of pairs.
   struct ListMemory {
     explicit ListMemory(Device& d)
-        : pair_first(d), wall_first(d), i(d), j(d), touch(d), state(d), optional(d), friction(d),
+        : pair_first(d),
+          wall_first(d),
+          i(d),
+          j(d),
+          touch(d),
+          state(d),
+          optional(d),
+          friction(d),
           normals(d) {}
     DeviceArray<std::int32_t> pair_first, wall_first, i, j;
     DeviceArray<Touch> touch;
@@ -127,8 +134,8 @@ class DeviceSolver final : public scene::Engine {
   DeviceArray<Vec3> reference_, wall_points_;
   DeviceArray<PairForce> forces_;
   DeviceArray<ContactSums> sums_;
-  DeviceArray<std::int32_t> incoming_first_, incoming_, cell_, order_, new_row_, cell_first_, cursor_,
-      scan_partials_, balls_in_contact_, size_class_;
+  DeviceArray<std::int32_t> incoming_first_, incoming_, cell_, order_, new_row_, cell_first_,
+      cursor_, scan_partials_, balls_in_contact_, size_class_;
   DeviceArray<double> partial_, separation_energy_, species_mass_, species_inertia_;
   DeviceArray<EndedContact> ended_;
   DeviceArray<Control> control_;

@@ -54,8 +54,7 @@ std::vector<Vec3> DeviceSolver::forces() const {
   for (std::size_t row = 0; row < forces.size(); ++row) {
     const VectorPair& half = all.half_step[row];
     const BallRecord& ahead = all.rows[row];
-    const Vec3 gained =
-        Vec3{ahead.u, ahead.v, ahead.w} - Vec3{half.x, half.y, half.z} - pull;
+    const Vec3 gained = Vec3{ahead.u, ahead.v, ahead.w} - Vec3{half.x, half.y, half.z} - pull;
     forces[static_cast<std::size_t>(all.id[row])] =
         pairs_.species(all.species[row]).mass / half_dt * gained;
   }
@@ -74,8 +73,9 @@ void DeviceSolver::serialize(Archive& archive) {
     if (all.size() != count) throw Archive::broken();
     at = memory.write(all);
   };
-  archive(step_)(reference_step_)(rested_steps_)(tests_)(contact_steps_)(target_time_)(
-      lists_due_)(energy_balance_)(watch_)(arrays_.skin);
+  archive(step_)(reference_step_)(
+      rested_steps_)(tests_)(contact_steps_)(target_time_)(lists_due_)(energy_balance_)(watch_)(arrays_
+                                                                                                    .skin);
   rest_.serialize(archive);
   const auto balls = static_cast<std::size_t>(arrays_.balls);
   array(balls_->rows, arrays_.now.rows, balls);

@@ -40,7 +40,8 @@ inline void for_each_near_face(const DeviceArrays& a, std::int32_t k, const F& f
   const BallRecord& ball = a.now.rows[k];
   for (std::int32_t face = 0; face < a.faces; ++face) {
     const double gap = gap_of<S>(a, face, ball.position()).distance - ball.radius;
-    if (gap > a.skin + a.pull_off_distance || !shape_of<S>(a).can_touch(face, ball.radius)) continue;
+    if (gap > a.skin + a.pull_off_distance || !shape_of<S>(a).can_touch(face, ball.radius))
+      continue;
     if (!(gap > -ball.radius)) atomic_lower(&a.control->bad_ball, a.now.id[k]);
     f(face);
   }
