@@ -21,8 +21,7 @@ CardInfo graphics_card_info() {
 std::string device_lacks(const geometry::AnyShape&, const Settings&) {
   return {};
 }
-std::unique_ptr<scene::Engine> make_device_engine(std::unique_ptr<const MovingWall>,
-                                                  const geometry::AnyShape&,
+std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber&,
                                                   const std::vector<scene::Ball>&, const Settings&,
                                                   const contact::PairTable&, double) {
   graphics_card();

@@ -22,6 +22,13 @@ class Archive {
   explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
   bool reading() const { return reading_; }
+  /// Whether this value is what is read next.
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  bool begins_with(const T& value) const {
+    return bytes_.size() - at_ >= sizeof value &&
+           std::memcmp(bytes_.data() + at_, &value, sizeof value) == 0;
+  }
   const std::string& bytes() const { return bytes_; }
   static RunError broken() { return RunError("the saved state of the run is damaged"); }
   void finish() const {

@@ -18,9 +18,8 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const std::vector<scene::Ball>& balls,
                                            const Settings& settings,
                                            const contact::PairTable& pairs, double start) {
+  if (settings.device) return make_device_engine(chamber, balls, settings, pairs, start);
   auto jar = moving_wall(chamber);
-  if (settings.device)
-    return make_device_engine(std::move(jar), *chamber.shape, balls, settings, pairs, start);
   if (balls.size() > settings.few_ball_limit)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);

@@ -8,9 +8,10 @@
 
 #include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/scene/balls.hpp"
+#include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/settings.hpp"
-#include "mahlwerk/soft/walls/moving_wall.hpp"
 
 // What the rest of the program knows of devices (soft/device/). A page has its own file for it.
 namespace mahlwerk::soft {
@@ -32,8 +33,7 @@ constexpr double card_memory_per_ball = 4000;
 std::string device_lacks(const geometry::AnyShape& shape, const Settings& settings);
 
 /// The soft engine on Settings::device.
-std::unique_ptr<scene::Engine> make_device_engine(std::unique_ptr<const MovingWall> jar,
-                                                  const geometry::AnyShape& shape,
+std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber& chamber,
                                                   const std::vector<scene::Ball>& balls,
                                                   const Settings& settings,
                                                   const contact::PairTable& pairs, double start);

@@ -45,6 +45,7 @@ std::unique_ptr<scene::Engine> on_device(const World& w, const MakeDevice& devic
   const int faces = geometry::faces(*w.mill.shape);
   soft::Settings rules{w.law, w.step, false};
   rules.device = device;
+  rules.few_ball_limit = 0;  // the processor takes its states with ManyBodySolver
   return soft::make_engine(w.mill, w.balls, rules, contact::PairTable(1, faces, some_pair()), 0.37);
 }
 std::unique_ptr<scene::Engine> on_device(const World& w, int threads = 1) {
@@ -137,6 +138,45 @@ TEST(DeviceSolver, resumed_runs_go_on_to_the_bit) {
       expect_same(in_one, in_two);
       expect_same(*whole, *second);
     }
+}
+
+/// Continues a run of `first` with `second` at 7 ms, up to 12 ms.
+std::vector<scene::Ball> continued(scene::Engine& first, scene::Engine& second, Recorder& all) {
+  first.advance(0.007, all);
+  copy_state(first, second);
+  const scene::EnergyBalance a = first.energy_balance(), b = second.energy_balance();
+  const double scale = a.kinetic + std::abs(a.wall_work) + a.lost();
+  for (const auto part : {&scene::EnergyBalance::kinetic, &scene::EnergyBalance::elastic,
+                          &scene::EnergyBalance::wall_work, &scene::EnergyBalance::lost_normal,
+                          &scene::EnergyBalance::lost_tangential, &scene::EnergyBalance::lost_open,
+                          &scene::EnergyBalance::slid, &scene::EnergyBalance::initial_energy})
+    EXPECT_NEAR(a.*part, b.*part, 1e-9 * scale);
+  EXPECT_NEAR(a.contact_time, b.contact_time, 1e-9 * a.contact_time);
+  EXPECT_EQ(a.collisions, b.collisions);
+  second.advance(0.012, all);
+  EXPECT_LT(std::abs(second.energy_balance().residual()), 1e-2 * scale);
+  return second.balls();
+}
+
+TEST(DeviceSolver, and_the_solver_of_many_balls_continue_each_other) {
+  for (World w : device_worlds()) {
+    SCOPED_TRACE(w.name);
+    const auto whole = crowd(w), many = crowd(w), device = on_device(w), later_many = crowd(w),
+               later_device = on_device(w);
+    Recorder by_one, by_device, by_many;
+    whole->advance(0.012, by_one);
+    const auto expected = whole->balls(), to_device = continued(*many, *later_device, by_device),
+               to_many = continued(*device, *later_many, by_many);
+    // As moves_as_many_balls_do, whose errors grow to some 1e-17 m.
+    double off = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      off = max_or_nan(off, max_or_nan(norm(expected[k].position - to_device[k].position),
+                                       norm(expected[k].position - to_many[k].position)));
+    stays_below(w.name + ": positions off after a change at 7 ms [m]", off, 1e-12,
+                "one solver from the start");
+    EXPECT_EQ(by_one.all.size(), by_device.all.size());
+    EXPECT_EQ(by_one.all.size(), by_many.all.size());
+  }
 }
 
 /// Runs with the pretended card, or with the driver that MAHLWERK_TEST_CARD names

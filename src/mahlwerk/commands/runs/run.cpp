@@ -199,7 +199,9 @@ std::unique_ptr<campaign::Checkpoint> checkpoint(const RunArguments& given,
                                                                    ? "omit [observe] frames"
                                                                    : "write collisions = false"),
           "bad-checkpoint"});
-    what += cases::write(job.mill_case) + cases::input_files_fingerprint(job.mill_case);
+    cases::Case on_any = job.mill_case;  // a run may go on where another device left it
+    on_any.run.device = cases::DeviceName::automatic;
+    what += cases::write(on_any) + cases::input_files_fingerprint(job.mill_case);
     replicates += static_cast<std::size_t>(job.mill_case.run.replicates);
   }
   fs::path place = jobs.front().place;

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mahlwerk/soft/kernel/ball_record.hpp"
+#include "mahlwerk/soft/kernel/contact_state.hpp"
 #include "mahlwerk/soft/kernel/step_data.hpp"
 #include "mahlwerk/soft/walls/drive_sample.hpp"
 
@@ -16,25 +17,6 @@ namespace mahlwerk::soft {
 /// Whether a listed pair touches; `ended`: not any more in this step, whose force is the last.
 enum class Touch : std::uint8_t { apart, touching, ended };
 
-/// History of a contact, and its sums since the onset.
-struct ContactState {
-  Vec<double> spring{};  ///< [m] half a step ahead; with partial slip its force [N]
-  double impulse = 0, lost_normal = 0, lost_tangential = 0;  ///< [N s], [J], [J]
-  std::int64_t onset_step = 0;
-  double approach = 0, slip = 0, glide = 0;  ///< [m/s] at the onset
-  bool tensile = false;                      ///< the load was < 0 at the last step
-};
-/// History that only some laws and rolling models need.
-struct OptionalState {
-  double law_history[contact::law_history_size]{};
-  Vec<double> rolling_spring_torque{};
-  double stiffness = 0;
-};
-/// History that only partial slip and twisting friction need (FrictionHistory).
-struct FrictionState {
-  Vec<double> turning_force{};
-  double load = 0, twist = 0;
-};
 /// Work of a pair since its sums were collected [J], and its largest overlap over min_radius().
 struct ContactSums {
   double normal = 0, tangential = 0, rolling = 0, sliding = 0, wall = 0, max_overlap = 0;

@@ -19,12 +19,11 @@ std::string device_lacks(const geometry::AnyShape& shape, const Settings& settin
   return {};
 }
 
-std::unique_ptr<scene::Engine> make_device_engine(std::unique_ptr<const MovingWall> jar,
-                                                  const geometry::AnyShape& shape,
+std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber& chamber,
                                                   const std::vector<scene::Ball>& balls,
                                                   const Settings& settings,
                                                   const contact::PairTable& pairs, double start) {
-  return std::make_unique<DeviceSolver>(std::move(jar), shape, balls, settings, pairs, start);
+  return std::make_unique<DeviceSolver>(chamber, balls, settings, pairs, start);
 }
 
 }  // namespace mahlwerk::soft

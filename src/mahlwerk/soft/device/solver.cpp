@@ -11,6 +11,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
+#include "mahlwerk/soft/walls/chamber_wall.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -26,15 +27,16 @@ void put_bytes(unsigned char (&to)[size], const T* from, std::size_t bytes) {
 
 }  // namespace
 
-DeviceSolver::DeviceSolver(std::unique_ptr<const MovingWall> jar, const geometry::AnyShape& shape,
-                           const std::vector<scene::Ball>& balls, const Settings& settings,
-                           const contact::PairTable& pairs, double start)
-    : jar_(std::move(jar)),
+DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls,
+                           const Settings& settings, const contact::PairTable& pairs, double start)
+    : chamber_(chamber),
+      pair_table_(pairs),
+      jar_(moving_wall(chamber)),
       settings_(settings),
       pairs_(balls, pairs, *settings.model.law),
       device_(settings.device()),
       law_(std::visit([]<class L>(const L&) { return law_kernels<L>(); }, *settings_.model.law)),
-      shape_(shape_kernels(shape).value()),
+      shape_(shape_kernels(*chamber.shape).value()),
       start_(start),
       has_history_(
           std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||

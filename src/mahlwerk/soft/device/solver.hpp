@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/device/ball_kernels.hpp"
@@ -14,6 +15,7 @@
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/rest_watch.hpp"
 #include "mahlwerk/soft/settings.hpp"
+#include "mahlwerk/soft/solver_state.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 #include "mahlwerk/soft/walls/moving_wall.hpp"
 
@@ -24,9 +26,8 @@ namespace mahlwerk::soft {
 /// have the same bits on every device.
 class DeviceSolver final : public scene::Engine {
  public:
-  DeviceSolver(std::unique_ptr<const MovingWall> jar, const geometry::AnyShape& shape,
-               const std::vector<scene::Ball>& balls, const Settings& settings,
-               const contact::PairTable& pairs, double start);
+  DeviceSolver(const scene::Chamber& chamber, const std::vector<scene::Ball>& balls,
+               const Settings& settings, const contact::PairTable& pairs, double start);
 
   void advance(double time, scene::Observer& observer) override;
   scene::EnergyBalance energy_balance() const override;
@@ -34,6 +35,7 @@ class DeviceSolver final : public scene::Engine {
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
   void serialize(Archive& archive) override;
+  SolverState state() const;
 
  private:
   // The main loop (solver.cpp).
@@ -75,7 +77,13 @@ class DeviceSolver final : public scene::Engine {
   template <class Totals>
   std::vector<Totals> partial_sums(const Kernel& kernel, const DeviceArrays& arrays) const;
 
+  // The state for another solver (transfer.cpp).
+  void take(const SolverState& state);
+  void take_contacts(const SolverState& state, const std::vector<std::int32_t>& row);
+  SolverState state_of_many(Archive& archive) const;
+
   // State (state.cpp).
+  void serialize_lists(Archive& archive);
   struct HostBalls {
     std::vector<BallRecord> rows;
     std::vector<SpinRecord> spins;
@@ -119,6 +127,8 @@ class DeviceSolver final : public scene::Engine {
   void swap_lists();
   void swap_balls();
 
+  scene::Chamber chamber_;
+  contact::PairTable pair_table_;
   std::unique_ptr<const MovingWall> jar_;
   Settings settings_;
   SpeciesPairs pairs_;

@@ -61,8 +61,26 @@ std::vector<Vec3> DeviceSolver::forces() const {
   return forces;
 }
 
-/// Everything that the next step reads; what a rebuild makes anew is left out.
+/// The state as any solver of many balls takes it, and the lists, with which this one goes on to
+/// the bit.
 void DeviceSolver::serialize(Archive& archive) {
+  if (archive.reading() && !archive.begins_with(SolverState::mark))
+    return take(state_of_many(archive));
+  std::int64_t mark = SolverState::mark;
+  SolverState common = archive.reading() ? SolverState{} : state();
+  common.serialize(archive(mark));
+  Archive own;
+  if (!archive.reading()) serialize_lists(own);
+  std::string lists = own.bytes();
+  archive(lists);
+  if (!archive.reading()) return;
+  own = Archive(lists);
+  serialize_lists(own);
+  own.finish();
+}
+
+/// Everything that the next step reads; what a rebuild makes anew is left out.
+void DeviceSolver::serialize_lists(Archive& archive) {
   const bool reading = archive.reading();
   const auto array = [&](auto& memory, auto*& at, std::size_t count) {
     using T = std::remove_cvref_t<decltype(*at)>;

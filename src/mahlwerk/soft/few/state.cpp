@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mahlwerk/soft/few/solver.hpp"
+#include "mahlwerk/soft/solver_state.hpp"
 
 // State of the balls, forces and checkpoints.
 namespace mahlwerk::soft {
@@ -28,6 +29,8 @@ std::vector<Vec3> FewBodySolver::forces() const {
 }
 
 void FewBodySolver::serialize(Archive& archive) {
+  if (archive.reading() && archive.begins_with(SolverState::mark))
+    throw SolverState::of_few_balls();
   ParticleData& w = particles_;
   archive(w.step)(w.wall_points_due)(w.list_step)(w.touched);
   archive(now_)(skip_end_)(next_skip_)(skipped_steps_);

@@ -18,6 +18,7 @@
 #include "mahlwerk/soft/neighbours/grid.hpp"
 #include "mahlwerk/soft/rest_watch.hpp"
 #include "mahlwerk/soft/settings.hpp"
+#include "mahlwerk/soft/solver_state.hpp"
 #include "mahlwerk/soft/species_pairs.hpp"
 
 namespace mahlwerk::soft {
@@ -37,6 +38,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
   void serialize(Archive& archive) override;
+  SolverState state() const;
 
  private:
   // The main loop (solver.cpp).
@@ -68,6 +70,13 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
   Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
   Vec3 spin(std::size_t row) const;
+
+  // The state for another solver (transfer.cpp).
+  SolverState::Contact contact_of(const ContactPackets& list, std::size_t packet, std::size_t lane,
+                                  bool wall) const;
+  void take_contact(Chunk& chunk, const SolverState::Contact& contact,
+                    const std::vector<std::int32_t>& row);
+  void take(const SolverState& state);
 
   // Order of the balls, chunks (order.cpp).
   void sort_into_chunks();

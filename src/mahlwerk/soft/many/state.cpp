@@ -65,6 +65,14 @@ std::vector<Vec3> ManyBodySolver::forces() const {
 }
 
 void ManyBodySolver::serialize(Archive& archive) {
+  if (archive.reading() && archive.begins_with(SolverState::mark)) {
+    std::int64_t mark = 0;
+    SolverState state;
+    std::string lists;  // of DeviceSolver
+    state.serialize(archive(mark));
+    archive(lists);
+    return take(state);
+  }
   const std::size_t balls = rows_.size();
   archive(step_)(reference_step_)(
       skin_)(largest_coordinate_)(used_skin_)(tests_at_rebin_)(pairs_rebinned_)(tuning_);
