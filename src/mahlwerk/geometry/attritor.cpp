@@ -12,37 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Gap to a solid cylinder about z with a flat end at z = 0, infinitely long upwards.
-Gap from_shaft(const Vec3& p, double radius) {
-  const double r = math::hypot(p.x, p.y), out = r - radius, below = -p.z;
-  const Vec3 side = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
-  if (out > 0 && below > 0) {
-    const double far = math::hypot(out, below);
-    return {far, out / far * side - Vec3{0, 0, below / far}, 0};
-  }
-  if (below > out) return {below, {0, 0, -1}, 0};
-  return {out, side, -1 / radius};
-}
-
 }  // namespace
-
-/// Vector from the nearest point of an arm's axis to `p` [m].
-Vec3 Attritor::from_core(int face, const Vec3& p) const {
-  const int arm = face - first_rotor_face - 1;
-  const double half = 0.5 * (arm_span - arm_diameter);
-  const double z = p.z + 0.5 * height - arm_clearance - arm * arm_spacing;
-  return arm % 2 == 0 ? Vec3{p.x - std::clamp(p.x, -half, half), p.y, z}
-                      : Vec3{p.x, p.y - std::clamp(p.y, -half, half), z};
-}
-
-Gap Attritor::gap(int face, const Vec3& p) const {
-  if (face < first_rotor_face) return vessel().gap(face, p);
-  if (face == first_rotor_face)
-    return from_shaft(p + Vec3{0, 0, 0.5 * height - shaft_clearance}, 0.5 * shaft_diameter);
-  const Vec3 e = from_core(face, p);
-  const double far = norm(e), radius = 0.5 * arm_diameter;
-  return {far - radius, far > 0 ? e / far : Vec3{0, 0, 1}, -1 / radius};
-}
 
 Vec3 Attritor::normal_rate(int face, const Vec3& p, const Vec3& v) const {
   if (face < first_rotor_face) return vessel().normal_rate(face, p, v);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/cylinder.hpp"
 #include "mahlwerk/geometry/surface.hpp"
 
@@ -67,7 +69,13 @@ struct Attritor {
   std::string flaw() const;
 
   /// For the stirrer's faces at its initial angle, with the first arm along x.
-  Gap gap(int face, const Vec3& p) const;
+  Gap gap(int face, const Vec3& p) const {
+    if (face < first_rotor_face) return vessel().gap(face, p);
+    if (face == first_rotor_face) return from_shaft(p + Vec3{0, 0, 0.5 * height - shaft_clearance});
+    const Vec3 e = from_core(face, p);
+    const double far = norm(e), radius = 0.5 * arm_diameter;
+    return {far - radius, far > 0 ? e / far : Vec3{0, 0, 1}, -1 / radius};
+  }
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const;
   double time_to_curvature_jump(int, const Vec3&, const Vec3&) const { return never; }
   SafeTime safe_time(int face, const SafeTimeQuery& c, double radius) const {
@@ -90,7 +98,26 @@ struct Attritor {
 
  private:
   Cylinder vessel() const { return {diameter, height}; }
-  Vec3 from_core(int face, const Vec3& p) const;
+  /// Gap to the shaft: a solid cylinder about z with a flat end at z = 0, without end upwards.
+  Gap from_shaft(const Vec3& p) const {
+    const double radius = 0.5 * shaft_diameter;
+    const double r = math::hypot(p.x, p.y), out = r - radius, below = -p.z;
+    const Vec3 side = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
+    if (out > 0 && below > 0) {
+      const double far = math::hypot(out, below);
+      return {far, out / far * side - Vec3{0, 0, below / far}, 0};
+    }
+    if (below > out) return {below, {0, 0, -1}, 0};
+    return {out, side, -1 / radius};
+  }
+  /// Vector from the nearest point of an arm's axis to `p` [m].
+  Vec3 from_core(int face, const Vec3& p) const {
+    const int arm = face - first_rotor_face - 1;
+    const double half = 0.5 * (arm_span - arm_diameter);
+    const double z = p.z + 0.5 * height - arm_clearance - arm * arm_spacing;
+    return arm % 2 == 0 ? Vec3{p.x - std::clamp(p.x, -half, half), p.y, z}
+                        : Vec3{p.x, p.y - std::clamp(p.y, -half, half), z};
+  }
   std::pair<Vec3, double> largest_ball() const;
 };
 

@@ -13,6 +13,8 @@
 
 namespace mahlwerk::geometry {
 
+struct BoxSearch;
+
 /// Bounding volume hierarchy for queries near a point. A node is identified by its number, a leaf
 /// by ~number; the caller defines what a leaf is. Boxes lie along the coordinate axes until
 /// orient() lays them along the surface.
@@ -77,63 +79,16 @@ class BoxTree {
     if (root >= 0) orient(root, piece, pieces);
   }
 
-  /// Calls `visit(leaf, within2)` for the leaves nearer to `p` than the square root of `within2`
-  /// [m2], nearer boxes first. `visit` may reduce `within2`. `root` is the node to begin with.
-  template <class Visit>
-  void near(std::int32_t root, const Vec3& p, double& within2, Visit visit) const {
-    const Probe probe = probe_at(p);
-    search(
-        root, within2, [&](const Box& box) { return box.distance2(probe); },
-        [&](std::int32_t leaf, double, double& most) { visit(leaf, most); });
-  }
-
-  /// Calls `visit(leaf, bound, most)` for the leaves whose boxes have a `bound(box)` less than
-  /// `most`, the least first; that of a root which is a leaf is 0. `visit` may reduce `most`.
-  template <class Bound, class Visit>
-  void search(std::int32_t root, double& most, Bound bound, Visit visit) const {
-    struct StackEntry {
-      std::int32_t id;
-      double bound;
-    };
-    // One waiting node per level, in a tree of at most 2^31 leaves.
-    std::array<StackEntry, 64> stack;
-    std::size_t count = 0;
-    double least = 0;  // bound of the node `id`
-    for (std::int32_t id = root;;) {
-      if (id < 0) {
-        visit(~id, least, most);
-      } else {
-        const Node& node = nodes_[static_cast<std::size_t>(id)];
-        StackEntry a{node.child[0], bound(node.box[0])};
-        StackEntry b{node.child[1], bound(node.box[1])};
-        if (b.bound < a.bound) std::swap(a, b);
-        if (b.bound < most) stack[count++] = b;
-        if (a.bound < most) {
-          id = a.id, least = a.bound;
-          continue;
-        }
-      }
-      while (count > 0 && !(stack[count - 1].bound < most)) --count;
-      if (count == 0) return;
-      id = stack[--count].id, least = stack[count].bound;
-    }
-  }
-
-  Probe probe_at(const Vec3& p) const {
-    const auto all = [](double a) {
-      const auto x = static_cast<float>(a);
-      return Four{x, x, x, x};
-    };
-    // A coordinate in a box is a sum of three products: six roundings of up to 6e-8 of the norm.
-    return {all(p.x), all(p.y), all(p.z),
-            all(8e-7 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), widest_}))};
-  }
-
- private:
+  /// The boxes as they are stored, for searches.
   struct Node {
     std::array<Box, 2> box;
     std::array<std::int32_t, 2> child;
   };
+  /// The tree without memory of its own: `copy(vector)` says where the elements are.
+  template <class Copy>
+  BoxSearch view(const Copy& copy) const;
+
+ private:
   /// Appends the pieces below a node, and lays its boxes along them.
   template <class PieceOf>
   void orient(std::int32_t id, PieceOf& piece, std::vector<Piece>& pieces) {
@@ -153,5 +108,68 @@ class BoxTree {
   std::vector<Node> nodes_;
   double widest_ = 0;  // [m] largest of all coordinates
 };
+
+/// Searches in a tree, wherever its nodes are.
+struct BoxSearch {
+  const BoxTree::Node* nodes = nullptr;
+  double widest = 0;  ///< [m] largest of all coordinates
+
+  /// Calls `visit(leaf, within2)` for the leaves nearer to `p` than the square root of `within2`
+  /// [m2], nearer boxes first. `visit` may reduce `within2`. `root` is the node to begin with.
+  template <class Visit>
+  void near(std::int32_t root, const Vec3& p, double& within2, Visit visit) const {
+    const BoxTree::Probe probe = probe_at(p);
+    search(
+        root, within2, [&](const BoxTree::Box& box) { return box.distance2(probe); },
+        [&](std::int32_t leaf, double, double& most) { visit(leaf, most); });
+  }
+
+  /// Calls `visit(leaf, bound, most)` for the leaves whose boxes have a `bound(box)` less than
+  /// `most`, the least first; that of a root which is a leaf is 0. `visit` may reduce `most`.
+  template <class Bound, class Visit>
+  void search(std::int32_t root, double& most, Bound bound, Visit visit) const {
+    struct StackEntry {
+      std::int32_t id;
+      double bound;
+    };
+    // One waiting node per level, in a tree of at most 2^31 leaves.
+    std::array<StackEntry, 64> stack;
+    std::size_t count = 0;
+    double least = 0;  // bound of the node `id`
+    for (std::int32_t id = root;;) {
+      if (id < 0) {
+        visit(~id, least, most);
+      } else {
+        const BoxTree::Node& node = nodes[id];
+        StackEntry a{node.child[0], bound(node.box[0])};
+        StackEntry b{node.child[1], bound(node.box[1])};
+        if (b.bound < a.bound) std::swap(a, b);
+        if (b.bound < most) stack[count++] = b;
+        if (a.bound < most) {
+          id = a.id, least = a.bound;
+          continue;
+        }
+      }
+      while (count > 0 && !(stack[count - 1].bound < most)) --count;
+      if (count == 0) return;
+      id = stack[--count].id, least = stack[count].bound;
+    }
+  }
+
+  BoxTree::Probe probe_at(const Vec3& p) const {
+    const auto all = [](double a) {
+      const auto x = static_cast<float>(a);
+      return BoxTree::Four{x, x, x, x};
+    };
+    // A coordinate in a box is a sum of three products: six roundings of up to 6e-8 of the norm.
+    return {all(p.x), all(p.y), all(p.z),
+            all(8e-7 * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), widest}))};
+  }
+};
+
+template <class Copy>
+BoxSearch BoxTree::view(const Copy& copy) const {
+  return {copy(nodes_), widest_};
+}
 
 }  // namespace mahlwerk::geometry

@@ -69,6 +69,8 @@ struct Mesh {
   double min_concave_radius() const;  // [m] (geo.12)
   const Surface& surface() const;     // empty for a mesh without one
   bool operator==(const Mesh& o) const;
+  /// Null for a mesh without a surface.
+  const MeshWall* wall() const { return wall_.get(); }
 
  private:
   struct NearestFace {

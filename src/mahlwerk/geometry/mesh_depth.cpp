@@ -71,6 +71,7 @@ DepthSample hill_climb(DepthSample from, double step, double least, LocalDepth d
 /// Samples the depth at cell centres. A distance changes by no more than the point moves, so one
 /// sample gives a bound for a whole cell.
 void MeshWall::sample_depth() {
+  constexpr int cells = MeshView::cells;
   const Vec3 cell = extent_.size() / cells;
   const double half = 0.5 * norm(cell) * (1 + 1e-6);  // and float rounding
   std::vector<std::int32_t> all(facets_.facets.size());

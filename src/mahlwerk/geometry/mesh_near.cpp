@@ -20,7 +20,7 @@ Gap MeshWall::gap(int face, const Vec3& p, double within, NearFacets& near) cons
   ClosestPoint best;
   if (near.face != face || !nearest_listed(near, p, within, best))
     best = list_near(best, face, p, within, near);
-  return gap_at(best, face, p, within);
+  return view_.gap_at(best, face, p, within);
 }
 
 /// Finds what nearest_on() finds among the listed facets. Returns whether no other facet of the
@@ -33,7 +33,7 @@ bool MeshWall::nearest_listed(const NearFacets& near, const Vec3& p, double with
   double least = within * within;
   for (std::size_t k = 0; k < near.count; ++k) {
     if (static_cast<double>(near.list[k].from) > moved) break;
-    take_nearer(near.list[k].facet, p, least, best);
+    view_.take_nearer(near.list[k].facet, p, least, best);
   }
   return true;
 }
@@ -46,7 +46,7 @@ MeshWall::ClosestPoint MeshWall::list_near(ClosestPoint nearest, int face, const
   constexpr double range = 1.05, beyond_all = 1.003;
   double within2 = range * range * within * within;
   if (nearest.facet >= 0) within2 = nearest.distance2;
-  nearest_on(face, p, within2, nearest);
+  view_.nearest_on(face, p, within2, nearest);
   near.count = 0, near.face = face, near.place = p;
   near.range = nearest.facet < 0 ? range * within : std::sqrt(nearest.distance2);
   if (near.range > beyond_all * within) return {};
@@ -63,9 +63,10 @@ void MeshWall::list_around(const ClosestPoint& nearest, int face, NearFacets& ne
   std::array<Found, NearFacets::most> found;
   std::size_t& count = near.count;
   const double margin = 1e-9 * std::sqrt(nearest.distance2);  // for rounding of equal distances
-  const BoxTree::Probe at = tree_.probe_at(near.place), at_wall = tree_.probe_at(nearest.point);
+  const BoxTree::Probe at = view_.tree.probe_at(near.place),
+                       at_wall = view_.tree.probe_at(nearest.point);
   double least = std::numeric_limits<double>::infinity();
-  tree_.search(
+  view_.tree.search(
       roots_[as_index(face)], least,
       [&](const BoxTree::Box& box) {
         const double excess = box.distance2(at) - nearest.distance2;

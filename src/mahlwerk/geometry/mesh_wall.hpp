@@ -7,6 +7,7 @@
 
 #include "mahlwerk/geometry/box_tree.hpp"
 #include "mahlwerk/geometry/facets.hpp"
+#include "mahlwerk/geometry/mesh_view.hpp"
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 
@@ -15,10 +16,13 @@ namespace mahlwerk::geometry {
 /// The inner wall of a closed surface of triangles, and distances of points from it.
 class MeshWall {
  public:
-  static constexpr double far = not_near;
+  using NearestFace = MeshView::NearestFace;
+  static constexpr double far = MeshView::far;
 
   /// `surface` must be without a flaw (flaw_of()); `crease_angle` [rad].
   MeshWall(Surface surface, double crease_angle);
+  MeshWall(MeshWall&&) = default;  // no copies: the view would be that of the original
+  MeshWall& operator=(MeshWall&&) = default;
 
   const Surface& surface() const { return surface_; }
   int faces() const { return facets_.faces; }
@@ -46,10 +50,6 @@ class MeshWall {
   /// As distances(), for one face; never negative.
   double distance(int face, const Vec3& p, double within) const;
 
-  struct NearestFace {
-    int face = 0;
-    Gap gap;  ///< negative outside
-  };
   /// The nearest face of the whole wall.
   NearestFace nearest(const Vec3& p) const;
   /// Distance from these facets [m], < 0 outside, if it is more than `depth` [m]; otherwise any
@@ -62,39 +62,24 @@ class MeshWall {
   /// Lower bound of the distance of p from the wall, for p inside [m]; 0 where none is stored.
   double distance_bound(const Vec3& p) const;
 
+  /// What answers these queries, with the arrays where `copy(vector)` says.
+  template <class Copy>
+  MeshView view(const Copy& copy) const;
+
  private:
-  struct ClosestPoint {
-    Vec3 point;
-    double distance2 = 0;  // [m2]
-    std::int32_t facet = -1;
-    int feature = 0;  // 0 the plane, 1 to 3 a side, 4 to 6 a corner
-  };
-  struct Feature {
-    Vec3 normal;         // into the jar
-    std::int32_t owner;  // the face that owns it
-  };
+  using ClosestPoint = MeshView::ClosestPoint;
 
   std::vector<std::int32_t> build_trees();
   void orient_trees();
   void measure();
   void sample_depth();
+  void renew_view();
 
-  static ClosestPoint closest_point_on(const Facet& facet, const Vec3& p);
-  static bool beyond(const Facet& facet, const Vec3& p, double least);
-  static bool nearer(const ClosestPoint& a, const ClosestPoint& best, double least);
-  Feature feature_of(const ClosestPoint& closest) const;
-  bool in_normal_cone(const ClosestPoint& closest, const Vec3& p) const;
-  bool is_contact(const ClosestPoint& closest, int face, const Vec3& p) const;
-  ClosestPoint nearest_contact(int face, const Vec3& p, double within) const;
-  Gap gap_at(ClosestPoint best, int face, const Vec3& p, double within) const;
-  void take_nearer(std::int32_t facet, const Vec3& p, double& least, ClosestPoint& best) const;
   bool nearest_listed(const NearFacets& near, const Vec3& p, double within,
                       ClosestPoint& best) const;
   ClosestPoint list_near(ClosestPoint nearest, int face, const Vec3& p, double within,
                          NearFacets& near) const;
   void list_around(const ClosestPoint& nearest, int face, NearFacets& near) const;
-  void nearest_on(int face, const Vec3& p, double& within2, ClosestPoint& best) const;
-  NearestFace signed_nearest(const ClosestPoint& closest, const Vec3& p) const;
 
   Surface surface_;
   Facets facets_;
@@ -106,8 +91,22 @@ class MeshWall {
   double volume_ = 0, reach_ = 0, radius_about_axis_ = 0, inradius_ = 0;
   Vec3 largest_ball_centre_;
 
-  static constexpr int cells = 24;      // number along each side of the extent
   std::vector<float> distance_bounds_;  // [m] lower bound for all points of a cell
+  MeshView view_;                       // of the arrays above
 };
+
+template <class Copy>
+MeshView MeshWall::view(const Copy& copy) const {
+  return {.facets = copy(facets_.facets),
+          .vertices = copy(facets_.vertices),
+          .incident_sides = copy(facets_.incident_sides),
+          .roots = copy(roots_),
+          .distance_bounds = copy(distance_bounds_),
+          .tree = tree_.view(copy),
+          .face_tree = face_tree_.view(copy),
+          .root = root_,
+          .faces = facets_.faces,
+          .extent = extent_};
+}
 
 }  // namespace mahlwerk::geometry

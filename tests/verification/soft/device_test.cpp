@@ -13,20 +13,74 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <numbers>
+#include <utility>
+#include <variant>
 
 #include "crowd.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/geometry/mesh_wall.hpp"
+#include "mahlwerk/soft/device/device.hpp"
 #include "mahlwerk/soft/on_device.hpp"
+#include "meshes.hpp"
 #include "same_bits.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::tests::device_test {
 namespace {
 
+/// A vessel whose stirrer is at its initial angle when runs begin, at 0.37 s.
+World stirred() {
+  geometry::Attritor vessel{.diameter = 0.06,
+                            .height = 0.05,
+                            .shaft_diameter = 0.012,
+                            .shaft_clearance = 0.008,
+                            .arms = 2,
+                            .arm_diameter = 0.006,
+                            .arm_span = 0.04,
+                            .arm_clearance = 0.014,
+                            .arm_spacing = 0.014,
+                            .rotor_speed = 8 * std::numbers::pi / 0.37};
+  vessel.complete();
+  std::vector<scene::Ball> balls = lattice_of(200, 0.0058, {0.0025});
+  std::erase_if(balls, [&](const scene::Ball& b) {
+    double least = geometry::never;
+    for (int face = 0; face < vessel.faces; ++face)
+      least = std::min(least, vessel.gap(face, b.position).distance);
+    return least < 1.02 * b.radius;
+  });
+  return {"stirred",
+          {vessel, kinematics::Still{}, {}, {0, 0, -gravity}},
+          balls,
+          of_law(contact::HertzMindlin{}, contact::Rolling::cdt)};
+}
+
+/// Jars of triangles: a drum with bars, and dents all round, with few and with many creases.
+std::vector<World> mesh_worlds() {
+  const Vec3 down{0, 0, -gravity};
+  const geometry::Mesh drum = mesh_of(drum_with_lifters(0.05, 0.04, 6, 0.003, 0.004)),
+                       smooth = mesh_of(lumpy(0.026)), creased = mesh_of(lumpy(0.026, 2), 0.2);
+  const kinematics::Planetary planet{0.07, 40, -2};
+  return {{"mesh, drum with bars",
+           {drum, kinematics::Tumbling{12}, scene::mounted_along({1, 0, 0}), down},
+           lattice_of(60, 0.0055, {0.0025}, 2),
+           of_law(contact::HertzMindlin{}, contact::Rolling::cdt)},
+          {"mesh, dents",
+           {smooth, planet, {}, down},
+           lattice_of(60, 0.0055, {0.0025, 0.0015}, 2),
+           of_law(contact::WaltonBraun{}, contact::Rolling::epsd)},
+          {"mesh, dents with creases, sticking",
+           {creased, shaken(20, 0.015), {}, down},
+           lattice_of(60, 0.0055, {0.0025, 0.002}, 2),
+           of_law(contact::Jkr{}, contact::Rolling::viscous)}};
+}
+
 /// Charges that a device computes: all but curved walls.
 std::vector<World> device_worlds() {
   std::vector<World> all = worlds();
   std::erase_if(all, [](const World& w) { return w.law.curved_walls; });
+  for (World& w : mesh_worlds()) all.push_back(std::move(w));
+  all.push_back(stirred());
   World bars = all.front();
   bars.name = "drum with bars";
   geometry::LifterCylinder drum;
@@ -34,7 +88,7 @@ std::vector<World> device_worlds() {
   drum.lifter_width = 0.004, drum.lifter_face_angle = 1.2;
   drum.complete();
   bars.mill = {drum, kinematics::Tumbling{12}, scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
-  bars.balls = lattice_of(60, 0.0055, {0.0025});
+  bars.balls = lattice_of(60, 0.0055, {0.0025}, 2);
   all.push_back(bars);
   return all;
 }
@@ -61,7 +115,7 @@ TEST(DeviceSolver, moves_as_many_balls_do) {
     for (scene::Ball& b : aside.balls) b.position.x += 1e-13;
     const auto many = crowd(w), device = on_device(w), nudged = on_device(aside);
     Recorder by_many, by_device, by_nudged;
-    const double time = 0.012;
+    const double time = 0.03;
     many->advance(time, by_many);
     device->advance(time, by_device);
     nudged->advance(time, by_nudged);
@@ -72,8 +126,11 @@ TEST(DeviceSolver, moves_as_many_balls_do) {
       grown = max_or_nan(grown, norm(c[i].position - b[i].position));
     }
     EXPECT_GT(by_device.all.size(), 30U);
+    const auto at_walls = std::ranges::count_if(
+        by_device.all, [](const scene::Collision& hit) { return hit.other < 0; });
+    EXPECT_GT(at_walls, geometry::faces(*w.mill.shape) > 0 ? 5 : -1);
     EXPECT_EQ(by_many.all.size(), by_device.all.size());
-    stays_below(w.name + ": positions off after 12 ms [m]", off, std::max(1e-12, 10 * grown),
+    stays_below(w.name + ": positions off after 30 ms [m]", off, std::max(1e-12, 10 * grown),
                 "the same by ManyBodySolver; grown from 1e-13 m");
     const scene::EnergyBalance x = many->energy_balance(), y = device->energy_balance();
     const double scale = x.kinetic + std::abs(x.wall_work) + x.lost();
@@ -179,6 +236,39 @@ TEST(DeviceSolver, and_the_solver_of_many_balls_continue_each_other) {
   }
 }
 
+/// What a run says that ends with an error.
+std::string error_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(DeviceSolver, finds_a_ball_outside_a_mesh_as_many_balls_do) {
+  // Behind a wall within reach, and beyond the extent.
+  for (const World& jar : mesh_worlds())
+    for (const double past : {1e-4, 0.02}) {
+      SCOPED_TRACE(jar.name);
+      World w = jar;
+      w.mill.motion = kinematics::Still{}, w.mill.mount = {};
+      const auto& mesh = std::get<geometry::Mesh>(*w.mill.shape);
+      const double reach = 0.06, step = 1e-6;
+      const Vec3 along{0.36, 0.48, 0.8};
+      double out = 0;
+      while (mesh.wall()->nearest(out * along).gap.distance > 0 && out < reach) out += step;
+      w.balls[7].position = (out + past) * along;
+      const auto told = [](const std::string& error) {
+        return error.substr(0, error.find(", its velocity"));
+      };
+      const std::string many = error_of([&] { crowd(w); }),
+                        device = error_of([&] { on_device(w); });
+      EXPECT_NE(device.find("ball 8: it is outside the jar"), std::string::npos) << device;
+      EXPECT_EQ(told(many), told(device));
+    }
+}
+
 /// Runs with the pretended card, or with the driver that MAHLWERK_TEST_CARD names
 /// (tools/gpu_check).
 class GraphicsCard : public testing::Test {
@@ -221,16 +311,6 @@ TEST_F(GraphicsCard, computes_the_bits_of_the_host_for_ten_thousand_balls) {
   card->advance(steps * w.step, by_card);
   expect_same(by_host, by_card);
   expect_same(*host, *card);
-}
-
-/// What a run says that ends with an error.
-std::string error_of(const std::function<void()>& run) {
-  try {
-    run();
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "";
 }
 
 TEST_F(GraphicsCard, that_fails_ends_a_run_with_its_words_and_loses_no_collision) {

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 
 #include "mahlwerk/geometry/lifter_cylinder.hpp"
+#include "mahlwerk/geometry/mesh.hpp"
+#include "mahlwerk/geometry/mesh_wall.hpp"
 
-// Shapes as kernels read them: without memory of their own.
+// Shapes as kernels read them: values, or addresses of arrays in the memory of the device.
 namespace mahlwerk::soft {
 
 /// What stands for a shape on a device: itself, where it is a plain value.
@@ -32,20 +35,25 @@ struct DeviceShapeOf<geometry::LifterCylinder> {
   using Type = FlatLifterCylinder;
 };
 
-template <class S>
-using DeviceShape = typename DeviceShapeOf<S>::Type;
-
-/// Whether kernels can read a shape: a mesh has trees of its own, and a stirrer's gap is no
-/// template.
-template <class S>
-concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>> && !requires {
-  S::first_rotor_face;
+template <>
+struct DeviceShapeOf<geometry::Mesh> {
+  using Type = geometry::MeshView;
 };
 
 template <class S>
-DeviceShape<S> device_shape(const S& shape) {
+using DeviceShape = typename DeviceShapeOf<S>::Type;
+
+/// Whether kernels can read a shape.
+template <class S>
+concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>>;
+
+/// What kernels read. `copy(vector)` copies elements to the device and returns their address there.
+template <class S, class Copy>
+DeviceShape<S> device_shape(const S& shape, const Copy& copy) {
   if constexpr (std::same_as<S, geometry::LifterCylinder>)
     return {shape.shell(), shape.section(), shape.lifters};
+  else if constexpr (std::same_as<S, geometry::Mesh>)
+    return shape.wall() != nullptr ? shape.wall()->view(copy) : geometry::MeshView{};
   else
     return shape;
 }

@@ -21,21 +21,35 @@ Kernel kernel_of(std::string_view of, const char* name, decltype(Kernel::call) c
 
 std::optional<ShapeKernels> shape_kernels(const geometry::AnyShape& shape) {
   return std::visit(
-      []<class S>(const S& own) -> std::optional<ShapeKernels> {
+      []<class S>(const S&) -> std::optional<ShapeKernels> {
         if constexpr (HasDeviceShape<S>) {
           using D = DeviceShape<S>;
-          const D flat = device_shape(own);
-          ShapeKernels all{kernel_of(S::name, "find_wall_point", find_wall_point<D>),
-                           kernel_of(S::name, "count_walls", count_walls<D>),
-                           kernel_of(S::name, "fill_walls", fill_walls<D>),
-                           std::vector<unsigned char>(sizeof flat)};
-          std::memcpy(all.shape.data(), &flat, sizeof flat);
-          return all;
+          return ShapeKernels{kernel_of(S::name, "find_wall_point", find_wall_point<D>),
+                              kernel_of(S::name, "count_walls", count_walls<D>),
+                              kernel_of(S::name, "fill_walls", fill_walls<D>)};
         } else {
           return std::nullopt;
         }
       },
       shape);
+}
+
+std::vector<unsigned char> shape_for_kernels(const geometry::AnyShape& shape,
+                                             const Upload& upload) {
+  const auto copy = [&]<class T>(const std::vector<T>& all) {
+    return static_cast<const T*>(upload(all.data(), all.size() * sizeof(T)));
+  };
+  std::vector<unsigned char> bytes;
+  std::visit(
+      [&]<class S>(const S& own) {
+        if constexpr (HasDeviceShape<S>) {
+          const DeviceShape<S> flat = device_shape(own, copy);
+          bytes.resize(sizeof flat);
+          std::memcpy(bytes.data(), &flat, sizeof flat);
+        }
+      },
+      shape);
+  return bytes;
 }
 
 const CommonKernels& common_kernels() {

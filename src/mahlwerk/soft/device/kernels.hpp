@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/soft/device/device.hpp"
@@ -23,13 +25,17 @@ struct LawKernels {
 template <class Law>
 LawKernels law_kernels();
 
-/// Kernels that know the shape of the jar (wall_kernels.hpp), and the shape as they read it.
+/// Kernels that know the shape of the jar (wall_kernels.hpp).
 struct ShapeKernels {
   Kernel find_wall_point, count_walls, fill_walls;
-  std::vector<unsigned char> shape;
 };
 /// Empty for a shape that has none yet.
 std::optional<ShapeKernels> shape_kernels(const geometry::AnyShape& shape);
+
+/// Copies bytes to the memory of a device, for a whole run; returns their address there.
+using Upload = std::function<const void*(const void* from, std::size_t bytes)>;
+/// The shape as its kernels read it, with its arrays where `upload` has put them.
+std::vector<unsigned char> shape_for_kernels(const geometry::AnyShape& shape, const Upload& upload);
 
 /// Kernels that know neither.
 struct CommonKernels {

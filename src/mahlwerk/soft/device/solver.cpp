@@ -73,7 +73,7 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
       half_kicks_(*device_) {
   std::visit([&](const auto& law) { put_bytes(arrays_.law, &law, sizeof law); },
              *settings_.model.law);
-  put_bytes(arrays_.shape, shape_.shape.data(), shape_.shape.size());
+  set_shape(shape);
   arrays_.constants = step_constants(settings_, jar_->periods());
   arrays_.faces = jar_->faces();
   arrays_.first_rotor_face = jar_->first_rotor_face();
@@ -82,6 +82,16 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
   const scene::EnergyBalance now = energy_balance();
   energy_balance_.initial_energy = now.kinetic + now.potential + now.elastic;
   watch_.begin(now);
+}
+
+/// The shape, and copies of its arrays if it has some.
+void DeviceSolver::set_shape(const geometry::AnyShape& shape) {
+  const auto bytes = shape_for_kernels(shape, [&](const void* from, std::size_t count) {
+    unsigned char* to = shape_arrays_.emplace_back(*device_).reserve(count);
+    device_->write(to, from, count);
+    return to;
+  });
+  put_bytes(arrays_.shape, bytes.data(), bytes.size());
 }
 
 /// Parameters of all species and pairs of them, and the size classes: octaves of the radius.
@@ -154,6 +164,7 @@ void DeviceSolver::set_balls(const std::vector<scene::Ball>& balls) {
                                      sizeof(ContactSums) / sizeof(double));
   arrays_.control = control_.reserve(1);
   balls_->rows.write(start.rows), balls_->species.write(start.species), balls_->id.write(start.id);
+  balls_->spins.zeroed(count), balls_->half_step.zeroed(count);  // an error of the lists tells them
   load_inputs(0, 1);
   rebuild_lists(0);
   check_start();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <list>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,7 @@ class DeviceSolver final : public scene::Engine {
 
  private:
   // The main loop (solver.cpp).
+  void set_shape(const geometry::AnyShape& shape);
   void set_species(const contact::PairTable& pairs);
   void set_balls(const std::vector<scene::Ball>& balls);
   void load_inputs(std::int64_t first, std::int64_t last);
@@ -152,6 +154,7 @@ class DeviceSolver final : public scene::Engine {
   DeviceArray<StepInput> inputs_;
   DeviceArray<PairParameters> parameters_;
   DeviceArray<VectorPair> half_kicks_;
+  std::list<DeviceArray<unsigned char>> shape_arrays_;
 
   std::int64_t step_ = 0, reference_step_ = 0, rested_steps_ = 0, tests_ = 0, contact_steps_ = 0;
   double target_time_ = 0, start_energy_ = 0;

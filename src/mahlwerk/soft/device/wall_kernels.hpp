@@ -14,37 +14,56 @@ const S& shape_of(const DeviceArrays& a) {
   return *reinterpret_cast<const S*>(a.shape);
 }
 
-/// Distance and inward normal of a face at a position in the jar frame, at the present input.
-template <class S>
-inline geometry::Gap gap_of(const DeviceArrays& a, std::int32_t face, const Vec3& position) {
+inline const Rotation& axes_of_face(const DeviceArrays& a, std::int32_t face) {
   const WallAxes& axes = a.input().axes;
-  const Rotation& turned = face < a.first_rotor_face ? axes.own : axes.rotor;
-  geometry::Gap gap = shape_of<S>(a).gap(face, turned.apply_inverse(position));
-  gap.inward = turned * gap.inward;
-  return gap;
+  return face < a.first_rotor_face ? axes.own : axes.rotor;
 }
 
 /// The point of the face nearest to the ball.
 template <class S>
 inline void find_wall_point(const DeviceArrays& a, std::int64_t index) {
   if (a.halted()) return;
-  const std::int32_t p = a.list.pairs + static_cast<std::int32_t>(index);
-  const Vec3 position = a.now.rows[a.list.i[p]].position();
-  const geometry::Gap gap = gap_of<S>(a, a.list.j[p], position);
-  a.wall_points[index] = position - gap.distance * gap.inward;
+  const std::int32_t p = a.list.pairs + static_cast<std::int32_t>(index), face = a.list.j[p];
+  const BallRecord& ball = a.now.rows[a.list.i[p]];
+  const Rotation& turned = axes_of_face(a, face);
+  const double within = (1 + past_touch) * ball.radius + a.pull_off_distance;
+  const Vec3 position = ball.position();
+  const geometry::Gap gap =
+      geometry::gap_near(shape_of<S>(a), face, turned.apply_inverse(position), within);
+  a.wall_points[index] = position - gap.distance * (turned * gap.inward);
 }
+
+/// A shape that finds its near faces by itself, and by that whether a point is outside.
+template <class S>
+concept FindsNearFaces = requires(const S s, void (*f)(std::int32_t, double)) {
+  s.distances(Vec3{}, 0.0, f);
+};
 
 /// Calls `f(face)` for the faces near ball k.
 template <class S, class F>
 inline void for_each_near_face(const DeviceArrays& a, std::int32_t k, const F& f) {
   const BallRecord& ball = a.now.rows[k];
-  for (std::int32_t face = 0; face < a.faces; ++face) {
-    const double gap = gap_of<S>(a, face, ball.position()).distance - ball.radius;
-    if (gap > a.skin + a.pull_off_distance || !shape_of<S>(a).can_touch(face, ball.radius))
-      continue;
-    if (!(gap > -ball.radius)) atomic_lower(&a.control->bad_ball, a.now.id[k]);
+  const S& shape = shape_of<S>(a);
+  const double reach = a.skin + a.pull_off_distance, within = ball.radius + reach;
+  std::int32_t first = 0, last = a.faces - 1;
+  bool outside = false;
+  if constexpr (FindsNearFaces<S>) {
+    first = a.faces, last = -1;
+    shape.distances(axes_of_face(a, 0).apply_inverse(ball.position()), within,
+                    [&](std::int32_t face, double distance) {
+                      first = std::min(first, face), last = std::max(last, face);
+                      outside = outside || distance < 0;
+                    });
+  }
+  for (std::int32_t face = first; face <= last; ++face) {
+    const Vec3 p = axes_of_face(a, face).apply_inverse(ball.position());
+    const double distance = geometry::distance(shape, face, p, within),
+                 gap = distance - ball.radius;
+    if (gap > reach || !shape.can_touch(face, ball.radius)) continue;
+    outside = outside || !(gap > -ball.radius);
     f(face);
   }
+  if (outside) atomic_lower(&a.control->bad_ball, a.now.id[k]);
 }
 template <class S>
 inline void count_walls(const DeviceArrays& a, std::int64_t index) {

@@ -6,6 +6,10 @@
 
 namespace mahlwerk::soft {
 
+/// Fraction of the radius: range beyond touch in which the wall point is still computed, for
+/// contacts that have just ended (dem.36).
+constexpr double past_touch = 0.01;
+
 /// The drive (motion of the jar) sampled at one step, in the jar frame.
 struct DriveSample {
   Vec3 body_acceleration;  ///< [m/s2] gravity minus the acceleration of the jar's centre

@@ -17,10 +17,6 @@
 
 namespace mahlwerk::soft {
 
-/// Fraction of the radius: range beyond touch in which the wall point is still computed, for
-/// contacts that have just ended (dem.36).
-constexpr double past_touch = 0.01;
-
 /// A ball near a face. The wall point is not updated while the ball has moved by less than `slack`
 /// since the neighbour list was built: until then the ball cannot touch the face.
 struct WallNeighbour {
