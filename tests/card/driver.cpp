@@ -83,10 +83,8 @@ void add_laws(std::map<std::string, Kernel>& all, const std::variant<Laws...>*) 
 }
 template <class... Shapes>
 void add_shapes(std::map<std::string, Kernel>& all, const std::variant<Shapes...>*) {
-  const auto add = [&](const std::optional<ShapeKernels>& k) {
-    if (!k) return;
-    for (const Kernel& one : {k->find_wall_point, k->count_walls, k->fill_walls})
-      all[one.name] = one;
+  const auto add = [&](const ShapeKernels& k) {
+    for (const Kernel& one : {k.find_wall_point, k.count_walls, k.fill_walls}) all[one.name] = one;
   };
   (add(shape_kernels(geometry::AnyShape(Shapes{}))), ...);
 }

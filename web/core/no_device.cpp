@@ -18,7 +18,7 @@ CardInfo graphics_card_info() {
   graphics_card();
   return {};
 }
-std::string device_lacks(const geometry::AnyShape&, const Settings&) {
+std::string device_lacks(const Settings&) {
   return {};
 }
 std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber&,

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "mahlwerk/contact/pair_table.hpp"
-#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 #include "mahlwerk/scene/engine.hpp"
@@ -30,7 +29,7 @@ CardInfo graphics_card_info();
 constexpr double card_memory_per_ball = 4000;
 
 /// What of a run kernels do not compute, in words; empty if they compute all.
-std::string device_lacks(const geometry::AnyShape& shape, const Settings& settings);
+std::string device_lacks(const Settings& settings);
 
 /// The soft engine on Settings::device.
 std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber& chamber,

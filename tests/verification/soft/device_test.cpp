@@ -20,7 +20,6 @@
 #include "crowd.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/geometry/mesh_wall.hpp"
-#include "mahlwerk/soft/device/device.hpp"
 #include "mahlwerk/soft/on_device.hpp"
 #include "meshes.hpp"
 #include "same_bits.hpp"

@@ -44,9 +44,7 @@ std::vector<Fault> device_faults(const cases::Case& mill_case) {
         fmt::format("device = \"gpu\": engine = \"{}\" does not compute on a graphics card",
                     cases::name_of(mill_case.run.engine)),
         "write engine = \"soft\", or device = \"cpu\"");
-  if (const std::string lacks =
-          soft::device_lacks(*mill_case.jar.shape, soft_settings(mill_case).rules);
-      !lacks.empty())
+  if (const std::string lacks = soft::device_lacks(soft_settings(mill_case).rules); !lacks.empty())
     return fault(fmt::format("device = \"gpu\" does not compute {} yet", lacks),
                  "write device = \"cpu\"");
   try {

@@ -43,10 +43,6 @@ struct DeviceShapeOf<geometry::Mesh> {
 template <class S>
 using DeviceShape = typename DeviceShapeOf<S>::Type;
 
-/// Whether kernels can read a shape.
-template <class S>
-concept HasDeviceShape = std::is_trivially_copyable_v<DeviceShape<S>>;
-
 /// What kernels read. `copy(vector)` copies elements to the device and returns their address there.
 template <class S, class Copy>
 DeviceShape<S> device_shape(const S& shape, const Copy& copy) {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
-
 #include "mahlwerk/soft/device/solver.hpp"
 #include "mahlwerk/soft/on_device.hpp"
 
@@ -12,8 +10,7 @@ CardInfo graphics_card_info() {
   return {card->name(), static_cast<double>(card->free_bytes())};
 }
 
-std::string device_lacks(const geometry::AnyShape& shape, const Settings& settings) {
-  if (!shape_kernels(shape)) return fmt::format("a jar of kind \"{}\"", geometry::name_of(shape));
+std::string device_lacks(const Settings& settings) {
   if (settings.liquid) return "a liquid";
   if (settings.model.curved_walls) return "the curvature of walls (contact.curved_walls)";
   return {};

@@ -19,17 +19,13 @@ Kernel kernel_of(std::string_view of, const char* name, decltype(Kernel::call) c
   return {module, name + ('_' + module), call};
 }
 
-std::optional<ShapeKernels> shape_kernels(const geometry::AnyShape& shape) {
+ShapeKernels shape_kernels(const geometry::AnyShape& shape) {
   return std::visit(
-      []<class S>(const S&) -> std::optional<ShapeKernels> {
-        if constexpr (HasDeviceShape<S>) {
-          using D = DeviceShape<S>;
-          return ShapeKernels{kernel_of(S::name, "find_wall_point", find_wall_point<D>),
-                              kernel_of(S::name, "count_walls", count_walls<D>),
-                              kernel_of(S::name, "fill_walls", fill_walls<D>)};
-        } else {
-          return std::nullopt;
-        }
+      []<class S>(const S&) {
+        using D = DeviceShape<S>;
+        return ShapeKernels{kernel_of(S::name, "find_wall_point", find_wall_point<D>),
+                            kernel_of(S::name, "count_walls", count_walls<D>),
+                            kernel_of(S::name, "fill_walls", fill_walls<D>)};
       },
       shape);
 }
@@ -41,12 +37,10 @@ std::vector<unsigned char> shape_for_kernels(const geometry::AnyShape& shape,
   };
   std::vector<unsigned char> bytes;
   std::visit(
-      [&]<class S>(const S& own) {
-        if constexpr (HasDeviceShape<S>) {
-          const DeviceShape<S> flat = device_shape(own, copy);
-          bytes.resize(sizeof flat);
-          std::memcpy(bytes.data(), &flat, sizeof flat);
-        }
+      [&](const auto& own) {
+        const auto flat = device_shape(own, copy);
+        bytes.resize(sizeof flat);
+        std::memcpy(bytes.data(), &flat, sizeof flat);
       },
       shape);
   return bytes;

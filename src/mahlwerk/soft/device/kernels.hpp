@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +28,7 @@ LawKernels law_kernels();
 struct ShapeKernels {
   Kernel find_wall_point, count_walls, fill_walls;
 };
-/// Empty for a shape that has none yet.
-std::optional<ShapeKernels> shape_kernels(const geometry::AnyShape& shape);
+ShapeKernels shape_kernels(const geometry::AnyShape& shape);
 
 /// Copies bytes to the memory of a device, for a whole run; returns their address there.
 using Upload = std::function<const void*(const void* from, std::size_t bytes)>;

@@ -36,7 +36,7 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
       pairs_(balls, pairs, *settings.model.law),
       device_(settings.device()),
       law_(std::visit([]<class L>(const L&) { return law_kernels<L>(); }, *settings_.model.law)),
-      shape_(shape_kernels(*chamber.shape).value()),
+      shape_(shape_kernels(*chamber.shape)),
       start_(start),
       has_history_(
           std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||
@@ -73,7 +73,7 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
       half_kicks_(*device_) {
   std::visit([&](const auto& law) { put_bytes(arrays_.law, &law, sizeof law); },
              *settings_.model.law);
-  set_shape(shape);
+  set_shape(*chamber.shape);
   arrays_.constants = step_constants(settings_, jar_->periods());
   arrays_.faces = jar_->faces();
   arrays_.first_rotor_face = jar_->first_rotor_face();
