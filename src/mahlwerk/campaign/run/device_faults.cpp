@@ -8,6 +8,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/soft/on_device.hpp"
 
 namespace mahlwerk::campaign {
@@ -30,7 +31,12 @@ std::vector<Fault> memory_faults_of_card(const cases::Case& mill_case) {
 }  // namespace
 
 double card_memory(const cases::Case& mill_case) {
-  return soft::card_memory_per_ball * static_cast<double>(cases::balls_count(mill_case.balls));
+  constexpr double of_triangle = 500;  // [bytes]
+  double needed =
+      soft::card_memory_per_ball * static_cast<double>(cases::balls_count(mill_case.balls));
+  if (const auto* mesh = std::get_if<geometry::Mesh>(&*mill_case.jar.shape))
+    needed += of_triangle * static_cast<double>(mesh->surface().triangles.size());
+  return needed;
 }
 
 std::vector<Fault> device_faults(const cases::Case& mill_case) {

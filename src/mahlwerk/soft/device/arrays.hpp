@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "mahlwerk/soft/device/atomics.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/contact_state.hpp"
 #include "mahlwerk/soft/kernel/step_data.hpp"
@@ -150,7 +151,7 @@ struct DeviceArrays {
   alignas(16) unsigned char law[most_model_bytes]{};    ///< the contact law
   alignas(16) unsigned char shape[most_model_bytes]{};  ///< the shape of the jar
 
-  bool halted() const { return control->step >= control->halt_at; }
+  bool halted() const { return control->step >= shared_word(control->halt_at); }
   const StepInput& input() const { return inputs[control->step - first_input]; }
 };
 

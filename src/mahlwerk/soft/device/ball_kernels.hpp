@@ -70,8 +70,8 @@ inline void move_ball(const DeviceArrays& a, std::int64_t index) {
   row.z = row.z + dt * half.z;
   const double moved = squared(row.position() - a.reference[k]);
   if (moved < 0.25 * a.skin * a.skin) return;
-  a.control->halt_at = a.control->step + 1;
-  a.control->moved = 1;
+  set_shared(a.control->halt_at, a.control->step + 1);
+  set_shared(a.control->moved, 1);
 }
 
 /// Ends a step that was computed; by one thread.

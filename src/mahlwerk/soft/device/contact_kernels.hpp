@@ -143,7 +143,7 @@ inline void end_contact(const DeviceArrays& a, std::int32_t p, std::int32_t spec
   const bool wall = p >= a.list.pairs;
   const BallRecord& ball = a.now.rows[i];
   const std::int64_t at = atomic_add(&a.control->ended, std::int64_t{1});
-  if (at + a.list.size() >= a.most_ended) a.control->halt_at = a.control->step + 1;
+  if (at + a.list.size() >= a.most_ended) set_shared(a.control->halt_at, a.control->step + 1);
   a.ended[at] = {.step = a.control->step,
                  .onset_step = state.onset_step,
                  .index = p,
