@@ -96,8 +96,9 @@ template <class Law, class V>
   const V steps_in_contact =
       inverse_overlap_change *
       select<V>(transitions.ended, overlap + pull_off_distance + overlap_change, overlap);
-  const Mask partial_step = (transitions.begun & less(steps_in_contact, zero + 1.5)) |
-                            (transitions.ended & less(zero - 0.5, steps_in_contact));
+  const Mask just_begun = both(transitions.begun, less(steps_in_contact, zero + 1.5)),
+             just_ended = both(transitions.ended, less(zero - 0.5, steps_in_contact)),
+             partial_step = just_begun | just_ended;
   const Mask corrected = partial_step & overlap_changes;
   const V step_fraction =
       min(max(steps_in_contact, zero + 1e-9), one);  // in steps, from touch or to the end

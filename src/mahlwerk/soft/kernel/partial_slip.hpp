@@ -45,8 +45,8 @@ template <class V>
   // The force of the turning point stays the same share of the limit.
   history.turning_force = (load / max(history.load, zero + 1e-200)) *
                           rotate_to_tangent_plane(history.turning_force, normal);
-  const auto reversed = less(dot(force - history.turning_force, half_slip), zero) &
-                        less(zero, history.load);  // the first step of a contact turns nothing
+  const auto reversed = both(less(dot(force - history.turning_force, half_slip), zero),
+                             less(zero, history.load));  // the first step turns nothing
   history.turning_force = select<V>(reversed, force, history.turning_force);
   const Vec<V> since = force - history.turning_force;
   const V size = sqrt(dot(since, since));
