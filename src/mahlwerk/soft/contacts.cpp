@@ -45,6 +45,21 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
   return parameters;
 }
 
+std::vector<PairParameters> all_pair_parameters(const SpeciesPairs& pairs, int faces,
+                                                const Settings& settings) {
+  std::vector<PairParameters> all(pairs.all().size());
+  const auto count = static_cast<std::int32_t>(pairs.all_species().size());
+  for (std::int32_t a = 0; a < count; ++a) {
+    const auto put = [&](std::int32_t pair, const Species* other) {
+      all[static_cast<std::size_t>(pair)] =
+          pair_parameters(pairs[pair], pairs.species(a), other, settings);
+    };
+    for (std::int32_t b = 0; b < count; ++b) put(pairs.ball_pair_index(a, b), &pairs.species(b));
+    for (int face = 0; face < faces; ++face) put(pairs.wall_pair_index(a, face), nullptr);
+  }
+  return all;
+}
+
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
                           int face, const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::ContactModel& model) {

@@ -17,6 +17,10 @@ namespace mahlwerk::soft {
 PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const Species* b,
                                const Settings& settings);
 
+/// Those of all pairs, in the order of SpeciesPairs::all().
+std::vector<PairParameters> all_pair_parameters(const SpeciesPairs& pairs, int faces,
+                                                const Settings& settings);
+
 /// Replaces the coefficients of a lane by those with R* from both principal curvatures of the face
 /// (dem.4), for a ball at `position` [m].
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,

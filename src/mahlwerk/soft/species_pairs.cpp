@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/soft/species_pairs.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/laws.hpp"
 
 namespace mahlwerk::soft {
@@ -45,6 +48,22 @@ SpeciesPairs::SpeciesPairs(const std::vector<scene::Ball>& balls, const contact:
     for (int face = 0; face < pairs.faces(); ++face)
       pairs_.push_back(make_pair(pairs.wall(a.kind, face), a.radius, a.mass,
                                  contact::slip_factor(a.inertia_ratio)));
+  }
+}
+
+SizeClasses::SizeClasses(std::span<const Species> species, int most)
+    : smallest(std::ranges::min(species, {}, &Species::radius).radius) {
+  const auto octave = [&](double r) {
+    return std::min(static_cast<int>(std::floor(math::log2(r / smallest))), most - 1);
+  };
+  std::map<int, std::int32_t> numbers;
+  for (const Species& s : species) numbers[octave(s.radius)] = 0;
+  for (std::int32_t next = 0; auto& [at, number] : numbers) number = next++;
+  radius.resize(numbers.size());
+  for (const Species& s : species) {
+    of.push_back(numbers[octave(s.radius)]);
+    double& widest = radius[static_cast<std::size_t>(of.back())];
+    widest = std::max(widest, s.radius);
   }
 }
 

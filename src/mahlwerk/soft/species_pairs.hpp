@@ -59,4 +59,14 @@ class SpeciesPairs {
   std::int32_t row_length_ = 0;
 };
 
+/// Size classes of species, octaves of the radius above the smallest, the finest first; at most
+/// `most`. Classes without a species are left out.
+struct SizeClasses {
+  SizeClasses(std::span<const Species> species, int most);
+
+  std::vector<std::int32_t> of;  ///< class of each species
+  std::vector<double> radius;    ///< [m] of the largest ball of each class
+  double smallest = 0;           ///< [m] of all
+};
+
 }  // namespace mahlwerk::soft

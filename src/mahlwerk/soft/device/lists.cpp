@@ -42,10 +42,8 @@ void DeviceSolver::rebuild_lists(std::int64_t step) {
 /// the tests of pairs that do not touch.
 void DeviceSolver::tune_skin(std::int64_t lasted) {
   constexpr std::int64_t few_steps = 16, many_steps = 48;
-  double smallest = geometry::never;
-  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
-  if (lasted < few_steps) arrays_.skin = std::min(1.15 * arrays_.skin, 0.8 * smallest);
-  if (lasted > many_steps) arrays_.skin = std::max(arrays_.skin / 1.15, 0.02 * smallest);
+  if (lasted < few_steps) arrays_.skin = std::min(1.15 * arrays_.skin, 0.8 * smallest_radius_);
+  if (lasted > many_steps) arrays_.skin = std::max(arrays_.skin / 1.15, 0.02 * smallest_radius_);
 }
 
 Corners DeviceSolver::corners() const {

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 
-#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
@@ -94,49 +92,35 @@ void DeviceSolver::set_shape(const geometry::AnyShape& shape) {
   put_bytes(arrays_.shape, bytes.data(), bytes.size());
 }
 
-/// Parameters of all species and pairs of them, and the size classes: octaves of the radius.
+/// Parameters of all species and pairs of them.
 void DeviceSolver::set_species(const contact::PairTable& pairs) {
-  const auto count = static_cast<std::int32_t>(pairs_.all_species().size());
-  arrays_.species = count, arrays_.species_row = count + pairs.faces();
-  std::vector<PairParameters> parameters(pairs_.all().size());
-  std::vector<double> released(parameters.size()), mass, inertia;
+  arrays_.species = static_cast<std::int32_t>(pairs_.all_species().size());
+  arrays_.species_row = arrays_.species + pairs.faces();
+  const std::vector<PairParameters> parameters =
+      all_pair_parameters(pairs_, pairs.faces(), settings_);
+  std::vector<double> released, mass, inertia;
   std::vector<VectorPair> half_kicks;
-  double smallest = geometry::never;
-  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
-  std::map<int, std::int32_t> classes;
-  const auto octave = [&](double r) {
-    return std::min(static_cast<int>(std::floor(math::log2(r / smallest))),
-                    DeviceArrays::most_classes - 1);
-  };
-  for (const Species& s : pairs_.all_species()) classes[octave(s.radius)] = 0;
-  for (std::int32_t number = 0; auto& [at, value] : classes) value = number++;
-  arrays_.classes = static_cast<int>(classes.size());
-  std::vector<std::int32_t> size_class;
-  for (std::int32_t a = 0; a < count; ++a) {
-    const Species& s = pairs_.species(a);
-    const auto put = [&](std::int32_t k, const Species* other) {
-      const auto at = static_cast<std::size_t>(k);
-      parameters[at] = pair_parameters(pairs_[k], s, other, settings_);
-      released[at] = separation_energy(parameters[at], 0, *settings_.model.law);
-      arrays_.pull_off_distance = std::max(arrays_.pull_off_distance, pairs_[k].pull_off_distance);
-    };
-    for (std::int32_t b = 0; b < count; ++b) put(pairs_.ball_pair_index(a, b), &pairs_.species(b));
-    for (int face = 0; face < pairs.faces(); ++face) put(pairs_.wall_pair_index(a, face), nullptr);
+  for (const PairParameters& p : parameters)
+    released.push_back(separation_energy(p, 0, *settings_.model.law));
+  for (const SpeciesPair& p : pairs_.all())
+    arrays_.pull_off_distance = std::max(arrays_.pull_off_distance, p.pull_off_distance);
+  for (const Species& s : pairs_.all_species()) {
     const double kick = 0.5 * settings_.time_step / s.mass,
                  spin_kick = 0.5 * settings_.time_step / s.inertia;
     half_kicks.push_back({kick, kick, kick, 0, spin_kick, spin_kick, spin_kick, 0});
     mass.push_back(s.mass), inertia.push_back(s.inertia);
-    size_class.push_back(classes[octave(s.radius)]);
-    double& widest = arrays_.class_radius[size_class.back()];
-    widest = std::max(widest, s.radius);
   }
-  arrays_.skin = 0.3 * smallest;
+  const SizeClasses classes(pairs_.all_species(), DeviceArrays::most_classes);
+  arrays_.classes = static_cast<int>(classes.radius.size());
+  std::ranges::copy(classes.radius, arrays_.class_radius);
+  smallest_radius_ = classes.smallest;
+  arrays_.skin = 0.3 * smallest_radius_;
   arrays_.parameters = parameters_.write(parameters);
   arrays_.separation_energy = separation_energy_.write(released);
   arrays_.half_kicks = half_kicks_.write(half_kicks);
   arrays_.mass = species_mass_.write(mass);
   arrays_.inertia = species_inertia_.write(inertia);
-  arrays_.size_class = size_class_.write(size_class);
+  arrays_.size_class = size_class_.write(classes.of);
 }
 
 /// Balls of step 0, whose lists say what the start presses together; then their rows one step

@@ -137,7 +137,7 @@ class DeviceSolver final : public scene::Engine {
   std::shared_ptr<Device> device_;
   LawKernels law_;
   ShapeKernels shape_;
-  double start_, mass_ = 0;
+  double start_, mass_ = 0, smallest_radius_ = 0;
   bool has_history_, has_friction_history_;
 
   mutable DeviceArrays arrays_;

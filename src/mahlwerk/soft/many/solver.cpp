@@ -6,9 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
-#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
@@ -47,36 +46,15 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
       has_friction_history_(settings.model.partial_slip ||
                             settings.model.twisting != contact::Twisting::none),
       team_(std::clamp(settings.threads, 1, useful_threads(balls.size()))) {
-  const auto species = static_cast<std::int32_t>(pairs_.all_species().size());
-  parameters_.resize(pairs_.all().size());
-  double smallest = geometry::never;
-  std::map<int, int> classes;  // size classes: octaves of the radius
-  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
-  const auto octave = [&](double r) {
-    return static_cast<int>(std::floor(math::log2(r / smallest)));
-  };
-  for (const Species& s : pairs_.all_species()) classes[octave(s.radius)] = 0;
-  for (int count = 0; auto& [at, number] : classes) number = count++;
-  class_radius_.resize(classes.size());
-  for (std::int32_t a = 0; a < species; ++a) {
-    const Species& s = pairs_.species(a);
-    for (std::int32_t b = 0; b < species; ++b) {
-      const std::int32_t k = pairs_.ball_pair_index(a, b);
-      parameters_[static_cast<std::size_t>(k)] =
-          pair_parameters(pairs_[k], s, &pairs_.species(b), settings_);
-    }
-    for (int face = 0; face < pairs.faces(); ++face) {
-      const std::int32_t k = pairs_.wall_pair_index(a, face);
-      parameters_[static_cast<std::size_t>(k)] = pair_parameters(pairs_[k], s, nullptr, settings_);
-    }
+  const SizeClasses classes(pairs_.all_species(), std::numeric_limits<int>::max());
+  class_of_ = classes.of, class_radius_ = classes.radius;
+  parameters_ = all_pair_parameters(pairs_, pairs.faces(), settings_);
+  for (const Species& s : pairs_.all_species()) {
     const double half_kick_factor = 0.5 * settings.time_step / s.mass,
                  half_spin_kick_factor = 0.5 * settings.time_step / s.inertia;
     half_kick_factors_.push_back({half_kick_factor, half_kick_factor, half_kick_factor, 0,
                                   half_spin_kick_factor, half_spin_kick_factor,
                                   half_spin_kick_factor, 0});
-    class_of_.push_back(classes[octave(s.radius)]);
-    double& widest = class_radius_[static_cast<std::size_t>(class_of_.back())];
-    widest = std::max(widest, s.radius);
   }
   for (const SpeciesPair& b : pairs_.all())
     pull_off_distance_ = std::max(pull_off_distance_, b.pull_off_distance);
@@ -84,7 +62,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     liquid_.emplace(*settings.liquid, settings.time_step);
     pull_off_distance_ = std::max(pull_off_distance_, liquid_->gap_reach(pairs_.all()));
   }
-  skin_ = 0.5 * smallest;
+  skin_ = 0.5 * classes.smallest;
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   wall_axes_ = jar_->axes(mill_time(0));
   initialize_rows(balls);

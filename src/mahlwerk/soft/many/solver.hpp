@@ -154,7 +154,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   bool periodic_, large_, has_history_, has_friction_history_;
   std::vector<PairParameters> parameters_;  // of each species pair
   std::vector<Lanes> half_kick_factors_;    // of each species
-  std::vector<int> class_of_;               // size class of each species
+  std::vector<std::int32_t> class_of_;      // size class of each species
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
   mutable ThreadTeam team_;
 
