@@ -4,8 +4,9 @@
 // A driver library of a graphics card that is none: memory is the host's, filled with garbage, and
 // a launch calls the kernels of the same names on the host, the last index first. It checks what it
 // is given: addresses, sizes, grids, contexts, and that the device code has the kernel. Environment
-// variables: MAHLWERK_CARD_FAILS="NAME N" lets the N-th call of a function fail,
-// MAHLWERK_CARD_MEMORY limits the memory [bytes], MAHLWERK_CARDS their number (1).
+// variables: MAHLWERK_CARD_FAILS="NAME N" lets the N-th call of a function fail, "NAME N+" that and
+// all later ones of any function, MAHLWERK_CARD_MEMORY limits the memory [bytes], MAHLWERK_CARDS
+// their number (1).
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -37,6 +38,7 @@ std::mutex mutex;
 std::map<CudaPointer, std::size_t> allocations;
 std::size_t used = 0;
 std::map<std::string, int> calls;
+bool broken = false;  // all calls fail from now on
 CudaContext the_context;
 thread_local CudaContext* current = nullptr;
 
@@ -50,13 +52,17 @@ bool fails(const char* name) {
   const std::lock_guard lock(mutex);
   static std::string last;
   const char* said = std::getenv("MAHLWERK_CARD_FAILS");
-  if (const std::string now = said != nullptr ? said : ""; now != last) last = now, calls.clear();
+  if (const std::string now = said != nullptr ? said : ""; now != last)
+    last = now, calls.clear(), broken = false;
   const int count = ++calls[name];
   if (said == nullptr) return false;
-  char which[64] = {};
+  if (broken) return true;
+  char which[64] = {}, more = 0;
   int number = 0;
-  return std::sscanf(said, "%63s %d", which, &number) == 2 && std::strcmp(which, name) == 0 &&
-         number == count;
+  const int words = std::sscanf(said, "%63s %d%c", which, &number, &more);
+  const bool now = words >= 2 && std::strcmp(which, name) == 0 && number == count;
+  if (now && more == '+') broken = true;
+  return now;
 }
 
 std::size_t memory() {
@@ -135,6 +141,7 @@ CudaStatus cuDevicePrimaryCtxRetain(CudaContext** context, int) {
   return 0;
 }
 CudaStatus cuCtxSetCurrent(CudaContext* context) {
+  if (fails("cuCtxSetCurrent")) return launch_failed;
   current = context;
   return context == &the_context ? 0 : refuse("context");
 }

@@ -14,9 +14,16 @@ std::shared_ptr<Device> graphics_card() {
                          "write device = \"cpu\", or run the case with the program",
                          "no-graphics-card"});
 }
-CardInfo graphics_card_info() {
+std::string graphics_card_name() {
   graphics_card();
   return {};
+}
+double free_card_memory() {
+  graphics_card();
+  return 0;
+}
+double card_memory_per_ball(const Settings&) {
+  return 0;
 }
 std::string device_lacks(const Settings&) {
   return {};

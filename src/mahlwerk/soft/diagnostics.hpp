@@ -12,6 +12,8 @@ namespace mahlwerk::soft {
 constexpr const char* energy_jump_message =
     "the energy of the balls jumped: a force was too strong for the step";
 
+constexpr const char* not_finite_message = "its position or velocity is not a finite number";
+
 /// The error of a run that stops at `time` [s] because of `ball`, counted from 0. Position [m] and
 /// velocity [m/s] in the jar frame.
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,

@@ -19,17 +19,15 @@ namespace mahlwerk::soft {
 /// MAHLWERK_CUDA_DRIVER names, else libcuda.so.1. Throws InputError where there is none, or it is
 /// too old.
 std::shared_ptr<Device> graphics_card();
-/// Its name and free memory [bytes]. Throws as graphics_card().
-struct CardInfo {
-  std::string name;
-  double free_memory = 0;
-};
-CardInfo graphics_card_info();
-/// Memory of a card for each ball of a dense charge [bytes] (docs/performance.md).
-constexpr double card_memory_per_ball = 4000;
-
+/// Its name; its free memory [bytes]. Both throw as graphics_card().
+std::string graphics_card_name();
+double free_card_memory();
 /// What of a run kernels do not compute, in words; empty if they compute all.
 std::string device_lacks(const Settings& settings);
+
+/// Memory of a card for each ball of a dense charge [bytes] (docs/performance.md): more where
+/// contacts have more history, or reach across gaps.
+double card_memory_per_ball(const Settings& settings);
 
 /// The soft engine on Settings::device.
 std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber& chamber,

@@ -42,8 +42,7 @@ struct SolverState {
   /// The error where one of the two solvers is that of few balls, which has no such state.
   static RunError of_few_balls() {
     return RunError(
-        "a state of so few balls goes from a graphics card to the processor, or back, "
-        "only as [run] start_from; resume the run with the device it began on");
+        "a state of so few balls does not go from a graphics card to the processor, or back");
   }
 
   void serialize(Archive& archive) {

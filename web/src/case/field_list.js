@@ -60,7 +60,7 @@ function fieldOf(known, section, entry, key) {
   if (number && known.default_source?.startsWith('"auto"') && [null, "auto"].includes(value))
     return automatic(base, known);
   const quantity = split(value ?? known?.default ?? known?.example);
-  const offered = known?.words?.filter((word) => word !== "lammps"); // another program, which no browser has
+  const offered = known?.words?.filter((word) => !["lammps", "gpu"].includes(word)); // no browser has them
   const words = offered?.length > 0 ? offered : null;
   if (words && known.type === "word") return { ...base, kind: "word", words,
     meanings: known.meanings ?? [] };

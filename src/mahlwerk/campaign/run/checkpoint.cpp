@@ -47,8 +47,13 @@ void Checkpoint::restore(std::size_t job, ReplicateRun& replica) {
     Archive archive(states_.state(job));
     replica.serialize(archive);
     archive.finish();
-  } catch (const RunError&) {
-    throw StateFile::damaged(file());
+  } catch (const RunError& e) {
+    const std::string why = e.what();
+    if (why == Archive::broken().what()) throw StateFile::damaged(file());
+    throw InputError(Fault{file().generic_string(), "the state cannot be set: " + why,
+                           "resume on the device that the run began on, or start it again, without "
+                           "--resume",
+                           "bad-checkpoint"});
   }
 }
 

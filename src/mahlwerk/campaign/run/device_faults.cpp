@@ -17,14 +17,14 @@ namespace {
 const std::string run_device = "run.device";
 
 std::vector<Fault> memory_faults_of_card(const cases::Case& mill_case) {
-  const double needed = card_memory(mill_case), free = soft::graphics_card_info().free_memory;
+  const double needed = card_memory(mill_case), free = soft::free_card_memory();
   if (needed <= free) return {};
   return {{cases::location_of(mill_case, run_device),
            fmt::format("{} balls need about {} of the graphics card's memory, but {} are free",
                        cases::balls_count(mill_case.balls), bytes_in_words(needed),
                        bytes_in_words(free)),
            fmt::format("take fewer or larger balls: about {:.2g} fit; or write device = \"cpu\"",
-                       free / soft::card_memory_per_ball),
+                       free / needed * static_cast<double>(cases::balls_count(mill_case.balls))),
            "not-enough-memory"}};
 }
 
@@ -32,8 +32,8 @@ std::vector<Fault> memory_faults_of_card(const cases::Case& mill_case) {
 
 double card_memory(const cases::Case& mill_case) {
   constexpr double of_triangle = 500;  // [bytes]
-  double needed =
-      soft::card_memory_per_ball * static_cast<double>(cases::balls_count(mill_case.balls));
+  double needed = soft::card_memory_per_ball(soft_settings(mill_case).rules) *
+                  static_cast<double>(cases::balls_count(mill_case.balls));
   if (const auto* mesh = std::get_if<geometry::Mesh>(&*mill_case.jar.shape))
     needed += of_triangle * static_cast<double>(mesh->surface().triangles.size());
   return needed;

@@ -176,11 +176,10 @@ namespace {
 /// Which card computes, and the memory it needs.
 Notices card_notices(const cases::Case& mill_case) {
   if (mill_case.run.device != cases::DeviceName::gpu) return {};
-  return {
-      note("graphics-card",
-           fmt::format("Computed by the graphics card {}, with about {} of its memory for each "
-                       "replicate.",
-                       soft::graphics_card_info().name, bytes_in_words(card_memory(mill_case))))};
+  return {note("graphics-card",
+               fmt::format("Computed by the graphics card {}, with about {} of its memory for each "
+                           "replicate.",
+                           soft::graphics_card_name(), bytes_in_words(card_memory(mill_case))))};
 }
 
 }  // namespace

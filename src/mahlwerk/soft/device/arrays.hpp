@@ -93,12 +93,12 @@ struct StateSums {
 
 /// Words by which kernels and host tell each other what happened.
 struct Control {
-  std::int64_t step = 0;      ///< that kernels compute, or build lists for
-  std::int64_t halt_at = 0;   ///< the first step that must not be computed
-  std::int64_t ended = 0;     ///< number of ended contacts
-  std::int32_t moved = 0;     ///< whether balls have left the range of the lists
-  std::int32_t bad_ball = 0;  ///< lowest id of a ball that is not inside the jar; no_ball: none
+  std::int64_t step = 0;     ///< that kernels compute, or build lists for
+  std::int64_t halt_at = 0;  ///< the first step that must not be computed
+  std::int64_t ended = 0;    ///< number of ended contacts
+  std::int32_t moved = 0;    ///< whether balls have left the range of the lists
   static constexpr std::int32_t no_ball = INT32_MAX;
+  std::int32_t bad_ball = no_ball;  ///< lowest id of a ball that is not inside the jar
 };
 
 /// Everything that kernels use. Pointers are those of the device.

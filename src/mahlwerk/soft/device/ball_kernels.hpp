@@ -70,6 +70,7 @@ inline void move_ball(const DeviceArrays& a, std::int64_t index) {
   row.z = row.z + dt * half.z;
   const double moved = squared(row.position() - a.reference[k]);
   if (moved < 0.25 * a.skin * a.skin) return;
+  if (!(moved < 1e300)) atomic_lower(&a.control->bad_ball, a.now.id[k]);
   set_shared(a.control->halt_at, a.control->step + 1);
   set_shared(a.control->moved, 1);
 }

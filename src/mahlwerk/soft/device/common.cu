@@ -7,6 +7,7 @@
 #pragma clang force_cuda_host_device end
 
 namespace soft = mahlwerk::soft;
+MAHLWERK_LAYOUT
 MAHLWERK_KERNEL(move_ball, soft::move_ball)
 MAHLWERK_KERNEL(end_step, soft::end_step)
 MAHLWERK_KERNEL(sum_balls, soft::sum_balls)

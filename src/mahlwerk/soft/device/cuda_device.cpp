@@ -19,14 +19,27 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// The text of a module of device code.
+InputError no_device_code(const std::string& what, const char* why) {
+  return InputError(Fault{"run.device",
+                          fmt::format("the code for graphics cards {}: {}", why, what),
+                          "build it: ./mahlwerk device (it needs clang)", "no-device-code"});
+}
+
+/// The text of a module of device code, made for the arrays of this program.
 std::string module_text(const std::string& module) {
-  const std::filesystem::path path = data_folder("device") / (module + ".ptx");
-  std::ifstream in(path, std::ios::binary);
+  const std::string file = module + ".ptx";
+  std::filesystem::path folder;
+  try {
+    folder = data_folder("device");
+  } catch (const InputError&) {
+    throw no_device_code(file, "is not here");
+  }
+  std::ifstream in(folder / file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in || text.empty())
-    throw InputError(Fault{path.string(), "this device code is not here or cannot be read",
-                           "build it: ./mahlwerk device (it needs clang)", "no-device-code"});
+  if (!in || text.empty()) throw no_device_code((folder / file).string(), "cannot be read");
+  const std::string layout = fmt::format("mahlwerk_layout = {};", sizeof(DeviceArrays));
+  if (text.find(layout) == std::string::npos)
+    throw no_device_code((folder / file).string(), "is damaged or that of another version");
   return text;
 }
 
@@ -56,8 +69,8 @@ class Card {
     if (status == 0) return;
     const char* words = nullptr;
     driver.cuGetErrorString(status, &words);
-    throw RunError(fmt::format("the graphics card {} failed ({}): {}", name, what,
-                               words != nullptr ? words : fmt::format("error {}", status)));
+    throw DeviceError(fmt::format("the graphics card {} failed ({}): {}", name, what,
+                                  words != nullptr ? words : fmt::format("error {}", status)));
   }
   CudaFunction* function(const Kernel& kernel) {
     const std::lock_guard lock(mutex_);
@@ -100,7 +113,7 @@ class CudaDevice final : public Device {
     CudaPointer memory = 0;
     const CudaStatus status = card_.driver.cuMemAlloc_v2(&memory, std::max<std::size_t>(bytes, 1));
     if (status == cuda_out_of_memory)
-      throw RunError(
+      throw DeviceError(
           fmt::format("the memory of the graphics card {} is full: {} MB more are "
                       "needed, {} MB are free. Use fewer balls, or device = \"cpu\"",
                       card_.name, bytes / 1000000 + 1, free_bytes() / 1000000));
@@ -148,17 +161,30 @@ class CudaDevice final : public Device {
   DeviceArrays last_arrays_;
 };
 
-}  // namespace
-
-std::shared_ptr<Device> graphics_card() {
+/// The card, opened at the first call.
+Card& opened_card() {
   static std::mutex mutex;
   static std::map<std::string, std::unique_ptr<Card>> cards;
   const char* said = std::getenv("MAHLWERK_CUDA_DRIVER");
-  const std::string library = said != nullptr ? said : "libcuda.so.1";
+  const bool named = said != nullptr && *said != 0;
+  const std::string library = named ? said : "libcuda.so.1";
   const std::lock_guard lock(mutex);
   std::unique_ptr<Card>& card = cards[library];
-  if (!card) card = std::make_unique<Card>(library);
-  return std::make_shared<CudaDevice>(*card);
+  if (!card) {
+    module_text("common");  // a case is refused before it runs
+    card = std::make_unique<Card>(library);
+  }
+  return *card;
+}
+
+}  // namespace
+
+std::shared_ptr<Device> graphics_card() {
+  return std::make_shared<CudaDevice>(opened_card());
+}
+
+std::string graphics_card_name() {
+  return opened_card().name;
 }
 
 }  // namespace mahlwerk::soft

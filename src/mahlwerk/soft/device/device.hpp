@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/soft/device/arrays.hpp"
 
 namespace mahlwerk::soft {
@@ -19,8 +20,14 @@ struct Kernel {
   void (*call)(const DeviceArrays& arrays, std::int64_t index) = nullptr;
 };
 
+/// A device failed; its arrays may be lost.
+class DeviceError : public RunError {
+ public:
+  using RunError::RunError;
+};
+
 /// What computes kernels for one run, and the memory where its arrays are. Operations are done in
-/// their order. All throw RunError where the device fails, with its own words.
+/// their order. All throw DeviceError where the device fails, with its own words.
 class Device {
  public:
   virtual ~Device() = default;

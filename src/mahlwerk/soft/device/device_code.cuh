@@ -40,6 +40,10 @@ static inline __device__ double cos(double) { return __builtin_nan(""); }
 static inline __device__ double atan2(double, double) { return __builtin_nan(""); }
 }  // namespace std
 
+/// The text of a module tells for which arrays it was made: "mahlwerk_layout = 1408;".
+#define MAHLWERK_LAYOUT \
+  extern "C" __device__ int mahlwerk_layout = sizeof(mahlwerk::soft::DeviceArrays);
+
 /// A kernel, which calls FUNCTION(arrays, index).
 #define MAHLWERK_KERNEL(NAME, FUNCTION)                                                        \
   extern "C" __global__ void NAME(const mahlwerk::soft::DeviceArrays* arrays,                  \

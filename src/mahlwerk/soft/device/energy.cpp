@@ -54,6 +54,15 @@ void DeviceSolver::add_sums(scene::EnergyBalance& a, const ContactSums& sums) co
 }
 
 scene::EnergyBalance DeviceSolver::energy_balance() const {
+  if (failure_.empty()) try {
+      last_balance_ = balance_on_device();
+    } catch (const DeviceError& e) {
+      failure_ = e.what();
+    }
+  return last_balance_;
+}
+
+scene::EnergyBalance DeviceSolver::balance_on_device() const {
   scene::EnergyBalance a = energy_balance_;
   add_sums(a, work(common_kernels().sum_work));
   a.time = time_of(step_);
@@ -86,7 +95,11 @@ scene::EnergyBalance DeviceSolver::energy_balance() const {
 
 /// The sums of a contact keep what it stores.
 void DeviceSolver::begin_counting() {
-  run(law_.begin_counting, arrays_.list.size());
+  if (failure_.empty()) try {
+      run(law_.begin_counting, arrays_.list.size());
+    } catch (const DeviceError& e) {
+      failure_ = e.what();
+    }
 }
 
 void DeviceSolver::check_energy() {

@@ -5,9 +5,17 @@
 
 namespace mahlwerk::soft {
 
-CardInfo graphics_card_info() {
-  const auto card = graphics_card();
-  return {card->name(), static_cast<double>(card->free_bytes())};
+double free_card_memory() {
+  return static_cast<double>(graphics_card()->free_bytes());
+}
+
+double card_memory_per_ball(const Settings& settings) {
+  constexpr double plain = 4000, more = 12000;
+  const contact::ContactModel& model = settings.model;
+  return contact::adhesion(*model.law).empty() && !model.partial_slip &&
+                 model.twisting == contact::Twisting::none
+             ? plain
+             : more;
 }
 
 std::string device_lacks(const Settings& settings) {

@@ -123,8 +123,8 @@ inline void scan_segment(const DeviceArrays& a, std::int64_t index) {
 
 // Pairs of balls.
 
-/// Calls `f(j)` for the balls j > k near ball k: within the skin and the pull-off distance. Rows
-/// are sorted by size class, so that the larger ball of two classes has the larger number.
+/// Calls `f(j)` for the balls j > k near ball k: within the skin and the pair's pull-off distance.
+/// Rows are sorted by size class, so that the larger ball of two classes has the larger number.
 template <class F>
 inline void for_each_near(const DeviceArrays& a, std::int32_t k, const F& f) {
   const BallRecord& ball = a.now.rows[k];
@@ -155,7 +155,9 @@ inline void for_each_near(const DeviceArrays& a, std::int32_t k, const F& f) {
             const BallRecord& other = a.now.rows[j];
             Vec<double> apart{other.x - ball.x, other.y - ball.y, other.z - ball.z};
             if (a.constants.periodic) apart = folded(apart, a.constants.periods);
-            const double within = ball.radius + other.radius + a.skin + a.pull_off_distance;
+            const std::int32_t pair = a.now.species[k] * a.species_row + a.now.species[j];
+            const double within =
+                ball.radius + other.radius + a.skin + a.parameters[pair].pull_off_distance[0];
             if (dot(apart, apart) < within * within) f(j);
           }
         }

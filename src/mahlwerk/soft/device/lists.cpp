@@ -22,13 +22,13 @@ void DeviceSolver::rebuild_lists(std::int64_t step) {
     collect_sums();
     tune_skin(step - reference_step_);
   }
-  control_.write({Control{.step = step, .bad_ball = Control::no_ball}});
+  control_.write({Control{.step = step}});
   const auto check = [&](const char* why) {
     const std::int32_t bad = control_.read(1).front().bad_ball;
     if (bad != Control::no_ball) stop(static_cast<std::size_t>(bad), why);
   };
   const Corners all = corners();
-  check("its position is not a number");
+  check(not_finite_message);
   set_grids(all);
   sort_into_cells();
   find_pairs();

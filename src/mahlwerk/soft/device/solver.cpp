@@ -80,6 +80,7 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
   const scene::EnergyBalance now = energy_balance();
   energy_balance_.initial_energy = now.kinetic + now.potential + now.elastic;
   watch_.begin(now);
+  this->balls();  // the last that is known, should the device fail
 }
 
 /// The shape, and copies of its arrays if it has some.
@@ -184,6 +185,16 @@ void DeviceSolver::load_inputs(std::int64_t first, std::int64_t last) {
 }
 
 void DeviceSolver::advance(double time, scene::Observer& observer) {
+  if (!failure_.empty()) throw DeviceError(failure_);
+  try {
+    advance_steps(time, observer);
+  } catch (const DeviceError& e) {
+    failure_ = e.what();
+    throw;
+  }
+}
+
+void DeviceSolver::advance_steps(double time, scene::Observer& observer) {
   const auto until = static_cast<std::int64_t>(std::ceil(time / settings_.time_step - 1e-6));
   target_time_ = time;
   while (step_ < until) {
@@ -200,6 +211,7 @@ void DeviceSolver::advance(double time, scene::Observer& observer) {
     collect_sums();
     check_energy();
     check_rest();
+    if (!failure_.empty()) throw DeviceError(failure_);
   }
 }
 
@@ -227,6 +239,12 @@ void DeviceSolver::run_steps(std::int64_t end) {
   tests_ += (control.step - 1 - step_) * arrays_.list.size();
   step_ = control.step - 1;
   lists_due_ = control.moved != 0;
+  if (control.bad_ball == Control::no_ball) return;
+  failure_ = not_finite_message;  // what is known of the balls is from before
+  throw unstable_run_error(time_of(step_), static_cast<std::size_t>(control.bad_ball),
+                           not_finite_message,
+                           last_balls_[static_cast<std::size_t>(control.bad_ball)].position,
+                           last_balls_[static_cast<std::size_t>(control.bad_ball)].velocity);
 }
 
 /// Hands over the records of the contacts that have ended, in the order of steps and pairs.

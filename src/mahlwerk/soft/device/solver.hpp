@@ -4,6 +4,7 @@
 
 #include <list>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "mahlwerk/scene/chamber.hpp"
@@ -40,6 +41,7 @@ class DeviceSolver final : public scene::Engine {
 
  private:
   // The main loop (solver.cpp).
+  void advance_steps(double time, scene::Observer& observer);
   void set_shape(const geometry::AnyShape& shape);
   void set_species(const contact::PairTable& pairs);
   void set_balls(const std::vector<scene::Ball>& balls);
@@ -69,6 +71,7 @@ class DeviceSolver final : public scene::Engine {
   void check_start();
 
   // Energy (energy.cpp).
+  scene::EnergyBalance balance_on_device() const;
   void collect_sums();
   void add_sums(scene::EnergyBalance& a, const ContactSums& sums) const;
   ContactSums work(const Kernel& kernel) const;
@@ -81,10 +84,13 @@ class DeviceSolver final : public scene::Engine {
 
   // The state for another solver (transfer.cpp).
   void take(const SolverState& state);
+  SolverState last_known() const;
+  void read_state(Archive& archive);
   void take_contacts(const SolverState& state, const std::vector<std::int32_t>& row);
   SolverState state_of_many(Archive& archive) const;
 
   // State (state.cpp).
+  std::vector<scene::Ball> balls_on_device() const;
   void serialize_lists(Archive& archive);
   struct HostBalls {
     std::vector<BallRecord> rows;
@@ -162,6 +168,11 @@ class DeviceSolver final : public scene::Engine {
   scene::EnergyBalance energy_balance_;
   EnergyWatch watch_;
   RestWatch rest_;
+  // Once a device has failed, its arrays are not read any more: balls and energies are then the
+  // last that were asked for.
+  mutable std::string failure_;  // why it failed; empty: it has not
+  mutable scene::EnergyBalance last_balance_;
+  mutable std::vector<scene::Ball> last_balls_;
 };
 
 }  // namespace mahlwerk::soft

@@ -35,6 +35,15 @@ scene::Ball DeviceSolver::present(const HostBalls& all, std::size_t row,
 }
 
 std::vector<scene::Ball> DeviceSolver::balls() const {
+  if (failure_.empty()) try {
+      last_balls_ = balls_on_device();
+    } catch (const DeviceError& e) {
+      failure_ = e.what();
+    }
+  return last_balls_;
+}
+
+std::vector<scene::Ball> DeviceSolver::balls_on_device() const {
   const HostBalls all = read_balls();
   const Vec3 change = body_kick_change();
   std::vector<scene::Ball> balls(all.id.size());
@@ -45,6 +54,7 @@ std::vector<scene::Ball> DeviceSolver::balls() const {
 
 /// Contact forces, as ManyBodySolver recovers them from the velocities.
 std::vector<Vec3> DeviceSolver::forces() const {
+  if (!failure_.empty()) return std::vector<Vec3>(last_balls_.size());
   const HostBalls all = read_balls();
   std::vector<DriveSample> next(1);
   jar_->sample_drive(start_, settings_.time_step, step_ + 1, next);
@@ -62,19 +72,33 @@ std::vector<Vec3> DeviceSolver::forces() const {
 }
 
 /// The state as any solver of many balls takes it, and the lists, with which this one goes on to
-/// the bit.
+/// the bit. Once the device has failed, the state is what is known of the balls: its run has ended.
 void DeviceSolver::serialize(Archive& archive) {
-  if (archive.reading() && !archive.begins_with(SolverState::mark))
-    return take(state_of_many(archive));
+  if (archive.reading()) return read_state(archive);
   std::int64_t mark = SolverState::mark;
-  SolverState common = archive.reading() ? SolverState{} : state();
-  common.serialize(archive(mark));
+  SolverState common;
   Archive own;
-  if (!archive.reading()) serialize_lists(own);
+  if (failure_.empty()) try {
+      common = state();
+      serialize_lists(own);
+    } catch (const DeviceError& e) {
+      failure_ = e.what();
+    }
   std::string lists = own.bytes();
+  if (!failure_.empty()) common = last_known(), lists.clear();
+  common.serialize(archive(mark));
   archive(lists);
-  if (!archive.reading()) return;
-  own = Archive(lists);
+}
+
+void DeviceSolver::read_state(Archive& archive) {
+  if (!archive.begins_with(SolverState::mark)) return take(state_of_many(archive));
+  std::int64_t mark = 0;
+  SolverState common;
+  std::string lists;
+  common.serialize(archive(mark));
+  archive(lists);
+  if (lists.empty()) return take(common);
+  Archive own(lists);
   serialize_lists(own);
   own.finish();
 }

@@ -49,6 +49,21 @@ SolverState DeviceSolver::state() const {
   return s;
 }
 
+/// The state with the balls that were last asked for, without contacts.
+SolverState DeviceSolver::last_known() const {
+  SolverState s;
+  s.step = step_, s.rested_steps = rested_steps_, s.target_time = target_time_;
+  for (const scene::Ball& b : last_balls_) {
+    const Vec3 &x = b.position, &v = b.velocity, &w = b.spin;
+    s.rows.push_back({x.x, x.y, x.z, b.radius, v.x, v.y, v.z, 0});
+    s.spins.push_back({w.x, w.y, w.z, 0});
+    s.half_step.push_back({v.x, v.y, v.z, 0, w.x, w.y, w.z, 0});
+  }
+  s.energy_balance = energy_balance_;
+  s.watch = watch_, s.rest = rest_;
+  return s;
+}
+
 /// Takes a state over. Its contacts are the list until the lists are built in the next step.
 void DeviceSolver::take(const SolverState& s) {
   HostBalls all = read_balls();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
 // Balls are sorted along a space-filling curve (Morton order) and divided into chunks.
@@ -80,7 +81,7 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<PositionBounds> bounds(class_radius_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Vec3 x = rows_[k].position();
-    if (!std::isfinite(squared(x))) stop(k, "its position or velocity is not a finite number");
+    if (!std::isfinite(squared(x))) stop(k, not_finite_message);
     bounds[class_of(k)].add(x);
   }
   grids_.clear();
