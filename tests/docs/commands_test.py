@@ -116,8 +116,8 @@ class Runner:
     def program_span(self, where: str, words: list[str]) -> None:
         command = words[1]
         options = [w.partition("=")[0] for w in words[2:] if re.match(r"--[a-z]", w)]
-        if command == "test" or not re.match(r"[a-z]+$", command):
-            return  # arguments of ctest; COMMAND; --help
+        if command in ("test", "device") or not re.match(r"[a-z]+$", command):
+            return  # arguments of ctest; code for cards, by the starter; COMMAND; --help
         if command == "bench":
             known = (HOME / "bench" / "help.txt").read_text()
             if not re.search(rf"^\s+{re.escape(words[2])}\b", known, re.M):
