@@ -118,6 +118,7 @@ class CudaDevice final : public Device {
                       "needed, {} MB are free. Use fewer balls, or device = \"cpu\"",
                       card_.name, bytes / 1000000 + 1, free_bytes() / 1000000));
     card_.check(status, "reserve memory");
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the driver's addresses are numbers
     return reinterpret_cast<void*>(memory);
   }
   void release(void* memory) noexcept override {
@@ -140,11 +141,12 @@ class CudaDevice final : public Device {
   void run(const Kernel& kernel, const DeviceArrays& arrays, std::int64_t count) override {
     if (count == 0) return;
     card_.use();
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): other padding costs a copy, no more
     if (std::memcmp(&arrays, &last_arrays_, sizeof arrays) != 0) {
       write(arrays_, &arrays, sizeof arrays);
       std::memcpy(&last_arrays_, &arrays, sizeof arrays);
     }
-    constexpr unsigned block = 128;  // a contact takes 200 of the 512 registers of a thread
+    constexpr unsigned block = 128;  // contacts take some 200 registers a thread
     const auto blocks = static_cast<unsigned>((count + block - 1) / block);
     CudaPointer at = address(arrays_);
     void* parameters[] = {&at, &count};

@@ -45,6 +45,7 @@ constexpr int cuda_major_version = 75, cuda_minor_version = 76;
 
 /// The functions of an opened driver library, which stays open.
 struct CudaDriver {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declaration
 #define MAHLWERK_CUDA_MEMBER(NAME, PARAMETERS) CudaStatus(*NAME) PARAMETERS = nullptr;
   MAHLWERK_CUDA_FUNCTIONS(MAHLWERK_CUDA_MEMBER)
 #undef MAHLWERK_CUDA_MEMBER

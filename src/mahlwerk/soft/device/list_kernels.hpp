@@ -123,45 +123,54 @@ inline void scan_segment(const DeviceArrays& a, std::int64_t index) {
 
 // Pairs of balls.
 
-/// Calls `f(j)` for the balls j > k near ball k: within the skin and the pair's pull-off distance.
-/// Rows are sorted by size class, so that the larger ball of two classes has the larger number.
+/// Whether two balls are within the skin and the pair's pull-off distance.
+inline bool are_near(const DeviceArrays& a, std::int32_t k, std::int32_t j) {
+  const BallRecord &ball = a.now.rows[k], &other = a.now.rows[j];
+  Vec<double> apart{other.x - ball.x, other.y - ball.y, other.z - ball.z};
+  if (a.constants.periodic) apart = folded(apart, a.constants.periods);
+  const std::int32_t pair = a.now.species[k] * a.species_row + a.now.species[j];
+  const double within =
+      ball.radius + other.radius + a.skin + a.parameters[pair].pull_off_distance[0];
+  return dot(apart, apart) < within * within;
+}
+
+/// The cells around a place along one axis. Of a periodic axis with up to three cells, all are
+/// near, and each counts once.
+struct CellRange {
+  std::int32_t low, high;
+};
+inline CellRange cells_around(const CellGrid& g, std::int32_t at, int axis) {
+  const std::int32_t last = g.count[axis] - 1;
+  if (g.wrapped[axis]) return last < 3 ? CellRange{0, last} : CellRange{at - 1, at + 1};
+  return {at > 0 ? at - 1 : 0, at < last ? at + 1 : last};
+}
+inline std::int32_t wrapped_cell(const CellGrid& g, std::int32_t at, int axis) {
+  const std::int32_t n = g.count[axis];
+  return at < 0 ? at + n : at >= n ? at - n : at;
+}
+
+/// Calls `f(j)` for the balls j > k of one grid that are near ball k.
+template <class F>
+inline void for_each_near_in(const DeviceArrays& a, const CellGrid& g, std::int32_t k, const F& f) {
+  const CellPlace place = place_in(g, a.now.rows[k]);
+  const CellRange along_x = cells_around(g, place.at[0], 0),
+                  along_y = cells_around(g, place.at[1], 1),
+                  along_z = cells_around(g, place.at[2], 2);
+  for (std::int32_t z = along_z.low; z <= along_z.high; ++z)
+    for (std::int32_t y = along_y.low; y <= along_y.high; ++y)
+      for (std::int32_t x = along_x.low; x <= along_x.high; ++x) {
+        const std::int32_t cell =
+            cell_number(g, wrapped_cell(g, x, 0), wrapped_cell(g, y, 1), wrapped_cell(g, z, 2));
+        for (std::int32_t j = a.cell_first[cell]; j < a.cell_first[cell + 1]; ++j)
+          if (j > k && are_near(a, k, j)) f(j);
+      }
+}
+
+/// Calls `f(j)` for the balls j > k near ball k. Rows are sorted by size class, so that the larger
+/// ball of two classes has the larger number.
 template <class F>
 inline void for_each_near(const DeviceArrays& a, std::int32_t k, const F& f) {
-  const BallRecord& ball = a.now.rows[k];
-  for (int c = class_of(a, k); c < a.classes; ++c) {
-    const CellGrid& g = a.grid[c];
-    const CellPlace place = place_in(g, ball);
-    std::int32_t low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      // Of a periodic axis with up to three cells, all are near, and each counts once.
-      const bool all = g.wrapped[axis] && g.count[axis] <= 3;
-      low[axis] = all ? 0 : place.at[axis] - 1;
-      high[axis] = all ? g.count[axis] - 1 : place.at[axis] + 1;
-      if (g.wrapped[axis]) continue;
-      if (low[axis] < 0) low[axis] = 0;
-      if (high[axis] >= g.count[axis]) high[axis] = g.count[axis] - 1;
-    }
-    const auto folded_in = [&](std::int32_t at, int axis) {
-      const std::int32_t n = g.count[axis];
-      return at < 0 ? at + n : at >= n ? at - n : at;
-    };
-    for (std::int32_t z = low[2]; z <= high[2]; ++z)
-      for (std::int32_t y = low[1]; y <= high[1]; ++y)
-        for (std::int32_t x = low[0]; x <= high[0]; ++x) {
-          const std::int32_t cell =
-              cell_number(g, folded_in(x, 0), folded_in(y, 1), folded_in(z, 2));
-          for (std::int32_t j = a.cell_first[cell]; j < a.cell_first[cell + 1]; ++j) {
-            if (j <= k) continue;
-            const BallRecord& other = a.now.rows[j];
-            Vec<double> apart{other.x - ball.x, other.y - ball.y, other.z - ball.z};
-            if (a.constants.periodic) apart = folded(apart, a.constants.periods);
-            const std::int32_t pair = a.now.species[k] * a.species_row + a.now.species[j];
-            const double within =
-                ball.radius + other.radius + a.skin + a.parameters[pair].pull_off_distance[0];
-            if (dot(apart, apart) < within * within) f(j);
-          }
-        }
-  }
+  for (int c = class_of(a, k); c < a.classes; ++c) for_each_near_in(a, a.grid[c], k, f);
 }
 inline void count_pairs(const DeviceArrays& a, std::int64_t index) {
   std::int32_t count = 0;
