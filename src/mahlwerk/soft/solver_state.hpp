@@ -39,11 +39,9 @@ struct SolverState {
   /// An archive of DeviceSolver begins with this number, which is no number of a step.
   static constexpr std::int64_t mark = -46;
 
-  /// The error where one of the two solvers is that of few balls, which has no such state.
-  static RunError of_few_balls() {
-    return RunError(
-        "a state of so few balls does not go from a graphics card to the processor, or back");
-  }
+  /// What is said where one of the two solvers is that of few balls, which has no such state.
+  static constexpr const char* of_few_balls =
+      "a state of so few balls does not go from a graphics card to the processor, or back";
 
   void serialize(Archive& archive) {
     archive(step)(rested_steps)(

@@ -145,7 +145,7 @@ void DeviceSolver::take_contacts(const SolverState& s, const std::vector<std::in
 /// The state in an archive of ManyBodySolver. This solver must be at its start.
 SolverState DeviceSolver::state_of_many(Archive& archive) const {
   if (arrays_.balls <= static_cast<std::int32_t>(settings_.few_ball_limit))
-    throw SolverState::of_few_balls();
+    throw RunError(SolverState::of_few_balls);
   Settings settings = settings_;
   settings.device = nullptr;
   ManyBodySolver other(moving_wall(chamber_), balls(), settings, pair_table_, start_);

@@ -30,7 +30,7 @@ std::vector<Vec3> FewBodySolver::forces() const {
 
 void FewBodySolver::serialize(Archive& archive) {
   if (archive.reading() && archive.begins_with(SolverState::mark))
-    throw SolverState::of_few_balls();
+    throw RunError(SolverState::of_few_balls);
   ParticleData& w = particles_;
   archive(w.step)(w.wall_points_due)(w.list_step)(w.touched);
   archive(now_)(skip_end_)(next_skip_)(skipped_steps_);
