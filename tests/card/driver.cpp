@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <list>
 #include <map>
 #include <mutex>
 #include <string>
@@ -40,6 +41,8 @@ std::size_t used = 0;
 std::map<std::string, int> calls;
 bool broken = false;  // all calls fail from now on
 CudaContext the_context;
+std::list<CudaModule> modules;
+std::list<CudaFunction> functions;
 thread_local CudaContext* current = nullptr;
 
 CudaStatus refuse(const char* what) {
@@ -190,14 +193,16 @@ CudaStatus cuMemsetD8_v2(CudaPointer to, unsigned char value, std::size_t bytes)
 }
 CudaStatus cuModuleLoadData(CudaModule** module, const void* image) {
   if (fails("cuModuleLoadData")) return 218;
-  *module = new CudaModule{static_cast<const char*>(image)};
+  const std::lock_guard lock(mutex);
+  *module = &modules.emplace_back(CudaModule{static_cast<const char*>(image)});
   return (*module)->text.find(".target sm_80") != std::string::npos ? 0 : refuse("device code");
 }
 CudaStatus cuModuleGetFunction(CudaFunction** function, CudaModule* module, const char* name) {
   const auto found = kernels().find(name);
   if (found == kernels().end()) return not_found;
   if (module->text.find(".entry " + found->first + "(") == std::string::npos) return not_found;
-  *function = new CudaFunction{found->second};
+  const std::lock_guard lock(mutex);
+  *function = &functions.emplace_back(CudaFunction{found->second});
   return 0;
 }
 CudaStatus cuLaunchKernel(CudaFunction* function, unsigned grid_x, unsigned grid_y, unsigned grid_z,
