@@ -55,7 +55,7 @@ class MeasuredDevice final : public soft::Device {
   void zero(void* to, std::size_t bytes) override { of_->zero(to, bytes); }
   void run(const soft::Kernel& kernel, const soft::DeviceArrays& arrays,
            std::int64_t count) override {
-    if (kernel.name.starts_with("compute_contact")) listed = count;
+    if (kernel.name.starts_with("compute_contact")) listed = count, touch = arrays.list.touch;
     if (!measuring) return of_->run(kernel, arrays, count);
     const auto begin = Clock::now();
     of_->run(kernel, arrays, count);
@@ -63,9 +63,17 @@ class MeasuredDevice final : public soft::Device {
     seconds[kernel.name] += seconds_since(begin);
   }
 
+  /// Pairs that touch, at last.
+  std::int64_t touching() {
+    std::vector<soft::Touch> all(static_cast<std::size_t>(listed));
+    of_->read(all.data(), touch, all.size());
+    return std::ranges::count(all, soft::Touch::touching);
+  }
+
   bool measuring = false;
-  std::size_t most = 0;     ///< [bytes] used at a time
-  std::int64_t listed = 0;  ///< pairs, at last
+  std::size_t most = 0;                ///< [bytes] used at a time
+  std::int64_t listed = 0;             ///< pairs, at last
+  const soft::Touch* touch = nullptr;  ///< of each
   std::map<std::string, double> seconds;
 
  private:
@@ -146,6 +154,8 @@ void add(std::vector<Row>& rows, int count) {
   row("bytes_per_ball", static_cast<double>(device->most) / static_cast<double>(drum.balls.size()));
   row("listed_pairs_per_ball",
       static_cast<double>(device->listed) / static_cast<double>(drum.balls.size()));
+  row("touching_pairs_per_ball",
+      static_cast<double>(device->touching()) / static_cast<double>(drum.balls.size()));
   row("collisions_per_ball_step", static_cast<double>(counter.count - before) / (turns * steps) /
                                       static_cast<double>(drum.balls.size()));
   device->measuring = true;

@@ -103,7 +103,9 @@ const std::map<std::string, Kernel>& kernels() {
     add_laws(found, static_cast<contact::AnyLaw::Models*>(nullptr));
     add_shapes(found, static_cast<geometry::AnyShape::Models*>(nullptr));
     const CommonKernels& c = common_kernels();
-    for (const Kernel* k = &c.move_ball; k <= &c.sort_incoming; ++k) found[k->name] = *k;
+#define MAHLWERK_CARD_KERNEL(NAME, FUNCTION) found[c.NAME.name] = c.NAME;
+    MAHLWERK_COMMON_KERNELS(MAHLWERK_CARD_KERNEL)
+#undef MAHLWERK_CARD_KERNEL
     return found;
   }();
   return all;

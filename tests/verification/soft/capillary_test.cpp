@@ -74,6 +74,33 @@ TEST(Capillary, slip_of_a_bridge_across_a_gap_is_no_loss_of_the_next_touch) {
   }
 }
 
+TEST(Capillary, a_bridge_to_the_wall_that_is_longer_than_a_radius_stores_its_energy) {
+  Capillary law = law_of(1e-12);
+  law.bridge_volume = 0, law.bridge_ratio = 0.1;
+  const contact::Pair pair = wet_pair();
+  const EffectivePair t = touching(pair, ball_of());
+  ASSERT_GT(law.pull_off_distance(t), 1.1 * radius);
+  const auto coefficients = law.coefficients(t, 0);
+  const double none[2] = {};
+  scene::Ball ball = ball_of();
+  ball.position.z = -0.05 + radius + 1e-6;
+  ball.velocity = {0, 0, -1};
+  for (const std::size_t few : {std::size_t{0}, std::size_t{32}}) {
+    const auto engine = soft::make_engine(still_box(0.1), {ball}, {of_law(law), 1e-6, false, few},
+                                          contact::PairTable(1, 6, pair), 0);
+    Recorder recorder;
+    double gap = 0;
+    for (double time = 0; gap < 1.05 * radius && time < 0.01;) {
+      engine->advance(time += 1e-5, recorder);
+      gap = engine->balls()[0].position.z + 0.05 - radius;
+    }
+    ASSERT_LT(gap, law.pull_off_distance(t));
+    const double expected = law.elastic_energy(coefficients, none, -gap);
+    states(fmt::format("stored at {:.3g} m, {} balls [J]", gap, few == 0 ? "many" : "few"),
+           engine->energy_balance().elastic, expected, 1e-9 * expected, "the law's own energy");
+  }
+}
+
 /// The closed form by the half-separation S of the paper: 1 + 2.1 S+ + 10 S+^2, S+ = S (R/V)^(1/2).
 TEST(Capillary, force_falls_with_the_gap_as_willetts_closed_form) {
   const EffectivePair t = touching(wet_pair(), std::vector{ball_of(), ball_of()});

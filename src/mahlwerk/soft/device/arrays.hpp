@@ -119,9 +119,9 @@ struct DeviceArrays {
   std::int32_t* incoming_first = nullptr;  ///< pairs whose second ball is this one
   std::int32_t* incoming = nullptr;
 
-  std::int32_t *cell = nullptr, *order = nullptr, *new_row = nullptr;  ///< of each ball
-  std::int32_t *cell_first = nullptr, *cursor = nullptr;               ///< of each cell; scratch
-  std::int32_t* scanned = nullptr;  ///< what scan kernels sum, in place
+  std::int32_t *cell = nullptr, *order = nullptr;         ///< of each ball; rows before a sort
+  std::int32_t *cell_first = nullptr, *cursor = nullptr;  ///< of each cell; scratch
+  std::int32_t* scanned = nullptr;                        ///< what scan kernels sum, in place
   std::int32_t scan_count = 0;
   std::int32_t* scan_partials = nullptr;
   double* partial = nullptr;                 ///< results of reductions

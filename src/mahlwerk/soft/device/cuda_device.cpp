@@ -173,8 +173,9 @@ Card& opened_card() {
   const std::lock_guard lock(mutex);
   std::unique_ptr<Card>& card = cards[library];
   if (!card) {
+    auto opened = std::make_unique<Card>(library);
     module_text("common");  // a case is refused before it runs
-    card = std::make_unique<Card>(library);
+    card = std::move(opened);
   }
   return *card;
 }

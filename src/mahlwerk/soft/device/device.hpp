@@ -80,10 +80,6 @@ class DeviceArray {
     if (!all.empty()) device_->write(data_, all.data(), all.size() * sizeof(T));
     return data_;
   }
-  void swap(DeviceArray& other) {
-    std::swap(data_, other.data_);
-    std::swap(room_, other.room_);
-  }
 
  private:
   void release() {

@@ -7,7 +7,6 @@
 #include <variant>
 
 #include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/soft/device/ball_kernels.hpp"
 #include "mahlwerk/soft/device/device_shape.hpp"
 #include "mahlwerk/soft/device/wall_kernels.hpp"
 
@@ -47,27 +46,9 @@ std::vector<unsigned char> shape_for_kernels(const geometry::AnyShape& shape,
 }
 
 const CommonKernels& common_kernels() {
-  static const auto kernel = [](const char* name, auto* call) {
-    return Kernel{"common", name, call};
-  };
-  static const CommonKernels all{.move_ball = kernel("move_ball", move_ball),
-                                 .end_step = kernel("end_step", end_step),
-                                 .sum_balls = kernel("sum_balls", sum_balls),
-                                 .sum_work = kernel("sum_work", sum_work<false>),
-                                 .collect_work = kernel("collect_work", sum_work<true>),
-                                 .find_corners = kernel("find_corners", find_corners),
-                                 .count_cells = kernel("count_cells", count_cells),
-                                 .fill_cells = kernel("fill_cells", fill_cells),
-                                 .sort_cell = kernel("sort_cell", sort_cell),
-                                 .sort_balls = kernel("sort_balls", sort_balls),
-                                 .sum_segment = kernel("sum_segment", sum_segment),
-                                 .scan_segments = kernel("scan_segments", scan_segments),
-                                 .scan_segment = kernel("scan_segment", scan_segment),
-                                 .count_pairs = kernel("count_pairs", count_pairs),
-                                 .fill_pairs = kernel("fill_pairs", fill_pairs),
-                                 .count_incoming = kernel("count_incoming", count_incoming),
-                                 .fill_incoming = kernel("fill_incoming", fill_incoming),
-                                 .sort_incoming = kernel("sort_incoming", sort_incoming)};
+#define MAHLWERK_KERNEL_VALUE(NAME, FUNCTION) .NAME = {"common", #NAME, FUNCTION},
+  static const CommonKernels all{MAHLWERK_COMMON_KERNELS(MAHLWERK_KERNEL_VALUE)};
+#undef MAHLWERK_KERNEL_VALUE
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/geometry/any_shape.hpp"
+#include "mahlwerk/soft/device/common_kernels.hpp"
 #include "mahlwerk/soft/device/device.hpp"
 
 // The kernels by their names. kernels.cu.in compiles the same functions for graphics cards, a
@@ -37,10 +38,9 @@ std::vector<unsigned char> shape_for_kernels(const geometry::AnyShape& shape, co
 
 /// Kernels that know neither.
 struct CommonKernels {
-  Kernel move_ball, end_step, sum_balls, sum_work, collect_work;
-  Kernel find_corners, count_cells, fill_cells, sort_cell, sort_balls;
-  Kernel sum_segment, scan_segments, scan_segment;
-  Kernel count_pairs, fill_pairs, count_incoming, fill_incoming, sort_incoming;
+#define MAHLWERK_KERNEL_MEMBER(NAME, FUNCTION) Kernel NAME;
+  MAHLWERK_COMMON_KERNELS(MAHLWERK_KERNEL_MEMBER)
+#undef MAHLWERK_KERNEL_MEMBER
 };
 const CommonKernels& common_kernels();
 

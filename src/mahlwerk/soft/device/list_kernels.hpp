@@ -82,7 +82,6 @@ inline void sort_cell(const DeviceArrays& a, std::int64_t index) {
 /// Copies the balls to their new rows.
 inline void sort_balls(const DeviceArrays& a, std::int64_t index) {
   const std::int32_t from = a.order[index];
-  a.new_row[from] = static_cast<std::int32_t>(index);
   a.sorted.rows[index] = a.now.rows[from];
   a.sorted.spins[index] = a.now.spins[from];
   a.sorted.half_step[index] = a.now.half_step[from];

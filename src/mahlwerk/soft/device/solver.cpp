@@ -54,7 +54,6 @@ DeviceSolver::DeviceSolver(const scene::Chamber& chamber, const std::vector<scen
       incoming_(*device_),
       cell_(*device_),
       order_(*device_),
-      new_row_(*device_),
       cell_first_(*device_),
       cursor_(*device_),
       scan_partials_(*device_),
@@ -141,7 +140,7 @@ void DeviceSolver::set_balls(const std::vector<scene::Ball>& balls) {
   arrays_.now = balls_->reserve(count), arrays_.sorted = sorted_->reserve(count);
   arrays_.reference = reference_.reserve(count);
   arrays_.cell = cell_.reserve(count), arrays_.order = order_.reserve(count);
-  arrays_.new_row = new_row_.reserve(count), arrays_.cursor = cursor_.reserve(count);
+  arrays_.cursor = cursor_.reserve(count);
   arrays_.incoming_first = incoming_first_.reserve(count + 1);
   arrays_.balls_in_contact = balls_in_contact_.zeroed(DeviceArrays::contact_counters);
   arrays_.scan_partials = scan_partials_.reserve(static_cast<std::size_t>(arrays_.partials));
@@ -204,8 +203,9 @@ void DeviceSolver::advance_steps(double time, scene::Observer& observer) {
     load_inputs(step_ + 1, end + 1);
     while (step_ < end) {
       if (stopped()) return;
-      run_steps(end);
-      hand_over(observer);
+      const Control control = run_steps(end);
+      hand_over(static_cast<std::size_t>(control.ended), observer);
+      if (control.bad_ball != Control::no_ball) stop_at_last_known(control.bad_ball);
     }
     if (step_ % energy_check_interval != 0) continue;
     collect_sums();
@@ -225,7 +225,7 @@ std::int64_t DeviceSolver::last_step_of_lists() const {
 
 /// Computes steps up to `end`, or to one after which the lists must be built or records handed
 /// over.
-void DeviceSolver::run_steps(std::int64_t end) {
+Control DeviceSolver::run_steps(std::int64_t end) {
   if (lists_due_ || step_ + 1 > last_step_of_lists()) rebuild_lists(step_ + 1);
   const std::int64_t last = std::min(end, std::max(step_ + 1, last_step_of_lists()));
   control_.write({Control{.step = step_ + 1, .halt_at = never_halt}});
@@ -239,17 +239,11 @@ void DeviceSolver::run_steps(std::int64_t end) {
   tests_ += (control.step - 1 - step_) * arrays_.list.size();
   step_ = control.step - 1;
   lists_due_ = control.moved != 0;
-  if (control.bad_ball == Control::no_ball) return;
-  failure_ = not_finite_message;  // what is known of the balls is from before
-  throw unstable_run_error(time_of(step_), static_cast<std::size_t>(control.bad_ball),
-                           not_finite_message,
-                           last_balls_[static_cast<std::size_t>(control.bad_ball)].position,
-                           last_balls_[static_cast<std::size_t>(control.bad_ball)].velocity);
+  return control;
 }
 
 /// Hands over the records of the contacts that have ended, in the order of steps and pairs.
-void DeviceSolver::hand_over(scene::Observer& observer) {
-  const auto count = static_cast<std::size_t>(control_.read(1).front().ended);
+void DeviceSolver::hand_over(std::size_t count, scene::Observer& observer) {
   std::vector<EndedContact> ended = ended_.read(count);
   std::ranges::sort(ended, {}, [](const EndedContact& e) { return std::pair(e.step, e.index); });
   std::vector<scene::Collision> all;
@@ -294,6 +288,15 @@ void DeviceSolver::stop(std::size_t ball, const char* why) const {
       std::ranges::find(all.id, static_cast<std::int32_t>(ball)) - all.id.begin());
   const scene::Ball at = present(all, row, body_kick_change());
   throw unstable_run_error(time_of(step_), ball, why, at.position, at.velocity);
+}
+
+/// Stops a run in which a ball is nowhere. What is known of the balls is from before.
+void DeviceSolver::stop_at_last_known(std::int32_t ball) {
+  const auto number = static_cast<std::size_t>(ball);
+  const scene::Ball& last = last_balls_[number];
+  failure_ = not_finite_message;
+  throw unstable_run_error(time_of(step_), number, not_finite_message, last.position,
+                           last.velocity);
 }
 
 }  // namespace mahlwerk::soft

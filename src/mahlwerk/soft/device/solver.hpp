@@ -46,9 +46,9 @@ class DeviceSolver final : public scene::Engine {
   void set_species(const contact::PairTable& pairs);
   void set_balls(const std::vector<scene::Ball>& balls);
   void load_inputs(std::int64_t first, std::int64_t last);
-  void run_steps(std::int64_t end);
+  Control run_steps(std::int64_t end);
   std::int64_t last_step_of_lists() const;
-  void hand_over(scene::Observer& observer);
+  void hand_over(std::size_t count, scene::Observer& observer);
   scene::Collision collision(const EndedContact& of) const;
   void run(const Kernel& kernel, std::int64_t count) const { device_->run(kernel, arrays_, count); }
   double mill_time(std::int64_t step) const { return start_ + time_of(step); }
@@ -56,6 +56,7 @@ class DeviceSolver final : public scene::Engine {
     return static_cast<double>(step) * settings_.time_step;
   }
   [[noreturn]] void stop(std::size_t ball, const char* why) const;
+  [[noreturn]] void stop_at_last_known(std::int32_t ball);
 
   // Lists of pairs (lists.cpp).
   void rebuild_lists(std::int64_t step);
@@ -132,8 +133,6 @@ class DeviceSolver final : public scene::Engine {
     DeviceArray<VectorPair> half_step;
     DeviceArray<std::int32_t> species, id;
   };
-  void swap_lists();
-  void swap_balls();
 
   scene::Chamber chamber_;
   contact::PairTable pair_table_;
@@ -146,14 +145,14 @@ class DeviceSolver final : public scene::Engine {
   double start_, mass_ = 0, smallest_radius_ = 0;
   bool has_history_, has_friction_history_;
 
-  mutable DeviceArrays arrays_;
+  DeviceArrays arrays_;
   std::unique_ptr<BallMemory> balls_, sorted_;
   std::unique_ptr<ListMemory> list_, old_list_;
   DeviceArray<Vec3> reference_, wall_points_;
   DeviceArray<PairForce> forces_;
   DeviceArray<ContactSums> sums_;
-  DeviceArray<std::int32_t> incoming_first_, incoming_, cell_, order_, new_row_, cell_first_,
-      cursor_, scan_partials_, balls_in_contact_, size_class_;
+  DeviceArray<std::int32_t> incoming_first_, incoming_, cell_, order_, cell_first_, cursor_,
+      scan_partials_, balls_in_contact_, size_class_;
   DeviceArray<double> partial_, separation_energy_, species_mass_, species_inertia_;
   DeviceArray<EndedContact> ended_;
   DeviceArray<Control> control_;

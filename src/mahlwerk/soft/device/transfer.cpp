@@ -123,8 +123,10 @@ void DeviceSolver::take_contacts(const SolverState& s, const std::vector<std::in
     states.push_back(c.state), optional.push_back(c.optional), friction.push_back(c.friction);
     if (!wall) continue;
     normals.push_back(c.normal);
-    const Vec3 at = present(all, static_cast<std::size_t>(c.i), change).position;
-    const geometry::Gap gap = jar_->gap(~c.j, at, axes, arrays_.pull_off_distance + 0.1);
+    const scene::Ball ball = present(all, static_cast<std::size_t>(c.i), change);
+    const Vec3& at = ball.position;
+    const geometry::Gap gap =
+        jar_->gap(~c.j, at, axes, (1 + past_touch) * ball.radius + arrays_.pull_off_distance);
     points.push_back(at - gap.distance * gap.inward);
   }
   for (std::size_t k = 0; k < row.size(); ++k)

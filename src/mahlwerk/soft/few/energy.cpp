@@ -17,7 +17,7 @@ StoredEnergy FewBodySolver::elastic_energy(const PairPacket& p, std::size_t l) c
   const Vec3 separation = nearest(particles_.position(static_cast<std::size_t>(p.j[l])) -
                                   particles_.position(static_cast<std::size_t>(p.i[l])));
   const double overlap = p.radius_i[l] + p.radius_j[l] - norm(separation);
-  if (overlap < -p.radius_i[l]) return {};  // the ball has left this face across an edge
+  if (has_left_face(p, l, overlap)) return {};
   return stored_energy(p, l, overlap, law_history, get_lane(p.spring, l), p.twist[l],
                        settings_.model);
 }

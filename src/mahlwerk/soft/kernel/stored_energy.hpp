@@ -19,6 +19,12 @@ struct StoredEnergy {
     tangential += weight * other.tangential, twisting += weight * other.twisting;
   }
 };
+/// Whether a ball has left the face of an open contact across an edge: it is farther from it than
+/// any contact reaches. Its contact ends in this step.
+inline bool has_left_face(const PairParameters& parameters, std::size_t lane, double overlap) {
+  return overlap < -std::max(parameters.radius_i[lane], 1.01 * parameters.pull_off_distance[lane]);
+}
+
 /// What the springs of a contact store, at most as much as friction can hold.
 template <class Law>
 inline StoredEnergy stored_energy(const Law& law, const PairParameters& parameters,

@@ -28,8 +28,7 @@ StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n
           ? jar_->gap(g.j[l], x, wall_axes_, rows_[i].radius + pull_off_distance_).distance
           : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
   const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
-  const double farthest = std::max(rows_[i].radius, 1.01 * parameters.pull_off_distance[l]);
-  if (overlap < -farthest) return {};  // the ball has left this face across an edge
+  if (has_left_face(parameters, l, overlap)) return {};
   const double twist = has_friction_history_ ? list.friction_histories[n].twist[l] : 0;
   return stored_energy(parameters, l, overlap, law_history, get_lane(g.spring, l), twist,
                        settings_.model);
