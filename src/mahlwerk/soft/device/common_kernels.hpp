@@ -5,6 +5,8 @@
 #include "mahlwerk/soft/device/ball_kernels.hpp"
 #include "mahlwerk/soft/device/list_kernels.hpp"
 
+namespace mahlwerk::soft {
+
 /// Calls X(name, function) for each kernel that knows neither law nor shape.
 #define MAHLWERK_COMMON_KERNELS(X)        \
   X(move_ball, soft::move_ball)           \
@@ -25,3 +27,5 @@
   X(count_incoming, soft::count_incoming) \
   X(fill_incoming, soft::fill_incoming)   \
   X(sort_incoming, soft::sort_incoming)
+
+}  // namespace mahlwerk::soft
