@@ -202,6 +202,66 @@ TYPED_TEST(Motions, turning_begins_at_nothing) {
   EXPECT_NEAR(norm(r.ex - Vec3{1, 0, 0}) + norm(r.ey - Vec3{0, 1, 0}), 0, 1e-15);
 }
 
+// kin.21
+
+constexpr double ramp_time = 0.5;  // [s]
+/// The motion of a mill that comes to its speed.
+template <class M>
+ChosenMotion speeding_up(const M& m) {
+  return ChosenMotion(ramped(AnyMotion(m), ramp_time));
+}
+
+TYPED_TEST(Motions, begin_at_rest_on_a_ramp_and_run_behind_it_as_half_of_it_earlier) {
+  const auto& m = this->motion;
+  const ChosenMotion slow = speeding_up(m);
+  EXPECT_EQ(norm(slow.frame_motion(0).velocity) + norm(slow.spin(0)), 0);
+  EXPECT_EQ(norm(slow.frame_motion(0).acceleration) + norm(slow.angular_acceleration(0)), 0);
+  EXPECT_TRUE(same(slow.frame_motion(0).centre, m.frame_motion(0).centre));
+  EXPECT_FALSE(std::isfinite(slow.period()));
+  for (int i = 0; i < 1000; ++i) {
+    const double t = ramp_time + this->some_time(), then = t - 0.5 * ramp_time;
+    EXPECT_TRUE(same(slow.frame_motion(t).acceleration, m.frame_motion(then).acceleration));
+    EXPECT_TRUE(same(slow.frame_motion(t).velocity, m.frame_motion(then).velocity));
+    EXPECT_TRUE(same(slow.spin(t), m.spin(then)));
+    EXPECT_TRUE(slow.rotation(t) == m.rotation(then));
+  }
+}
+
+TYPED_TEST(Motions, have_the_derivatives_of_centre_and_rotation_on_a_ramp_within_its_bounds) {
+  const ChosenMotion m = speeding_up(this->motion);
+  const Bounds b = m.bounds();
+  const double h = 1e-6, a_little = 1 + 1e-12;
+  double worst_v = 0, worst_a = 0, worst_spin = 0, worst_rate = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const double t = this->random.uniform(2 * h, 1.2 * ramp_time);
+    const FrameMotion now = m.frame_motion(t);
+    const auto centre = [&](double s) { return m.frame_motion(s).centre; };
+    const auto velocity = [&](double s) { return m.frame_motion(s).velocity; };
+    const auto turned = [&](double s) { return m.rotation(s) * Vec3{0.6, 0, 0.8}; };
+    const auto spin = [&](double s) { return m.spin(s); };
+    worst_v = max_or_nan(worst_v, norm(slope(centre, t, h) - now.velocity));
+    worst_a = max_or_nan(worst_a, norm(slope(velocity, t, h) - now.acceleration));
+    worst_spin = max_or_nan(worst_spin, norm(slope(turned, t, h) -
+                                             cross(m.spin(t), m.rotation(t) * Vec3{0.6, 0, 0.8})));
+    worst_rate = max_or_nan(worst_rate, norm(slope(spin, t, h) - m.angular_acceleration(t)));
+    EXPECT_LE(norm(now.velocity), b.speed * a_little);
+    EXPECT_LE(std::abs(now.acceleration.x), b.acceleration.x * a_little);
+    EXPECT_LE(std::abs(now.acceleration.y), b.acceleration.y * a_little);
+    EXPECT_LE(std::abs(now.acceleration.z), b.acceleration.z * a_little);
+    EXPECT_LE(norm(m.frame_motion(t + h).acceleration - now.acceleration),
+              h * b.jerk * (1 + 1e-6) + 1e-12);
+    EXPECT_LE(norm(m.spin(t)), b.spin * a_little);
+    EXPECT_LE(norm(m.angular_acceleration(t)), b.angular_acceleration * a_little);
+  }
+  stays_below("velocity [m/s]", worst_v, h * h * b.jerk + 1e-9, "kin.21, central differences");
+  stays_below("acceleration [m/s2]", worst_a, h * b.jerk + 1e-16 * b.speed / h + 1e-8,
+              "kin.21, central differences");
+  stays_below("spin [rad/s]", worst_spin,
+              1e-9 * (1 + b.spin + b.angular_acceleration + b.spin * b.spin), "kin.21");
+  stays_below("spin rate [rad/s2]", worst_rate, 1e-5 * (1 + b.angular_acceleration * (1 + b.spin)),
+              "kin.21");
+}
+
 TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {
   std::vector<Sample> samples;
   const double f = 10, a = 0.025;

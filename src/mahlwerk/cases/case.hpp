@@ -176,7 +176,8 @@ enum class StartFrame {
 /// Arrangement of the balls at the start.
 enum class StartLayout {
   random,
-  layers  ///< the first ball set lowest, each set above the one before
+  layers,  ///< the first ball set lowest, each set above the one before
+  ramp     ///< anywhere, while the mill comes to its speed from rest
 };
 
 /// State of a ball at the start of a run, in the axes of the jar's carrier.
@@ -235,8 +236,9 @@ struct Run {
   double start_spin = 0;   ///< [rad/s] initial spins are uniform between 0 and this
   StartFrame start_frame = StartFrame::laboratory;  ///< of start_speed
   StartLayout start = StartLayout::random;
-  double settle_at_rest = 0;    ///< [s] before the mill starts, with the mill standing still
-  StartStates start_from = {};  ///< replaces random positions, speeds and spins
+  double ramp_time = 2;       ///< [s] in which the mill comes to its speed, with StartLayout::ramp
+  double settle_at_rest = 0;  ///< [s] before the mill starts, with the mill standing still
+  StartStates start_from = {};                     ///< replaces random positions, speeds and spins
   std::optional<double> time_step = std::nullopt;  ///< [s] of the soft engine; none: it chooses one
   /// [1] for the step the engine chooses: largest mean error of a collision (soft::StepError)
   double step_error = 0.01;

@@ -13,6 +13,7 @@ double mill_period(const Case& c);
 
 /// Blocks of time in which run.settle = "auto" looks for a trend.
 struct SettlingBlocks {
+  double begin = 0;                ///< [s] before the first block: of a mill that speeds up
   double length = 0;               ///< [s] of a block
   int most = 0;                    ///< blocks after which counting begins in any case
   static constexpr int least = 8;  ///< blocks before counting may begin
@@ -23,6 +24,8 @@ struct SettlingBlocks {
 bool settles(const Case& c);
 /// The blocks of a case that settles().
 SettlingBlocks settling_blocks(const Case& c);
+/// [s] In which the mill comes to its speed; 0 unless run.start is "ramp".
+double ramp_time(const Case& c);
 /// [s] Time before counting: run.settle, or the least that "auto" takes.
 double least_settling(const Case& c);
 

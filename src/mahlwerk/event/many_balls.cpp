@@ -141,7 +141,7 @@ void ManyBalls::process_collision(std::int32_t ball) {
 /// Turns the clock back, stores balls that are neighbours in the jar next to each other in memory,
 /// and fits the slice width of the calendar queue to the rate of events.
 void ManyBalls::reorganise() {
-  const double period = jar_->static_geometry() ? jar_->period() : never;
+  const double period = jar_->repeats() ? jar_->period() : never;
   const double shift = std::isfinite(period) ? std::floor(now_ / period) * period : now_;
   if (shift > 0) move_frame(shift);
   sort();

@@ -133,10 +133,10 @@ class ManyBalls final : public scene::Engine {
               const contact::EffectivePair& pair);
   double kinetic(std::int32_t ball, double t) const;
 
-  /// Time argument for the jar's motion [s]. With static geometry it is the clock itself, which
+  /// Time argument for the jar's motion [s]. Where the motion repeats it is the clock itself, which
   /// differs from the mill time by whole periods, or by any time if the motion is steady.
   double motion_time(double clock) const {
-    return jar_->static_geometry() ? clock : clock_origin_ + clock;
+    return jar_->repeats() ? clock : clock_origin_ + clock;
   }
   double mill_time() const { return clock_origin_ + now_; }
   Vec3 lab_velocity(const Trajectory& trajectory, double t) const {

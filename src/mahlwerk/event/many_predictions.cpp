@@ -77,7 +77,7 @@ ManyBalls::ManyBalls(std::unique_ptr<const MovingWall> jar, const std::vector<sc
                                       [&](double t) { return jar_->frame_motion(t); })),
       start_(start),
       contacts_(balls.size(), 0) {
-  const double period = jar_->static_geometry() ? jar_->period() : never;
+  const double period = jar_->repeats() ? jar_->period() : never;
   clock_origin_ = std::isfinite(period) ? std::floor(start / period) * period : start;
   now_ = start - clock_origin_;
   epoch_ = jar_->frame_motion(motion_time(0));

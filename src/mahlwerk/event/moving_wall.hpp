@@ -32,7 +32,9 @@ class MovingWall {
 
   const kinematics::Bounds& motion_bounds() const { return motion_bounds_; }
   const Vec3& gravity() const { return gravity_; }
-  bool static_geometry() const { return static_geometry_; }
+  /// Whether walls and frame motion are the same after each period, or at all times if there is
+  /// none. Not while the mill speeds up, nor if the walls turn.
+  bool repeats() const { return repeats_; }
   int faces() const { return faces_; }
   double period() const { return period_; }  ///< [s] of the frame motion; no_period: not periodic
   /// [m] radius of a sphere round the jar's centre that holds the jar.
@@ -44,7 +46,7 @@ class MovingWall {
  protected:
   kinematics::Bounds motion_bounds_;
   Vec3 gravity_, periods_;
-  bool static_geometry_ = true;
+  bool repeats_ = true;
   int faces_ = 0;
   double period_ = 0, reach_ = 0, offset_ = 0;
 };
@@ -56,7 +58,9 @@ class ChamberWall final : public MovingWall {
     motion_bounds_ = jar.motion_bounds();
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
-    static_geometry_ = jar.static_geometry();
+    repeats_ = jar.static_geometry();
+    if constexpr (requires { jar.motion().speeds_up(); })
+      repeats_ = repeats_ && !jar.motion().speeds_up();
     faces_ = S::faces;
     period_ = jar.motion().period();
     reach_ = jar.shape().reach();

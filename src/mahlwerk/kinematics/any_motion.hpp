@@ -7,6 +7,7 @@
 
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
+#include "mahlwerk/kinematics/ramp.hpp"
 
 // Type-erased motion of a mill, chosen at run time. kinematics/motions.hpp lists the types it can
 // hold; kinematics/chosen_motion.hpp wraps it as a Motion.
@@ -23,7 +24,11 @@ struct Pose {
 };
 
 std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
-Pose pose(const AnyMotion& motion, double t);       ///< the next four in one call
+/// The motion of a mill that comes to its speed from rest within `ramp_time` [s]; it has no period.
+Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time);
+Clock clock(const AnyMotion& motion, double t);
+bool speeds_up(const AnyMotion& motion);  ///< ramped()
+Pose pose(const AnyMotion& motion, double t);  ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);
 Rotation rotation(const AnyMotion& motion, double t);
 Vec3 spin(const AnyMotion& motion, double t);

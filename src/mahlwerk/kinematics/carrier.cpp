@@ -21,7 +21,8 @@ double speed_of_carrier(const AnyMotion& motion) {
 Carrier carrier(const AnyMotion& motion, double time) {
   const double speed = speed_of_carrier(motion);
   if (speed == 0) return {};
-  return {rotation_about(upright, speed * time), {0, 0, speed}};
+  const Clock at = clock(motion, time);
+  return {rotation_about(upright, speed * at.time), {0, 0, speed * at.rate}};
 }
 
 Vec3 plane_normal(const AnyMotion& motion) {

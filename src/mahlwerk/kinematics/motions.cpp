@@ -11,29 +11,70 @@ namespace mahlwerk::kinematics {
 std::string_view name_of(const AnyMotion& motion) {
   return std::visit([](const auto& m) -> std::string_view { return m.name; }, motion);
 }
-Pose pose(const AnyMotion& motion, double t) {
+Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time) {
+  AnyMotion made = motion;
+  made.ramp_time = ramp_time;
+  return made;
+}
+bool speeds_up(const AnyMotion& motion) {
+  return motion.ramp_time > 0;
+}
+Clock clock(const AnyMotion& motion, double t) {
+  return motion.ramp_time > 0 ? ramp_clock(t, motion.ramp_time) : Clock{t};
+}
+
+namespace {
+
+/// Derivatives with the time of the run of what has these with the time of the running mill.
+Vec3 first(const Clock& at, const Vec3& rate) {
+  return at.rate * rate;
+}
+Vec3 second(const Clock& at, const Vec3& rate, const Vec3& acceleration) {
+  return at.rate * at.rate * acceleration + at.acceleration * rate;
+}
+
+Pose running_pose(const AnyMotion& motion, double t) {
   return std::visit(
       [t](const auto& m) {
         return Pose{m.frame_motion(t), m.rotation(t), m.spin(t), m.angular_acceleration(t)};
       },
       motion);
 }
+
+}  // namespace
+
+Pose pose(const AnyMotion& motion, double t) {
+  if (!(motion.ramp_time > 0)) return running_pose(motion, t);
+  const Clock at = clock(motion, t);
+  const Pose p = running_pose(motion, at.time);
+  return {{p.frame.centre, first(at, p.frame.velocity),
+           second(at, p.frame.velocity, p.frame.acceleration)},
+          p.rotation,
+          first(at, p.spin),
+          second(at, p.spin, p.angular_acceleration)};
+}
 FrameMotion frame_motion(const AnyMotion& motion, double t) {
+  if (motion.ramp_time > 0) return pose(motion, t).frame;
   return std::visit([t](const auto& m) { return m.frame_motion(t); }, motion);
 }
 Rotation rotation(const AnyMotion& motion, double t) {
-  return std::visit([t](const auto& m) -> Rotation { return m.rotation(t); }, motion);
+  const double at = clock(motion, t).time;
+  return std::visit([at](const auto& m) -> Rotation { return m.rotation(at); }, motion);
 }
 Vec3 spin(const AnyMotion& motion, double t) {
+  if (motion.ramp_time > 0) return pose(motion, t).spin;
   return std::visit([t](const auto& m) -> Vec3 { return m.spin(t); }, motion);
 }
 Vec3 angular_acceleration(const AnyMotion& motion, double t) {
+  if (motion.ramp_time > 0) return pose(motion, t).angular_acceleration;
   return std::visit([t](const auto& m) -> Vec3 { return m.angular_acceleration(t); }, motion);
 }
 Bounds bounds(const AnyMotion& motion) {
-  return std::visit([](const auto& m) { return m.bounds(); }, motion);
+  const Bounds running = std::visit([](const auto& m) { return m.bounds(); }, motion);
+  return motion.ramp_time > 0 ? ramp_bounds(running, motion.ramp_time) : running;
 }
 double period(const AnyMotion& motion) {
+  if (motion.ramp_time > 0) return no_period;
   return std::visit([](const auto& m) -> double { return m.period(); }, motion);
 }
 Vec3 fixed_axis(const AnyMotion& motion) {

@@ -23,6 +23,8 @@ using Motions = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, F
 struct AnyMotion : Motions {
   using Models = Motions;
   using Models::Models;
+  /// [s] In which the mill comes to its speed from rest (ramp.hpp); 0: it runs from the start.
+  double ramp_time = 0;
 };
 
 }  // namespace mahlwerk::kinematics

@@ -76,6 +76,8 @@ std::vector<Fault> faults(const cases::Case& c) {
          "remove [liquid]");
   refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",
          "give a time");
+  refuse(c.run.start == cases::StartLayout::ramp, "run.start",
+         "start = \"ramp\": its mills run at their speed from the start", "remove start");
   refuse(faces_differ(c), "contact", "faces of the jar with different contact values",
          "give the same values to all faces");
   return found;

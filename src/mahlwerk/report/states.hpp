@@ -6,7 +6,8 @@
 
 #include "mahlwerk/results/outcome.hpp"
 
-// Bistable mills: the two states side by side. Empty if the replicates show one state.
+// States of a charge side by side: of its motion in a lying jar that is shaken, and of replicates
+// that fall into two groups by their power. Empty where there is one state.
 namespace mahlwerk::report {
 
 std::string states_table(const results::Outcome& outcome);    ///< for the terminal

@@ -13,6 +13,7 @@
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/observe/charge.hpp"
 #include "mahlwerk/observe/collision_statistics.hpp"
+#include "mahlwerk/observe/motion_states.hpp"
 #include "mahlwerk/observe/recorder.hpp"
 #include "mahlwerk/observe/replay.hpp"
 #include "mahlwerk/observe/stress_stream.hpp"
@@ -84,6 +85,7 @@ struct Replicate {
       : tally(threshold, std::move(kinds), wall) {}
   observe::CollisionStatistics tally;
   observe::Charge charge;        ///< density and velocity fields of the charge
+  observe::MotionStates motion;  ///< of a lying jar that is shaken
   observe::Replay replay;        ///< frames for pictures; usually of the first replicate only
   observe::StressStream stream;  ///< collisions in order of time, for a sample of the powder
   observe::Recorders recorders;  ///< of parts

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/sensitivity.hpp"
 
 // The numbers of a result that files, tables and pages show.
@@ -56,6 +57,20 @@ struct TwoStates {
   double share(const State& state) const;
 };
 
+/// What the charge of a lying, shaken jar does in one state of its motion (obs.20), with 95 %
+/// half-widths over the replicates.
+struct MotionStateSummary {
+  std::string name;               ///< "circling"
+  observe::Estimate share;        ///< [1] of the time
+  int replicates = 0;             ///< that have the state
+  double visit = 0;               ///< [s] mean time until it changes to another state, or the end
+  observe::Estimate power;        ///< [W] dissipated
+  observe::Estimate hit_rate;     ///< [1/s] of collisions above the threshold
+  observe::Estimate hit_energy;   ///< [J] mean normal energy of these
+  observe::Estimate turns;        ///< [1] turns of a ball round the jar's axis in a period
+  observe::Estimate axial_ratio;  ///< [1] axial travel of a ball over that of the jar
+};
+
 /// All numbers of an outcome.
 struct Summary {
   std::vector<Quantity> quantities;  ///< in the order of summary.json (docs/formats.md)
@@ -64,8 +79,9 @@ struct Summary {
   std::vector<std::vector<double>> by_replicate;
   std::vector<PairSummary> pairs;  ///< empty if there is only one kind of pair
   std::optional<TwoStates> two_states;
-  std::optional<Sensitivity> sensitivity;  ///< to assumed values; only of a single run
-  std::string regime, regime_reason;       ///< (results/quantities/regime.hpp)
+  std::vector<MotionStateSummary> motion_states;  ///< the longest first
+  std::optional<Sensitivity> sensitivity;         ///< to assumed values; only of a single run
+  std::string regime, regime_reason;              ///< (results/quantities/regime.hpp)
 };
 
 }  // namespace mahlwerk::results

@@ -74,6 +74,7 @@ class Deadline {
 /// A case that runs until it is stopped.
 cases::Case endless(cases::Case made) {
   made.run.settle = 0;
+  if (made.run.start == cases::StartLayout::ramp) made.run.start = cases::StartLayout::random;
   made.run.time = 1e3;
   made.run.until.reset();
   return made;

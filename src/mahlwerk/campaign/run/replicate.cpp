@@ -109,6 +109,7 @@ ReplicateRun::ReplicateRun(std::shared_ptr<const RunSetup> setup, int index,
       engine_(engine(*setup_, index, threads, stop, launch)),
       window_(cases::least_settling(*mill_case_) > 0 ? 0 : 1) {
   result_.charge = observe::Charge(setup_->chamber, result_.tally.wall_map.grid().radius);
+  result_.motion = observe::MotionStates(setup_->chamber);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   settling_.add(last_, 0);
   if (index == 0) record_replay();
@@ -147,7 +148,8 @@ void ReplicateRun::begin_window(std::optional<std::int64_t> work) {
 /// [s] While the mill settles, the end of the present block or of the given time.
 double ReplicateRun::window_end(int window) const {
   if (window_ == 0)
-    return blocks_.length > 0 ? blocks_.length * (settling_.blocks() + 1) : *mill_case_->run.settle;
+    return blocks_.length > 0 ? blocks_.begin + blocks_.length * (settling_.blocks() + 1)
+                              : cases::least_settling(*mill_case_);
   const bool last = !mill_case_->run.until && window == max_windows;
   return begin_ + (last ? mill_case_->run.time : window_length_ * window);
 }
@@ -308,6 +310,7 @@ void ReplicateRun::serialize(Archive& archive) {
   if (archive.reading() && window_ > 0) begin_counting(begin_);
   r.tally.serialize(archive);
   r.charge.serialize(archive);
+  r.motion.serialize(archive);
   r.replay.serialize(archive);
   r.stream.serialize(archive);
   for (const auto& recorder : r.recorders.all()) recorder->serialize(archive);

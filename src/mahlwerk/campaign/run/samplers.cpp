@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/results/quantities/motion_states.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -45,6 +47,29 @@ class ChargeSampler final : public Sampler {
   double begin_ = 0, length_ = 0;  // [s] of the window
   int samples_ = 4, taken_ = 0;    // in it
   std::int64_t ever_ = 0;
+};
+
+/// Follows the balls through each period of a shaken mill.
+class MotionSampler final : public Sampler {
+ public:
+  MotionSampler(double period, results::Replicate& result)
+      : interval_(period / observe::MotionStates::samples), result_(&result) {}
+  void begin(double time) override { begin_ = time; }
+  double next() const override { return begin_ + interval_ * static_cast<double>(taken_ + 1); }
+  void take(Moment& moment) override {
+    const observe::CollisionSums& hits = result_->tally.above;
+    for (; next() <= moment.now().time; ++taken_)
+      result_->motion.sample(moment.now().time, moment.balls(),
+                             {.lost = moment.now().lost(),
+                              .hits = static_cast<double>(hits.count),
+                              .energy = hits.energy_normal});
+  }
+  void serialize(Archive& archive) override { archive(taken_); }
+
+ private:
+  double interval_, begin_ = never;  // [s]
+  results::Replicate* result_;
+  std::int64_t taken_ = 0;
 };
 
 /// Calls a recorder of a part at its times.
@@ -115,6 +140,9 @@ Samplers samplers(const RunSetup& setup, std::unique_ptr<results::FrameFiles> fr
     made.push_back(std::make_unique<RecorderSampler>(*recorder));
   if (frames) made.push_back(std::make_unique<FrameSampler>(*setup.mill_case, std::move(frames)));
   made.push_back(std::make_unique<ChargeSampler>(result));
+  const cases::Case& c = *setup.mill_case;
+  if (results::has_motion_states(c))
+    made.push_back(std::make_unique<MotionSampler>(cases::mill_period(c), result));
   return made;
 }
 

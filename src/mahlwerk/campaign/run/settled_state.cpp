@@ -55,6 +55,7 @@ std::optional<SettledState> settled_state(const cases::Case& mill_case, double m
   SettledState state{mill_case, *trial.counting_begins()};
   state.mill_case.run.start_from = start_states(softer, trial, stop);
   state.mill_case.run.settle = state.mill_case.run.settle_at_rest = 0;  // the mill runs
+  state.mill_case.run.start = cases::StartLayout::random;
   return state;
 } catch (const Interrupted&) {  // while balls were placed
   return std::nullopt;

@@ -38,7 +38,7 @@ std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scen
     cases::remove_overlaps(mill_case, balls, stop);
   if (run.settle_at_rest == 0) return balls;
   // Velocities are relative to the jar's centre, which moves once the mill has started.
-  const Vec3 centre = kinematics::frame_motion(*mill_case.mill.motion, 0).velocity;
+  const Vec3 centre = kinematics::frame_motion(*mill.motion, 0).velocity;
   for (scene::Ball& b : balls) b.velocity += centre;
   const auto engine = make(at_rest(mill), balls);
   engine->stop_on(stop);
@@ -52,7 +52,7 @@ std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scen
 
 std::vector<scene::Ball> seen_from_carrier(const cases::Case& mill_case,
                                            std::vector<scene::Ball> balls, double time) {
-  const Rotation carrier = kinematics::carrier(*mill_case.mill.motion, time).rotation;
+  const Rotation carrier = kinematics::carrier(*cases::chamber(mill_case).motion, time).rotation;
   for (scene::Ball& b : balls) {
     b.position = carrier.apply_inverse(b.position);
     b.velocity = carrier.apply_inverse(b.velocity);

@@ -13,6 +13,7 @@ namespace {
 
 /// At most three years; a longer time is taken for a mistake.
 constexpr Range run_times{.least = 1e-9, .most = 1e8};
+constexpr Range ramp_times{.least = 1e-3, .most = 1e6};
 constexpr Range settle_times{.least = 0, .most = 1e8};
 /// At most three times the speed of sound in air; no mill accelerates its balls to more.
 constexpr Range start_speeds{.least = 0, .most = 1000};
@@ -118,12 +119,21 @@ void describe_start(KeyVisitor& v, Run& run) {
   const bool all = v.reader() != nullptr || v.visits_all(), own = run.start_from.file.empty();
   if ((all && own) || v.visits_all() || run.start != StartLayout::random)
     v.word({"start",
-            {"random", "layers"},
+            {"random", "layers", "ramp"},
             "random",
             "balls lie anywhere",
             "arrangement of the balls at the start",
-            {"random positions", "the first ball set lowest, each set above the one before"}},
+            {"random positions", "the first ball set lowest, each set above the one before",
+             "random positions, and the mill comes to its speed from rest within ramp_time"}},
            run.start);
+  if (run.start == StartLayout::ramp || v.visits_all())
+    v.number({"ramp_time", "s", ramp_times,
+              "time in which the mill comes to its speed from rest, with start = \"ramp\"", 2.0,
+              "assumed; makers do not state it"},
+             run.ramp_time);
+  else if (v.reader() != nullptr)
+    v.reader()->refuse({"ramp_time"}, "the mill runs at its speed from the start",
+                       "write start = \"ramp\", or remove it");
   if (all || run.settle_at_rest != 0)
     v.number({"settle_at_rest", "s", settle_times,
               "time before the start of the mill, which stands still; not counted", 0.0,

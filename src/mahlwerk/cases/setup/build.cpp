@@ -10,7 +10,9 @@ namespace mahlwerk::cases {
 
 scene::Chamber chamber(const Case& c) {
   return {.shape = c.jar.shape,
-          .motion = c.mill.motion,
+          .motion = c.run.start == StartLayout::ramp
+                        ? kinematics::ramped(*c.mill.motion, c.run.ramp_time)
+                        : c.mill.motion,
           .mount = scene::mounted_along(c.mill.jar_axis),
           .gravity = c.gravity_vector()};
 }
@@ -59,7 +61,7 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
     return balls_of_state(c, c.run.start_from.states->at(static_cast<std::size_t>(replicate)));
   Random random(c.seed, static_cast<std::uint32_t>(replicate));
   const Rotation mount = scene::mounted_along(c.mill.jar_axis);
-  const kinematics::Pose start = kinematics::pose(*c.mill.motion, 0);
+  const kinematics::Pose start = kinematics::pose(*chamber(c).motion, 0);
   const Rotation axes = start.rotation * mount;
   const Vec3 gravity = c.gravity_vector();
   const Vec3 up = axes.apply_inverse(c.gravity == 0 ? Vec3{0, 0, 1} : -gravity / c.gravity);

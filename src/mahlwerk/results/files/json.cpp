@@ -105,6 +105,24 @@ Json states_of(const TwoStates& found) {
   return Json::object({{"chance", found.p_value}, {"states", std::move(states)}});
 }
 
+Json motion_states_of(const std::vector<MotionStateSummary>& found) {
+  Json list = Json::array();
+  const auto value = [](const observe::Estimate& of, const char* unit) {
+    return Json::object({{"value", of.mean}, {"ci95", of.ci95}, {"unit", unit}});
+  };
+  for (const MotionStateSummary& s : found)
+    list.push_back(Json::object({{"name", s.name},
+                                 {"share", value(s.share, "1")},
+                                 {"replicates", static_cast<std::int64_t>(s.replicates)},
+                                 {"visit", s.visit},
+                                 {"dissipated_power", value(s.power, "W")},
+                                 {"collision_rate_above_threshold", value(s.hit_rate, "1/s")},
+                                 {"energy_normal_mean_above_threshold", value(s.hit_energy, "J")},
+                                 {"turns_per_cycle", value(s.turns, "1")},
+                                 {"axial_ratio", value(s.axial_ratio, "1")}}));
+  return list;
+}
+
 Json groups_of(const std::vector<Quantity>& quantities) {
   Json list = Json::array();
   for (const QuantityGroup& group : quantity_groups(quantities))
@@ -153,6 +171,8 @@ Json summary_of(const Outcome& outcome, std::string_view version) {
   all["_groups"] = groups_of(summary.quantities);
   if (summary.sensitivity) all["_sensitivity"] = sensitivity_of(*summary.sensitivity);
   if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
+  if (!summary.motion_states.empty())
+    all["_motion_states"] = motion_states_of(summary.motion_states);
   if (summary.two_states) all["_states"] = states_of(*summary.two_states);
   return all;
 }

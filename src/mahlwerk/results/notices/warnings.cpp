@@ -13,6 +13,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
 namespace mahlwerk::results {
@@ -196,6 +197,7 @@ Notices warnings(const Outcome& outcome) {
   overlaps(outcome, list);
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
+  append(list, motion_state_notices(outcome.summary));
   flight_and_rolling(outcome, list);
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));

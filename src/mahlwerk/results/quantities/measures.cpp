@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 
@@ -25,7 +26,7 @@ Measures all_groups() {
   for (Measures (*group)() :
        {collision_rates, collision_rates_by_partner, collision_means, power_measures, loss_measures,
         contact_time_measures, mill_measures, energy_balance_measures, dose_measures,
-        regime_measures, motion_measures, bed_measures, tangential_measures})
+        regime_measures, motion_state_measures, motion_measures, bed_measures, tangential_measures})
     add(group);
   for (const cases::Part* part : cases::parts())
     if (part->quantities != nullptr) add(part->quantities);

@@ -15,6 +15,7 @@
 #include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
+#include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/regime_rule.hpp"
 
 namespace mahlwerk::results {
@@ -300,12 +301,16 @@ Measures regime_measures() {
 
 std::string regime(const Outcome& outcome) {
   const Case& c = outcome.mill_case;
-  if (!has_regime(c) || averaged_replicates(outcome).empty()) return "";
+  if (averaged_replicates(outcome).empty()) return "";
+  if (has_motion_states(c)) return motion_word(averaged_replicates(outcome));
+  if (!has_regime(c)) return "";
   return named(c, [&](Sign of) { return mean_of(outcome, of); });
 }
 
 std::string regime(const Case& mill_case, const Replicate& r) {
-  if (!has_regime(mill_case) || !(r.time() > 0)) return "";
+  if (!(r.time() > 0)) return "";
+  if (has_motion_states(mill_case)) return motion_word({&r});
+  if (!has_regime(mill_case)) return "";
   return named(mill_case, [&](Sign of) { return of(mill_case, r); });
 }
 

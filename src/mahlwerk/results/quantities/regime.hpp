@@ -18,7 +18,8 @@ bool has_regime(const cases::Case& mill_case);
 
 /// "cascading", "cataracting", "slumping", "sliding", "surging", "rigid", "resting", "rolling on
 /// the wall", "centrifuging" (of a drum), "rolling" (of a planetary mill), by the means over the
-/// averaged replicates (regime_rule.hpp); empty for other mills or without a counted time.
+/// averaged replicates (regime_rule.hpp); of a lying jar that is shaken its states of motion
+/// (motion_states.hpp); empty for other mills or without a counted time.
 std::string regime(const Outcome& outcome);
 /// The same for one replicate: modes of motion differ between replicates.
 std::string regime(const cases::Case& mill_case, const Replicate& replicate);

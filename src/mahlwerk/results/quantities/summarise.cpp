@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
@@ -70,8 +71,11 @@ Summary summarise(const Outcome& outcome) {
   made.pairs = by_pair(outcome);
   if (cases::distinct_replicates(outcome.mill_case) == 1)  // they differ by their starts only
     made.two_states = two_states(outcome, all, made.by_replicate);
+  made.motion_states = motion_states(outcome);
   made.regime = regime(outcome);
-  if (!made.regime.empty()) made.regime_reason = regime_reason(outcome);
+  if (!made.regime.empty())
+    made.regime_reason =
+        made.motion_states.empty() ? regime_reason(outcome) : motion_reason(made.motion_states);
   return made;
 }
 
