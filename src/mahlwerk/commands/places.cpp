@@ -21,20 +21,27 @@ cases::Catalogue catalogue() {
   return cases::Catalogue(data_folder("catalogue"));
 }
 
+std::string mill_named(const std::string& target) {
+  std::error_code failed;
+  if (fs::exists(target, failed)) return "";
+  try {
+    const std::vector<std::string> mills = catalogue().entries_called("mills", target);
+    return mills.size() == 1 ? mills.front() : "";
+  } catch (const InputError&) {  // without a catalogue
+    return "";
+  }
+}
+
 namespace {
 
 /// What to type where a case was expected.
 std::string instead_of(const std::string& target) {
-  std::vector<std::string> mills;
-  try {
-    mills = catalogue().entries_called("mills", target);
-  } catch (const InputError&) {  // without a catalogue
-  }
-  if (mills.size() != 1) return "give a case file, or a folder that contains one";
+  const std::string mill = mill_named(target);
+  if (mill.empty()) return "give a case file, or a folder that contains one";
   return fmt::format(
       "this is a mill of the catalogue: mahlwerk estimate {0} --balls 2x10mm gives first answers, "
       "mahlwerk new --mill {0} FILE writes a case",
-      mills.front());
+      mill);
 }
 
 }  // namespace

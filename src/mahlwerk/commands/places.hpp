@@ -16,6 +16,10 @@ namespace mahlwerk::commands {
 std::string_view version();
 cases::Catalogue catalogue();
 
+/// The one mill of the catalogue that `target` names, if there is no such file or folder; else
+/// empty.
+std::string mill_named(const std::string& target);
+
 /// The case files that `target` names: the file itself, the folder's case.toml, or else every .toml
 /// in the folder. Throws InputError if there is none.
 std::vector<std::filesystem::path> case_files(const std::string& target);

@@ -135,9 +135,7 @@ class ManyBalls final : public scene::Engine {
 
   /// Time argument for the jar's motion [s]. Where the motion repeats it is the clock itself, which
   /// differs from the mill time by whole periods, or by any time if the motion is steady.
-  double motion_time(double clock) const {
-    return jar_->repeats() ? clock : clock_origin_ + clock;
-  }
+  double motion_time(double clock) const { return jar_->repeats() ? clock : clock_origin_ + clock; }
   double mill_time() const { return clock_origin_ + now_; }
   Vec3 lab_velocity(const Trajectory& trajectory, double t) const {
     return trajectory.velocity + epoch_.velocity + t * gravity_;

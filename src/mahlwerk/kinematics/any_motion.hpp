@@ -27,7 +27,7 @@ std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
 /// The motion of a mill that comes to its speed from rest within `ramp_time` [s]; it has no period.
 Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time);
 Clock clock(const AnyMotion& motion, double t);
-bool speeds_up(const AnyMotion& motion);  ///< ramped()
+bool speeds_up(const AnyMotion& motion);       ///< ramped()
 Pose pose(const AnyMotion& motion, double t);  ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);
 Rotation rotation(const AnyMotion& motion, double t);

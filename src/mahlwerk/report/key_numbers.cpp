@@ -119,9 +119,9 @@ std::string about_assumed(const Outcome& outcome) {
   std::string text;
   if (!found.keys.empty())
     text = fmt::format(
-        "Assumed values, one at a time, at each end of its plausible range; one run of {} for "
-        "each, relative to the same run with the assumed value. Ranges leave out what chance "
-        "makes.",
+        "Assumed values, one at a time, at each end of its plausible range; {} of {} for "
+        "each, relative to the same with the assumed value. Ranges leave out what chance makes.",
+        found.replicates == 1 ? "one run" : fmt::format("{} runs", found.replicates),
         show_rounded(found.time, "s", 2));
   if (!found.left_out.empty())
     text += fmt::format(

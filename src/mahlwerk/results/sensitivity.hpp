@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,7 @@ struct AssumedInfluence {
 /// relative to the same run with the assumed values.
 struct Sensitivity {
   double time = 0;                      ///< [s] counted time of each run
+  std::int64_t replicates = 1;          ///< of each run
   std::vector<std::string> quantities;  ///< names, the first decides the order of the keys
   /// Of each quantity, the difference that two such runs have by chance in 95 of 100 cases, from
   /// the scatter of the replicates; 0 if that is not known.

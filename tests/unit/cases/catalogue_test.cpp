@@ -133,12 +133,12 @@ TEST(Catalogue, every_liquid_flows_and_weighs_as_solvents_do) {
   EXPECT_EQ(liquids, 5);
 }
 
-TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified) {
+TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified_or_has_a_range) {
   for_each_entry([&](const CatalogueEntry& entry) {
     for (const auto& [key, value] : entry.values) {
       const bool weak = value.source.find("from memory") != std::string::npos ||
                         value.source.find("recalled") != std::string::npos;
-      EXPECT_TRUE(value.unverified || !weak) << key;
+      EXPECT_TRUE(value.unverified || value.assumed || !weak) << key;
     }
   });
 }
@@ -164,7 +164,10 @@ TEST(Catalogue, every_mill_is_a_known_motion_and_its_jars_exist) {
 TEST(Catalogue, every_jar_can_be_built_and_every_planetary_g_figure_is_checked) {
   for_each_entry([&](const CatalogueEntry& entry) {
     if (entry.category == "jars") {
-      EXPECT_GT(derived(entry, "jar_volume"), 0);
+      const bool by_volume = !entry.values.contains("height") && entry.kind != "sphere";
+      EXPECT_GT(
+          by_volume ? parse_in(entry.values.at("volume").text, "m3") : derived(entry, "jar_volume"),
+          0);
     }
     if (entry.kind != "planetary" || !entry.values.contains("speed_most")) return;
     if (entry.name == "fritsch-p4") return;  // no g figure is known for it
@@ -190,7 +193,7 @@ TEST(Catalogue, the_p7_of_paper_b_reads_as_the_file_says) {
   EXPECT_EQ(p7.jars, (std::vector<std::string>{"fritsch-12ml", "fritsch-45ml-steel"}));
   // Omega^2 R_p / 9.81 at 800 rpm and 70 mm, physics sheet 1.8: 50.1
   EXPECT_NEAR(derived(p7, "relative_centrifugal_acceleration"), 50.08, 0.01);
-  EXPECT_TRUE(shipped().find("mills", "retsch-pm100").values.at("orbit_radius").unverified);
+  EXPECT_TRUE(shipped().find("mills", "retsch-pm100").values.at("orbit_radius").assumed);
   EXPECT_FALSE(p7.values.at("orbit_radius").unverified);
 }
 

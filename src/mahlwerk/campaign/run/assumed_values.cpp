@@ -33,8 +33,15 @@ std::size_t affordable(double budget, double each) {
   return static_cast<std::size_t>(std::max(0.0, (budget / each - 1) / 2));
 }
 
-/// The case for one end: one replicate in each sense of rotation, shorter, without what the key
-/// quantities do not need.
+/// Replicates of a run at an end: one in each sense of rotation, which costs little; those of the
+/// case where it asks for the influences.
+std::int64_t replicates_at_end(const cases::Case& c) {
+  const std::int64_t least = cases::needs_both_senses(c) ? 2 : 1;
+  return c.run.sensitivity == cases::SensitivityMode::on ? std::max(least, c.run.replicates)
+                                                         : least;
+}
+
+/// The case for one end: shorter, without what the key quantities do not need.
 cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   const results::Replicate& whole = outcome.replicates.front();
   cases::MillingTime milling = made.milling.value_or(cases::MillingTime());
@@ -44,7 +51,7 @@ cases::Case at_end(cases::Case made, const results::Outcome& outcome) {
   made.run.until.reset();
   made.run.settle = whole.at_settled.time;
   made.run.time = counted_at_end(outcome.mill_case, whole.time());
-  made.run.replicates = cases::needs_both_senses(made) ? 2 : 1;
+  made.run.replicates = replicates_at_end(outcome.mill_case);
   made.contact.softening = outcome.mill_case.contact.softening;
   made.observe.collisions = made.observe.final_state = false;
   made.observe.frames.reset();
@@ -77,8 +84,9 @@ std::vector<double> scatter_of(const results::Outcome& outcome, double counted,
       values.push_back(results::value_of(outcome, *r, name));
     const observe::Estimate mean = observe::estimate(values);
     const auto n = static_cast<double>(values.size());
-    // Two runs, each with the standard deviation of a replicate, more for their shorter time.
-    const double wide = mean.ci95 * std::sqrt(2 * n * chosen.front()->time() / counted);
+    // Two runs of m replicates, more for their shorter time.
+    const auto m = static_cast<double>(replicates_at_end(outcome.mill_case));
+    const double wide = mean.ci95 * std::sqrt(2 * n / m * chosen.front()->time() / counted);
     found.push_back(std::isfinite(wide) ? wide : 0);
   }
   return found;
@@ -170,7 +178,8 @@ double assumed_values_cost(const cases::Case& decided, double settling) {
   const double each = settling + counted_at_end(decided, decided.run.time);
   const std::size_t keys =
       std::min(assumed_with_range(decided).size(), most_keys(decided, whole, each));
-  return keys == 0 ? 0 : static_cast<double>(2 * keys + 1) * each / whole;
+  const auto replicates = static_cast<double>(replicates_at_end(decided));
+  return keys == 0 ? 0 : static_cast<double>(2 * keys + 1) * replicates * each / whole;
 }
 
 std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcome& outcome,
@@ -181,6 +190,7 @@ std::optional<results::Sensitivity> sensitivity_to_assumed(const results::Outcom
   if (!wanted(decided) || !results::complete(outcome)) return std::nullopt;
   results::Sensitivity found;
   found.time = counted_at_end(outcome.mill_case, outcome.replicates.front().time());
+  found.replicates = replicates_at_end(outcome.mill_case);
   found.quantities = results::key_quantities(outcome.summary.quantities);
   found.scatter = scatter_of(outcome, found.time, found.quantities);
   const std::vector<cases::Case> runs = runs_of_keys(decided, outcome, read, found);

@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
@@ -254,12 +255,34 @@ void describe_tilt(KeyVisitor& v, Mill& mill) {
   mill.tilt = given.value_or(0);
 }
 
-/// Warns of a jar that the catalogue names for other mills only.
+/// Warns of a jar of the case's own that holds much less or more than those of the mill.
+void remark_on_volume(SectionReader& in, const CatalogueEntry& mill, const Jar& jar) {
+  constexpr double least = 0.5, most = 1.5;  // times the smallest and the largest jar
+  const double volume = geometry::volume(*jar.shape);
+  std::vector<double> known;
+  for (const std::string& name : mill.jars) {
+    const CatalogueEntry entry = in.catalogue().find("jars", name);
+    if (const auto at = entry.values.find("volume"); at != entry.values.end())
+      known.push_back(parse_in(at->second.text, "m3"));
+  }
+  if (known.empty()) return;
+  const auto [small, large] = std::ranges::minmax(known);
+  if (!(volume < least * small) && !(volume > most * large)) return;
+  in.findings().remarks.push_back(warning(
+      "jar-does-not-fit",
+      fmt::format("The jar holds {}; those of {} in the catalogue hold {} to {}. Does it go "
+                  "into this mill?",
+                  show_rounded(volume, "m3", 3), mill.title, show_rounded(small, "m3", 3),
+                  show_rounded(large, "m3", 3))));
+}
+
+/// Warns of a jar that the catalogue names for other mills only, or that does not fit the mill.
 void remark_on_jar(SectionReader& in, const CatalogueEntry& mill, const Jar& jar) {
   const auto fits = [&](const CatalogueEntry& one) {
     return std::ranges::find(one.jars, jar.model) != one.jars.end();
   };
-  if (jar.model.empty() || fits(mill)) return;
+  if (jar.model.empty()) return remark_on_volume(in, mill, jar);
+  if (fits(mill)) return;
   std::string others;
   for (const std::string& name : in.catalogue().names("mills"))
     if (const CatalogueEntry other = in.catalogue().find("mills", name); fits(other))

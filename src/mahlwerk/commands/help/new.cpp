@@ -7,10 +7,10 @@
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/commands/command.hpp"
-#include "mahlwerk/commands/help/case_template.hpp"
-#include "mahlwerk/commands/help/start_values.hpp"
 #include "mahlwerk/commands/places.hpp"
+#include "mahlwerk/commands/reference/case_template.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
+#include "mahlwerk/commands/reference/start_values.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 

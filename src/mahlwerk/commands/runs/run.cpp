@@ -23,6 +23,7 @@
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/campaigns/sweep_case.hpp"
 #include "mahlwerk/commands/compute.hpp"
+#include "mahlwerk/commands/reference/case_template.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
 #include "mahlwerk/commands/reporting/result_files.hpp"
@@ -53,6 +54,7 @@ struct RunArguments : CaseArguments {
 
 /// A case and its result folder.
 struct RunJob {
+  cases::CaseFile source;
   cases::Case mill_case;
   fs::path file, place;
   std::unique_ptr<results::Folder> folder;  ///< null for a campaign, which has its own folder
@@ -60,15 +62,17 @@ struct RunJob {
   bool sweeps() const { return !mill_case.sweep.empty(); }
 };
 
-RunJob prepare_run(const RunArguments& given, const fs::path& file, bool several,
-                   const cases::Catalogue& catalogue) {
-  RunJob job;
-  job.file = file;
-  job.mill_case = cases::read(file, catalogue, given.overrides());
+RunJob prepare_run(const RunArguments& given, cases::CaseFile source, const fs::path& file,
+                   bool several, const cases::Catalogue& catalogue) {
   const auto& out = given.running.out;
-  job.place = !out      ? default_folder(given.target, file, several)
-              : several ? *out / file.stem()
-                        : *out;
+  RunJob job{.source = std::move(source),
+             .mill_case = {},
+             .file = file,
+             .place = !out      ? default_folder(given.target, file, several)
+                      : several ? *out / file.stem()
+                                : *out,
+             .folder = nullptr};
+  job.mill_case = job.source.read(catalogue, given.overrides());
   if (job.sweeps()) return job;
   if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
     throw InputError(std::move(wrong));
@@ -145,17 +149,42 @@ std::vector<cases::Case> plain_cases(const std::vector<RunJob>& jobs) {
   return found;
 }
 
+/// The run of a mill that is given by its name alone, with the jar, the balls and the speed that
+/// `mahlwerk new` proposes. It varies all assumed values.
+RunJob prepare_mill(const RunArguments& given, const std::string& mill,
+                    const cases::Catalogue& known) {
+  CaseParts parts;
+  parts.mill = mill;
+  complete(parts, known);
+  const std::string text = case_template(parts, known);
+  RunArguments with_band = given;
+  with_band.changes.set.insert(with_band.changes.set.begin(), {"run.sensitivity", "on"});
+  RunJob job =
+      prepare_run(with_band, cases::CaseFile(text, mill + ".toml"), mill + ".toml", false, known);
+  job.mill_case.remarks.push_back(warning(
+      "proposed-case",
+      fmt::format("Only the mill is given. Its jar, balls and speed are those that `mahlwerk new "
+                  "--mill {} FILE` writes, not yours: change them there, or use `mahlwerk "
+                  "estimate`.",
+                  mill)));
+  return job;
+}
+
 /// Reads all cases and checks all result folders before anything is computed. Throws InputError.
 std::vector<RunJob> prepare_all(const RunArguments& given) {
   const cases::Catalogue known = catalogue();
-  const std::vector<fs::path> files = case_files(given.target);
   std::vector<RunJob> jobs;
   std::vector<Fault> wrong;
-  for (const fs::path& file : files) try {
-      jobs.push_back(prepare_run(given, file, files.size() > 1, known));
-    } catch (const InputError& e) {
-      wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
-    }
+  if (const std::string mill = mill_named(given.target); !mill.empty()) {
+    jobs.push_back(prepare_mill(given, mill, known));
+  } else {
+    const std::vector<fs::path> files = case_files(given.target);
+    for (const fs::path& file : files) try {
+        jobs.push_back(prepare_run(given, cases::CaseFile(file), file, files.size() > 1, known));
+      } catch (const InputError& e) {
+        wrong.insert(wrong.end(), e.faults().begin(), e.faults().end());
+      }
+  }
   if (!wrong.empty()) throw InputError(std::move(wrong));
   if (!given.lammps.writes_only()) campaign::check_disk(plain_cases(jobs), jobs.front().place);
   check_lammps(given.lammps, given.running.force, cases_of(jobs), lammps_root(jobs));
@@ -233,7 +262,7 @@ bool add_sensitivity(const RunArguments& given, const RunJob& job, results::Outc
   const auto read = [&](const std::string& key, const std::string& text) {
     std::vector<cases::Override> set = given.overrides();
     set.push_back({key, text});
-    return cases::read(job.file, known, set);
+    return job.source.read(known, set);
   };
   ProgressLine line(given.running.quiet);
   campaign::RunOptions options = run_options(given.running.threads);

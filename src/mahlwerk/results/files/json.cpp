@@ -145,6 +145,7 @@ Json sensitivity_of(const Sensitivity& found) {
                                  {"at_ends", std::move(at_ends)}}));
   }
   return Json::object({{"time", found.time},
+                       {"replicates", found.replicates},
                        {"scatter", std::move(scatter)},
                        {"keys", std::move(keys)},
                        {"left_out", found.left_out}});

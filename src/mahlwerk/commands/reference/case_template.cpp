@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/commands/help/case_template.hpp"
+#include "mahlwerk/commands/reference/case_template.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,8 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/commands/help/start_values.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
+#include "mahlwerk/commands/reference/start_values.hpp"
 
 namespace mahlwerk::commands {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/commands/help/start_values.hpp"
+#include "mahlwerk/commands/reference/start_values.hpp"
 
 #include <fmt/format.h>
 
