@@ -201,7 +201,8 @@ class PaperCampaign:
 
 
 REGIMES = ("cascading", "cataracting", "centrifuging", "rigid", "resting", "rolling",
-           "rolling on the wall", "sliding", "slumping", "surging")
+           "rolling on the wall", "sliding", "slumping", "surging", "circling", "bouncing", "pinned",
+           "stationary", "irregular")
 
 
 def positive(number: float) -> float:

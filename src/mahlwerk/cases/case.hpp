@@ -272,13 +272,14 @@ struct MillingTime {
 
 /// Heat transfer and milling cycles; absent from a case without [heat].
 struct Heat {
-  double ambient = 293.15;      ///< [K] of the air, and of all parts at the start
-  double milling = 3600;        ///< [s] milling time of one cycle
-  double pause = 0;             ///< [s] pause at the end of each cycle
-  std::int64_t cycles = 1;      ///< of milling and pause
-  double cooling = 15;          ///< [W/(m2 K)] from the jar's wall to the air
-  double ball_exchange = 50;    ///< [W/(m2 K)] from the balls' surface to the jar
-  double share_in_balls = 0.5;  ///< [1] of the lost power that heats the balls first
+  double ambient = 293.15;    ///< [K] of the air, and of all parts at the start
+  double milling = 3600;      ///< [s] milling time of one cycle
+  double pause = 0;           ///< [s] pause at the end of each cycle
+  std::int64_t cycles = 1;    ///< of milling and pause
+  double cooling = 15;        ///< [W/(m2 K)] from the jar's wall to the air
+  double ball_exchange = 50;  ///< [W/(m2 K)] from the balls' surface to the jar
+  /// [1] of the lost power, that heats the balls first; none: by the collisions (hea.12)
+  std::optional<double> share_in_balls = std::nullopt;
   bool operator==(const Heat&) const = default;
 };
 

@@ -73,9 +73,9 @@ powder::HeatNodes heat_nodes(const Case& c, double wall_area) {
           .cooling = c.heat->cooling * wall_area};
 }
 
-powder::MillCycles mill_cycles(const Case& c, double power) {
+powder::MillCycles mill_cycles(const Case& c, double power, double in_balls) {
   return {.power = power,
-          .share = c.heat->share_in_balls,
+          .share = in_balls,
           .ambient = c.heat->ambient,
           .milling = c.heat->milling,
           .pause = c.heat->pause,

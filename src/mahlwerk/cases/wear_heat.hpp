@@ -29,7 +29,8 @@ double jar_mass(const Case& c, double wall_area);
 /// Heat capacities and heat transfer of a case with [heat] (hea.3). `wall_area` [m2] > 0 is the
 /// area of the jar's inner wall.
 powder::HeatNodes heat_nodes(const Case& c, double wall_area);
-/// Milling cycles of a case with [heat] that dissipates `power` [W] during milling.
-powder::MillCycles mill_cycles(const Case& c, double power);
+/// Milling cycles of a case with [heat] that dissipates `power` [W] during milling, of which the
+/// share `in_balls` heats the balls first.
+powder::MillCycles mill_cycles(const Case& c, double power, double in_balls);
 
 }  // namespace mahlwerk::cases

@@ -111,8 +111,8 @@ TEST(ReadHeat, defaults) {
   EXPECT_FALSE(read_sample(vial).heat.has_value());
   const Case c = read_sample(vial + "[heat]\n");
   EXPECT_EQ(c.heat, Heat());
-  for (const char* key : {"heat.ambient", "heat.milling", "heat.pause", "heat.cycles",
-                          "heat.ball_exchange", "heat.share_in_balls"})
+  for (const char* key :
+       {"heat.ambient", "heat.milling", "heat.pause", "heat.cycles", "heat.ball_exchange"})
     EXPECT_TRUE(assumed(c, key)) << key;
 }
 
@@ -165,7 +165,7 @@ TEST(WearHeat, balls_and_jar_of_a_case_as_lumps) {
   states("between them [W/K]", n.exchange, 40 * 5 * pi * 15e-3 * 15e-3, 1e-15,
          "by the balls' surface");
   states("to the air [W/K]", n.cooling, 15 * area, 1e-15, "by the jar's wall");
-  const powder::MillCycles mill = mill_cycles(c, 8);
+  const powder::MillCycles mill = mill_cycles(c, 8, 0.5);
   states("into the balls [W]", mill.heating().balls, 4, 1e-15, "half of 8 W");
   states("in all [W]", mill.heating().balls + mill.heating().jar, 8, 1e-15, "8 W");
 }

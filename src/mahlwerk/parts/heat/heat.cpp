@@ -11,6 +11,7 @@
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
+#include "mahlwerk/results/quantities/heat_share.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
@@ -66,13 +67,12 @@ void describe(cases::KeyVisitor& v, Heat& heat, const Case&) {
             "heat from the balls to the jar, by area of the balls and kelvin", Heat().ball_exchange,
             "gas between balls in motion and the wall, 10-200 (hea.6); uncalibrated"},
            heat.ball_exchange);
-  v.number({"share_in_balls",
-            "",
-            {.least = 0, .most = 1},
-            "share of the lost power that heats the balls, the rest the jar",
-            Heat().share_in_balls,
-            "contacts of equal bodies; uncalibrated"},
-           heat.share_in_balls);
+  v.optional_number(
+      cases::NumberSpec("share_in_balls", "", {.least = 0, .most = 1},
+                        "share of the lost power that heats the balls, the rest the jar")
+          .with_default_text(
+              "by the collisions: all that those between balls lose, half of the rest"),
+      heat.share_in_balls);
   if (cases::SectionReader* in = v.reader(); in != nullptr && !in->findings().milling_time) {
     in->findings().milling_time = heat.milling * static_cast<double>(heat.cycles);
     in->findings().milling_time_of = "heat";
@@ -82,7 +82,8 @@ void describe(cases::KeyVisitor& v, Heat& heat, const Case&) {
 /// Temperatures at the end of the last milling period, for the replicate's dissipated power.
 powder::HeatPoint at_the_end(const Case& c, const Replicate& r) {
   const powder::HeatNodes nodes = cases::heat_nodes(c, results::wall_area(*c.jar.shape));
-  const powder::MillCycles mill = cases::mill_cycles(c, results::dissipated_power(r));
+  const powder::MillCycles mill =
+      cases::mill_cycles(c, results::dissipated_power(r), results::heat_share_in_balls(c, r));
   const double end = (mill.milling + mill.pause) * static_cast<double>(mill.cycles) - mill.pause;
   powder::HeatPoint last;
   for (const powder::HeatPoint& p : powder::temperature_history(nodes, mill))
@@ -108,6 +109,13 @@ results::Measures quantities() {
            "temperature of the jar at the end of the last milling",
            [](const Case& c, const Replicate& r) { return at_the_end(c, r).jar - zero_celsius; },
            {.range = results::any_value, .label = "temperature of the jar"}},
+          {"heat_share_in_balls",
+           "1",
+           "share of the dissipated power that heats the balls first; the rest heats the jar",
+           results::heat_share_in_balls,
+           {.range = results::share_of_whole,
+            .label = "share of heat in the balls",
+            .equation = "hea.12"}},
           {"flash_rise_mean",
            "K",
            "mean flash temperature rise at the contact of a collision, weighted by the energy "
@@ -132,13 +140,14 @@ Table temperatures(const Outcome& outcome) {
               {}};
   const auto chosen = results::averaged_replicates(outcome);
   if (chosen.empty()) return table;
-  double power = 0;
-  for (const Replicate* r : chosen)
-    power += results::dissipated_power(*r) / static_cast<double>(chosen.size());
-  const powder::HeatNodes nodes =
-      cases::heat_nodes(outcome.mill_case, results::wall_area(*outcome.mill_case.jar.shape));
+  const Case& c = outcome.mill_case;
+  const double power = results::mean_over(
+                   chosen, [](const Replicate&r) { return results::dissipated_power(r); }),
+               in_balls = results::mean_over(
+                   chosen, [&](const Replicate&r) { return results::heat_share_in_balls(c, r); });
+  const powder::HeatNodes nodes = cases::heat_nodes(c, results::wall_area(*c.jar.shape));
   for (const powder::HeatPoint& p :
-       powder::temperature_history(nodes, cases::mill_cycles(outcome.mill_case, power)))
+       powder::temperature_history(nodes, cases::mill_cycles(c, power, in_balls)))
     table.rows.push_back({p.time, p.balls - zero_celsius, p.jar - zero_celsius});
   return table;
 }

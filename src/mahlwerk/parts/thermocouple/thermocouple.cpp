@@ -12,6 +12,7 @@
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
+#include "mahlwerk/results/quantities/heat_share.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
@@ -64,9 +65,10 @@ struct ThermocoupleRecord {
   std::size_t last_milling = 0;          ///< index of the end of the last milling
 };
 
-ThermocoupleRecord thermocouple_record(const Case& c, double power) {
+/// `power` [W] is dissipated during milling, the share `in_balls` of it in the balls.
+ThermocoupleRecord thermocouple_record(const Case& c, double power, double in_balls) {
   const powder::HeatNodes nodes = cases::heat_nodes(c, results::wall_area(*c.jar.shape));
-  const powder::MillCycles cycles = cases::mill_cycles(c, power);
+  const powder::MillCycles cycles = cases::mill_cycles(c, power, in_balls);
   const powder::Thermocouple sensor = thermocouple(c);
   ThermocoupleRecord record;
   powder::HeatPoint last;
@@ -93,7 +95,8 @@ results::Measures quantities() {
         "degC",
         "reading of the thermocouple at the end of the last milling",
         [](const Case& c, const Replicate& r) {
-          const ThermocoupleRecord record = thermocouple_record(c, results::dissipated_power(r));
+          const ThermocoupleRecord record = thermocouple_record(c, results::dissipated_power(r),
+                                                                results::heat_share_in_balls(c, r));
           return record.readings[record.last_milling] - zero_celsius;
         },
         {.range = results::any_value, .equation = "sns.8", .heading = "Thermocouple"}}});
@@ -107,9 +110,12 @@ Table readings(const Outcome& outcome) {
               {}};
   const auto chosen = results::averaged_replicates(outcome);
   if (chosen.empty()) return table;
+  const Case& c = outcome.mill_case;
   const ThermocoupleRecord record = thermocouple_record(
-      outcome.mill_case,
-      results::mean_over(chosen, [](const Replicate& r) { return results::dissipated_power(r); }));
+      c,
+      results::mean_over(chosen, [](const Replicate& r) { return results::dissipated_power(r); }),
+      results::mean_over(chosen,
+                         [&](const Replicate& r) { return results::heat_share_in_balls(c, r); }));
   for (std::size_t i = 0; i < record.times.size(); ++i)
     table.rows.push_back(
         {record.times[i], record.around[i] - zero_celsius, record.readings[i] - zero_celsius});

@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/wear_heat.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/heat_share.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
 namespace mahlwerk::results {
@@ -33,7 +34,8 @@ powder::PowderTemperature powder_temperature(const Case& mill_case, const Chosen
   }
   found.nodes = cases::heat_nodes(mill_case, wall_area(*mill_case.jar.shape));
   found.cycles = cases::mill_cycles(
-      mill_case, mean_over(of, [](const Replicate& r) { return dissipated_power(r); }));
+      mill_case, mean_over(of, [](const Replicate& r) { return dissipated_power(r); }),
+      mean_over(of, [&](const Replicate& r) { return heat_share_in_balls(mill_case, r); }));
   found.node = k.temperature_of == cases::Kinetics::TemperatureOf::balls
                    ? powder::PowderTemperature::Node::balls
                    : powder::PowderTemperature::Node::jar;
