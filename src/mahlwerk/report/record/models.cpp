@@ -97,7 +97,7 @@ const std::vector<CitedModel> models{
     {"sizes over time", "statistical", {}, "a sample of grains, of Mahlwerk"},
     {"sizes over time", "both", {"reid1965"}},
 
-    {"kinetics", "dose", {}, "a stretched exponential, of Mahlwerk"},
+    {"kinetics", "dose", {}, "an exponential of the dose"},
     {"kinetics", "by-impact", {"colacino2018"}},
     {"kinetics", "thermal", {"andersen2017"}},
     {"kinetics", "ignition", {"takacs2002", "schaffer1991"}},
