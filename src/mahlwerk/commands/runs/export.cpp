@@ -89,7 +89,7 @@ void check_license(const std::string& license) {
 }
 
 /// Files of the result, by their path relative to it: those that Mahlwerk wrote, or all files of a
-/// folder without a list of them.
+/// folder without a list of them. The list itself changes with the description and is left out.
 std::set<std::string> result_files(const fs::path& folder) {
   std::set<std::string> names, found;
   if (auto listed = results::listed_files(folder))
@@ -100,8 +100,8 @@ std::set<std::string> result_files(const fs::path& folder) {
   std::error_code none;
   for (const std::string& name : names) {
     const fs::path path = fs::path(name).lexically_normal();
-    if (name != report::crate_file && path.is_relative() && *path.begin() != ".." &&
-        fs::is_regular_file(folder / path, none))
+    if (name != report::crate_file && name != results::manifest_name && path.is_relative() &&
+        *path.begin() != ".." && fs::is_regular_file(folder / path, none))
       found.insert(name);
   }
   return found;

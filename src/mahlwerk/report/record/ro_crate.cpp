@@ -26,16 +26,15 @@ std::string_view looked_up(std::span<const Texts> table, std::string_view key,
 
 constexpr std::array formats{Texts{"json", "application/json"}, Texts{"toml", "application/toml"},
                              Texts{"html", "text/html"},        Texts{"csv", "text/csv"},
-                             Texts{"h5", "application/x-hdf5"}, Texts{"txt", "text/plain"},
-                             Texts{"stl", "model/stl"},         Texts{"xyz", "chemical/x-xyz"}};
+                             Texts{"h5", "application/x-hdf5"}, Texts{"stl", "model/stl"},
+                             Texts{"xyz", "chemical/x-xyz"}};
 
 constexpr std::array contents{
     Texts{"summary.json", "every quantity with value, interval, unit and meaning"},
     Texts{"case.resolved.toml", "the case: every value that was used, with its source"},
     Texts{"report.html", "report with plots and a replay"},
     Texts{"result.h5", "quantities, tables and maps in one file"},
-    Texts{"collisions.h5", "every collision"},
-    Texts{"mahlwerk-files.txt", "list of the files that Mahlwerk wrote"}};
+    Texts{"collisions.h5", "every collision"}};
 
 Json id(std::string_view of) {
   return Json::object({{"@id", of}});
