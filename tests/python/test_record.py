@@ -315,6 +315,22 @@ def test_the_description_belongs_to_the_result(made, ball):
     assert not Path(made, "ro-crate-metadata.json").exists()
 
 
+def test_results_without_a_list_of_their_own_become_crates_that_can_be_replaced(ball, program):
+    ball.save("ball.toml")
+    words = ("compare", "ball.toml", "--set", "run.time=0.5 s", "--out", "both", "--quiet", "--force")
+    assert program(*words)[0] == 0
+    for _ in range(2):
+        assert program("export", "both/soft/", "--force")[0] == 0
+        checked("both/soft")
+    assert not Path("both/soft/mahlwerk-files.txt").exists()
+    assert program(*words)[0] == 0 and not Path("both/soft/ro-crate-metadata.json").exists()
+    ball.run("old")  # as an early version left it: without a list
+    Path("old/mahlwerk-files.txt").unlink()
+    assert program("export", "old")[0] == 0
+    checked("old")
+    ball.run("old", force=True)
+
+
 def test_what_cannot_be_exported_is_refused_with_a_remedy(made, program, tmp_path):
     def refused(code, *words):
         ended, out, said = program("export", *words, "--json")
@@ -325,6 +341,7 @@ def test_what_cannot_be_exported_is_refused_with_a_remedy(made, program, tmp_pat
     refused("result-exists", made)
     refused("no-result", "nowhere")
     refused("no-result", ".")
+    refused("no-result", made / "summary.json")
     refused("result-exists", made, "--out", made / "inside", "--force")
     (tmp_path / "there").mkdir()
     (tmp_path / "there" / "mine.txt").write_text("x", encoding="utf-8")

@@ -88,12 +88,31 @@ void check_license(const std::string& license) {
         "write for instance --license CC-BY-4.0, or the address of the license", "wrong-license"});
 }
 
+/// The list of files that names those of a result: its own, or that of the folder above.
+struct ListOfFiles {
+  fs::path folder;              ///< where the list is
+  std::string below;            ///< path of the result from there: "" or "soft/"
+  std::set<std::string> names;  ///< relative to the result
+};
+
+std::optional<ListOfFiles> list_of_files(const fs::path& folder) {
+  if (auto own = results::listed_files(folder)) return ListOfFiles{folder, "", std::move(*own)};
+  const fs::path whole = fs::weakly_canonical(folder);
+  ListOfFiles list{whole.parent_path(), whole.filename().string() + "/", {}};
+  const auto above = results::listed_files(list.folder);
+  if (!above) return std::nullopt;
+  for (const std::string& name : *above)
+    if (name.starts_with(list.below)) list.names.insert(name.substr(list.below.size()));
+  if (list.names.empty()) return std::nullopt;
+  return list;
+}
+
 /// Files of the result, by their path relative to it: those that Mahlwerk wrote, or all files of a
 /// folder without a list of them. The list itself changes with the description and is left out.
 std::set<std::string> result_files(const fs::path& folder) {
   std::set<std::string> names, found;
-  if (auto listed = results::listed_files(folder))
-    names = std::move(*listed);
+  if (auto list = list_of_files(folder))
+    names = std::move(list->names);
   else
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
       names.insert(entry.path().filename().string());
@@ -174,16 +193,17 @@ fs::path write_copy(const fs::path& folder, const fs::path& to, bool force,
   return to / report::crate_file;
 }
 
-/// Writes the description into the result folder, and into the list of its files.
+/// Writes the description into the result folder, and its name into the list of files.
 fs::path write_beside(const fs::path& folder, bool force, const std::string& text) {
-  const fs::path file = folder / report::crate_file;
+  fs::path file = folder / report::crate_file;
   std::error_code none;
   if (!force && fs::exists(file, none))
     throw InputError(Fault{file.string(), "the result has a description already",
                            "replace it with --force, or write a copy with --out FOLDER",
                            "result-exists"});
   results::write_whole(file, text);
-  results::list_files(folder, {std::string(report::crate_file)});
+  if (const auto list = list_of_files(folder))
+    results::list_files(list->folder, {list->below + std::string(report::crate_file)});
   return file;
 }
 

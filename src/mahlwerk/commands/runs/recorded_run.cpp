@@ -139,6 +139,9 @@ void restore_origins(cases::Case& c, const fs::path& file, const std::string& te
   if (!fs::exists(folder, none))
     throw InputError(Fault{folder.string(), "there is no such folder",
                            "give the folder that `mahlwerk run` wrote", "no-result"});
+  if (!fs::is_directory(folder, none))
+    throw InputError(Fault{folder.string(), "this is a file, not the folder of a result",
+                           "give the folder that `mahlwerk run` wrote", "no-result"});
   if (fs::exists(folder / "campaign.sqlite", none))
     throw InputError(Fault{folder.string(), "this is the folder of a campaign, which has many runs",
                            "give the folder of one of them: `mahlwerk sweep --results all` keeps "
