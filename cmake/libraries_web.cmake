@@ -13,7 +13,7 @@ set(RANDOM123_INCLUDE ${headers})
 string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|surrogate|sweep/.*work|sweep/campaign)"
   "|soft/device/"
   "|campaign/run/(resumable|streams)|lammps/program|results/files/(hdf5|result_file|writer)|report/(write|scripts|(fit|calibration|optimum)(_page)?|match|parameters|study_json)[.]cpp"
-  "|report/campaign/"
+  "|report/(campaign|record)/"
   "|commands/([a-z_]+[.]cpp|(reporting|campaigns|runs|searches|help)/)")
 
 function(header_library name)

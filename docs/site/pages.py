@@ -28,7 +28,7 @@ LISTS = {
     "publications/index": ("Recomputed papers", "Two published simulations, recomputed figure by figure.",
                            "publications/*"),
 }
-HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar", "browser"]
+HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar", "browser", "notebook"]
 # Pages below another page that is no list.
 BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",
          "reference/keys/index": "reference/keys/*",

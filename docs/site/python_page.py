@@ -8,7 +8,7 @@ from pages import HOME
 SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
     "Estimates": ["estimate", "Estimate", "Band", "Cause"],
-    "Results": ["Result", "Quantity", "Influence", "Notice", "open", "record_columns"],
+    "Results": ["Result", "Quantity", "Influence", "Notice", "Citation", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey"],
     "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
     "Plots": ["plots.ResultPlots", "plots.CampaignPlots"],

@@ -22,6 +22,7 @@ from . import _core
 from .campaign import Campaign, SweptKey
 from .case import Case
 from .check import Check, Origin
+from .citation import Citation
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .estimates import Band, Cause, Estimate, estimate
@@ -36,8 +37,8 @@ Fault = _core.Fault
 atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
-__all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Comparison", "Estimate", "Fault", "Fit", "Influence",
-           "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
+__all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Citation", "Comparison", "Estimate", "Fault", "Fit",
+           "Influence", "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
            "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "estimate", "open",
            "record_columns"]
 

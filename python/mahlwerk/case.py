@@ -23,6 +23,7 @@ from .records import observer
 
 if TYPE_CHECKING:
     from .campaign import Campaign
+    from .citation import Citation
     from .result import Result
     from .searches import Comparison, Fit, Match, Optimum
 
@@ -170,6 +171,13 @@ class Case:
         return Check({name: Quantity(name, q["value"], None, q["unit"], q["about"])
                       for name, q in said["follows"].items()}, said["notes"],
                      [one for one in self.origins if one.assumed])
+
+    def cite(self) -> Citation:
+        """Methods paragraph and references of the models that a run would use, as `mahlwerk cite`."""
+        from .citation import Citation
+
+        with self._source.as_file() as target:
+            return Citation.of(command(["cite"], case=target, set=self._source.changes))
 
     def run(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
             collisions: Optional[bool] = None,

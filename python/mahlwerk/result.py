@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from .case import Case
+    from .citation import Citation
     from .plots import ResultPlots
 
 __all__ = ["Result"]
@@ -229,6 +230,21 @@ class Result:
     def page(self) -> Page:
         """The page report.html, for a notebook or a file."""
         return Page(self.report)
+
+    def cite(self) -> Citation:
+        """Methods paragraph and references of the models that this run used, as `mahlwerk cite`. A
+        result in memory whose case names files must be saved first. Raises InputError."""
+        import tempfile
+
+        from .citation import Citation
+        from .commands import command
+
+        if self.folder is not None:
+            return Citation.of(command(["cite"], case=os.fspath(self.folder)))
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "summary.json").write_text(json.dumps(self.summary), encoding="utf-8")
+            Path(folder, "case.resolved.toml").write_text(self.text, encoding="utf-8")
+            return Citation.of(command(["cite"], case=folder))
 
     def save(self, folder: Union[str, os.PathLike[str]], *, force: bool = False) -> None:
         """Writes a result folder, the same as the command line, with the collision records that are in

@@ -196,39 +196,53 @@ class MethodsText {
   const Case& c_;
 };
 
-std::string engine_words(const results::Outcome& outcome) {
-  if (outcome.engine == cases::EngineName::event)
+std::string engine_words(const Case& c, cases::EngineName engine) {
+  if (engine == cases::EngineName::event)
     return "an event-driven simulation of rough hard spheres with exact free flight and "
            "instantaneous collisions";
-  const contact::ContactModel& model = outcome.mill_case.contact.model;
+  const contact::ContactModel& model = c.contact.model;
   return fmt::format("the discrete element method (soft spheres, law {}, rolling {}){}",
                      contact::name_of(*model.law), contact::rule_of(model.rolling).name,
-                     outcome.engine == cases::EngineName::lammps ? " in LAMMPS" : "");
+                     engine == cases::EngineName::lammps ? " in LAMMPS" : "");
+}
+
+/// "5 replicates of 60 s each were counted after 0.8 s of settling, from ...".
+std::string extent_words(const CountedRuns& runs, std::uint64_t seed) {
+  const bool one = runs.replicates == 1;
+  const std::string settling = !runs.settling ? " after the mill had settled"
+                               : *runs.settling > 0
+                                   ? fmt::format(" after {:.4g} s of settling", *runs.settling)
+                                   : "";
+  return fmt::format(
+      "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
+      "confidence, by Student's t over replicates{}.",
+      one ? "One replicate" : fmt::format("{} replicates", runs.replicates), runs.time,
+      one ? "was" : "were", settling, seed,
+      one ? " or, of one alone, by batch means over time" : "");
 }
 
 }  // namespace
 
-std::string methods(const results::Outcome& outcome, std::string_view version) {
-  const Case& c = outcome.mill_case;
+std::string methods(const Case& c, cases::EngineName engine, const CountedRuns& runs,
+                    std::string_view version) {
   const MethodsText say(c);
-  const auto chosen = results::averaged_replicates(outcome);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
-                                 engine_words(outcome));
-  text += say.mill() + say.charge() + say.contact(outcome.engine) + say.liquid() + say.powder() +
-          say.kinetics();
-  const auto mean = [&](const auto& of) { return results::mean_over(chosen, of); };
-  const double time = mean([](const results::Replicate&r) { return r.time(); }),
-               settling = mean([](const results::Replicate&r) { return r.at_settled.time; });
-  text += fmt::format(
-      "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
-      "confidence, by Student's t over replicates{}.",
-      chosen.size() == 1 ? "One replicate" : fmt::format("{} replicates", chosen.size()), time,
-      chosen.size() == 1 ? "was" : "were",
-      settling > 0 ? fmt::format(" after {:.4g} s of settling", settling) : "", c.seed,
-      chosen.size() == 1 ? " or, of one alone, by batch means over time" : "");
+                                 engine_words(c, engine));
+  text += say.mill() + say.charge() + say.contact(engine) + say.liquid() + say.powder() +
+          say.kinetics() + extent_words(runs, c.seed);
   if (text.find('*') != std::string::npos)
     text += " * Assumed, not measured: a default of the program.";
   return text;
+}
+
+std::string methods(const results::Outcome& outcome, std::string_view version) {
+  const auto chosen = results::averaged_replicates(outcome);
+  const auto mean = [&](const auto& of) { return results::mean_over(chosen, of); };
+  return methods(outcome.mill_case, outcome.engine,
+                 {.replicates = chosen.size(),
+                  .time = mean([](const results::Replicate& r) { return r.time(); }),
+                  .settling = mean([](const results::Replicate& r) { return r.at_settled.time; })},
+                 version);
 }
 
 }  // namespace mahlwerk::report

@@ -70,6 +70,7 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("paper.json"),
                                std::string_view("claims.csv"),
                                std::string_view("claims.md"),
+                               std::string_view("ro-crate-metadata.json"),
                                std::string_view("jar.stl"),
                                std::string_view("motion.csv")};
 
