@@ -40,10 +40,8 @@ void FrameReader::refuse(const std::string& what) const {
 
 std::size_t FrameReader::header_number() {
   int c = stream_.get();
-  while (std::isspace(c) != 0 || c == '#') {
-    while (c == '#' || (c != '\n' && c != EOF && std::isspace(c) == 0)) c = stream_.get();
-    c = stream_.get();
-  }
+  for (bool comment = false; comment || c == '#' || std::isspace(c) != 0; c = stream_.get())
+    comment = c == '#' || (comment && c != '\n' && c != EOF);
   std::size_t number = 0;
   int digits = 0;
   for (; std::isdigit(c) != 0 && digits < 9; c = stream_.get(), ++digits)

@@ -93,10 +93,16 @@ observe::Estimate rate_in_batches(const std::vector<double>& times, double durat
 }  // namespace
 
 std::vector<double> hit_times(const Sound& sound, const HitSettings& settings) {
+  if (settings.low_cut > 0.4 * sound.rate)
+    throw InputError(
+        Fault{"",
+              fmt::format("with {} samples per second nothing is left above {}",
+                          show_rounded(sound.rate, ""), show_rounded(settings.low_cut, "Hz")),
+              "record with 44.1 or 48 kHz, or give a smaller --low-cut", "bad-readings"});
   const auto length = static_cast<std::size_t>(
       std::max(8.0, std::round(0.25 * settings.definition_time * sound.rate)));
-  const std::vector<double> levels = levels_of(
-      high_pass(sound.samples, std::min(settings.low_cut, 0.4 * sound.rate), sound.rate), length);
+  const std::vector<double> levels =
+      levels_of(high_pass(sound.samples, settings.low_cut, sound.rate), length);
   if (levels.size() < 10) return {};
   std::vector<double> times;
   double last = -std::numeric_limits<double>::infinity();

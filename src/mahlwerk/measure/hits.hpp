@@ -18,6 +18,7 @@ struct HitSettings {
 
 /// [s] Times of the hits (mea.9): the level rises by `rise` above its last minimum and above the
 /// noise, the level that a fifth of the time is below, and is at most 50 dB below the loudest hit.
+/// Throws InputError if the sound has no frequencies above the low cut.
 std::vector<double> hit_times(const Sound& sound, const HitSettings& settings);
 
 /// Hits per second as [microphone] counts them, with an interval by batch means, and the rate of

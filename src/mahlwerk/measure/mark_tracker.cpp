@@ -58,7 +58,7 @@ MarkTracker::MarkTracker(std::vector<std::array<double, 2>> starts, double windo
 
 void MarkTracker::lose(std::size_t mark, const std::string& why) const {
   throw InputError(
-      Fault{fmt::format("mark {}, picture {}", mark + 1, marks_[mark].x.size() + 1), why,
+      Fault{"", fmt::format("mark {}, picture {}: {}", mark + 1, marks_[mark].x.size() + 1, why),
             "give its place in the first picture, --mark X,Y in pixels from the upper left corner, "
             "a larger --window, or a film with more contrast and more frames per second",
             "bad-readings"});

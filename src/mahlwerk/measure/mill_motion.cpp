@@ -145,11 +145,27 @@ Findings arc_shaker(const MarkTracks& tracks, const FilmSetup& setup) {
   return found;
 }
 
+/// Throws if the path of mark 1 is a line, which no rotation is; a remark if it is an ellipse.
+void check_circle(const MarkTracks& tracks, Findings& found) {
+  const Oscillation of = oscillation_of(tracks, 1);
+  const SineFit &x = of.coordinates[0], &y = of.coordinates[1];
+  const auto axes = ellipse_of(x.cosine, x.sine, y.cosine, y.sine);
+  if (axes[1] < 0.3 * axes[0])
+    throw film_fault("the mark moves along a line, not around",
+                     "film along the axis of rotation, or choose another --kind");
+  if (axes[1] < 0.95 * axes[0])
+    found.remarks.push_back(fmt::format(
+        "The circle of mark 1 is seen as an ellipse, {:.0f} % as wide as long: film along the axis "
+        "of rotation. The radius is the mean of both half axes.",
+        100 * axes[1] / axes[0]));
+}
+
 Findings one_rotation(std::string_view kind, const MarkTracks& tracks, const FilmSetup& setup) {
   const Turning of = fit_turning(tracks.time, tracks.marks[0].x, tracks.marks[0].y, 1);
   Findings found{{speed_finding(of.vectors[0], of.freedom)}, {}, {}};
   found.list[0].value.mean = std::abs(found.list[0].value.mean);
   remark_turning(tracks, of, found);
+  check_circle(tracks, found);
   if (kind == "tumbling") return found;
   found.list.push_back({"mill.radius", "radius of the circle", "m",
                         radius_times(of.vectors[0], of.freedom, scale_of(tracks, setup))});
@@ -176,6 +192,10 @@ Findings planetary(const MarkTracks& tracks, const FilmSetup& setup) {
         "it.");
   }
   const TurningVector &orbit = of.vectors[0], &jar = of.vectors[1];
+  if (std::abs(orbit.frequency + jar.frequency) < 0.01 * std::abs(orbit.frequency) &&
+      std::abs(std::abs(orbit.radius) - std::abs(jar.radius)) < 0.05 * std::abs(orbit.radius))
+    throw film_fault("the mark moves along a line, not around",
+                     "film along the axes; track a mark at another place on the jar");
   const double t = observe::student95(of.freedom);
   const Propagated ratio = propagated({{orbit.frequency, t * orbit.frequency_deviation},
                                        {jar.frequency, t * jar.frequency_deviation}},

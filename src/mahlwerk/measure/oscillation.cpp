@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/trig.hpp"
 #include "mahlwerk/measure/times.hpp"
@@ -106,9 +107,10 @@ double squared_amplitude(std::span<const double> time, const std::vector<double>
 }
 
 InputError too_short(double periods) {
-  return InputError(
-      Fault{"", fmt::format("the film shows {:.1f} periods; at least 2 are needed", periods),
-            "film longer: 20 periods and more give small errors", "bad-readings"});
+  return InputError(Fault{"",
+                          fmt::format("the film shows {:.1f} periods; at least {:.0f} are needed",
+                                      periods, least_periods),
+                          "film longer: 20 periods and more give small errors", "bad-readings"});
 }
 
 InputError no_motion() {
@@ -131,6 +133,15 @@ void check_times(std::span<const double> time) {
                   "sort the rows by time, and give each time once");
 }
 
+NoisePower noise_power(std::span<const double> beside) {
+  constexpr double euler = 0.5772156649015329;  // minus the mean logarithm of a power of mean 1
+  constexpr double variance = std::numbers::pi * std::numbers::pi / 6;  // of this logarithm
+  double sum = 0;
+  for (const double one : beside) sum += math::log(std::max(one, 1e-280));
+  const auto n = static_cast<double>(beside.size());
+  return {math::exp(sum / n + euler), std::max(1, static_cast<int>(2 * n / variance))};
+}
+
 Oscillation fit_oscillation(std::span<const double> time,
                             const std::vector<std::vector<double>>& series) {
   check_times(time);
@@ -149,19 +160,19 @@ Oscillation fit_oscillation(std::span<const double> time,
                                     return sum;
                                   });
   made.periods = made.frequency * length;
-  if (made.periods < 1.9) throw too_short(made.periods);
+  if (made.periods < 0.98 * least_periods) throw too_short(made.periods);
 
   const SineModel model(time, made.frequency);
   const std::vector<double> beside = neighbours(made.frequency, length, made.highest);
   if (beside.size() < 2) throw too_short(made.periods);
-  made.freedom = 2 * static_cast<int>(beside.size());
   double information = 0, size = 0, noise = 0;
   for (const std::vector<double>& one : series) {
     const Row fit = model.fitted(one);
     const std::vector<double> rest = model.residuals(one, fit);
-    double power = 0;  // of the residuals near the frequency, as squared amplitude
-    for (const double f : beside) power += squared_amplitude(time, rest, f);
-    power = std::max(power / static_cast<double>(beside.size()), 1e-300);
+    std::vector<double> powers;
+    for (const double f : beside) powers.push_back(squared_amplitude(time, rest, f));
+    const double power = noise_power(powers).power;  // as squared amplitude
+    made.freedom = noise_power(powers).freedom;
     const double amplitude2 = fit[2] * fit[2] + fit[3] * fit[3];
     made.coordinates.push_back({fit[0], fit[2], fit[3], std::sqrt(0.5 * power)});  // (mea.2)
     information += amplitude2 * length * length / (6 * power);  // of the angular frequency (mea.3)

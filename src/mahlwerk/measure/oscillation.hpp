@@ -29,7 +29,7 @@ struct Oscillation {
 };
 
 /// Fits sines of one common frequency to `series` at the times [s] (mea.1). Throws InputError for
-/// fewer than 12 times, times that do not increase, fewer than two periods, or no oscillation that
+/// fewer than 12 times, times that do not increase, fewer than five periods, or no oscillation that
 /// stands out of the noise.
 Oscillation fit_oscillation(std::span<const double> time,
                             const std::vector<std::vector<double>>& series);

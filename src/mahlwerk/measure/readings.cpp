@@ -24,6 +24,7 @@ namespace mahlwerk::measure {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double largest = 1e30;  // beyond all that an instrument shows
 constexpr std::size_t max_faults = 10, max_columns = 1000;
 constexpr std::string_view how =
     "write a line of headings, \"time (s), x (mm)\", and rows of numbers below it";
@@ -85,7 +86,7 @@ std::optional<Cell> cell_of(std::string_view cell, char separator) {
   if (separator != ',' && text.find('.') == text.npos) std::ranges::replace(text, ',', '.');
   if (text.starts_with('+')) text.erase(0, 1);
   const NumberText read = number_text(text);
-  if (read.rest.empty() && std::isfinite(read.number)) return Cell{read.number};
+  if (read.rest.empty() && std::abs(read.number) < largest) return Cell{read.number};
   const auto time = clock_time(text);
   return time ? std::optional(Cell{*time, true}) : std::nullopt;
 }
@@ -170,6 +171,7 @@ class ReadingsReader {
     const std::size_t count = split(first_row, separator_).size();
     std::vector<std::string> headings = split(given_, ',');
     if (given_.empty()) headings = split(heading_, separator_);
+    if (given_.empty() && heading_.empty()) headings.clear();
     if (given_.empty() && heading_.empty())
       for (std::size_t i = 0; i < count; ++i) headings.push_back(fmt::format("{}", i + 1));
     if (given_.empty() && separator_ == ' ' && headings.size() != count)
@@ -265,8 +267,8 @@ std::vector<double> in_unit(const Readings& readings, const ReadingColumn& colum
   std::size_t numbers = 0;
   for (const double value : column.values) numbers += std::isnan(value) ? 0 : 1;
   if (numbers < least)
-    throw fault(fmt::format("the column {} holds {} numbers; {} are needed", printable(column.name),
-                            numbers, least),
+    throw fault(fmt::format("numbers in the column {}: {}; at least {} are needed",
+                            printable(column.name), numbers, least),
                 "record more");
   try {
     const double zero = parse_in("0 " + column.unit, unit),

@@ -53,6 +53,24 @@ void remark_speed(std::vector<Bounce> bounces, Findings& found) {
         slow.mean, fast.mean, show_rounded(middle->speed, "m/s", 3)));
 }
 
+/// A remark if the first impact, with the speed of the given height, does not fit to the later
+/// ones.
+void remark_height(const std::vector<Bounce>& bounces, Findings& found) {
+  std::vector<double> later;
+  for (const Bounce& one : bounces)
+    if (!one.first) later.push_back(one.restitution);
+  if (later.size() < 2 || later.size() == bounces.size()) return;
+  const double mean = observe::estimate(later).mean;
+  const auto off = [&](const Bounce& one) {
+    return one.first && std::abs(one.restitution - mean) > 0.15 * mean;
+  };
+  if (const auto one = std::ranges::find_if(bounces, off); one != bounces.end())
+    found.remarks.push_back(fmt::format(
+        "A first impact has the restitution {:.3f}, the later ones {:.3f} in the mean: check "
+        "--height, and that the recording begins with the first impact.",
+        one->restitution, mean));
+}
+
 }  // namespace
 
 Bounce bounce_of_heights(double fall, double rebound) {
@@ -118,6 +136,7 @@ Findings restitution_of(const std::vector<Bounce>& bounces) {
                           used.size())
             : fmt::format("From {} impacts that follow each other.", used.size()));
   remark_speed(used, found);
+  remark_height(bounces, found);
   return found;
 }
 

@@ -12,7 +12,7 @@
 
 namespace mahlwerk::measure {
 
-SoundSpectrum sound_spectrum(const Sound& sound) {
+SoundSpectrum sound_spectrum(const Sound& sound, double lowest) {
   std::size_t length = 4096;
   while (length > sound.samples.size()) length /= 2;
   const auto fault = [](const char* what, const char* remedy) {
@@ -35,7 +35,7 @@ SoundSpectrum sound_spectrum(const Sound& sound) {
   for (const double one : made.density) sum += one;
   if (!(sum > 0)) throw fault("the sound is silent", "check the microphone");
   for (double& one : made.density) one /= sum * made.interval;
-  const auto first = static_cast<std::size_t>(20 / made.interval) + 1;
+  const auto first = static_cast<std::size_t>(lowest / made.interval) + 1;
   const auto peak = std::max_element(
       made.density.begin() + static_cast<std::ptrdiff_t>(std::min(first, length / 2)),
       made.density.end());

@@ -12,12 +12,13 @@ namespace mahlwerk::measure {
 struct SoundSpectrum {
   double interval = 0;          ///< [Hz] between two frequencies; the first is 0
   std::vector<double> density;  ///< [1/Hz] of the power of all; sums to 1 times 1/interval
-  double main_frequency = 0;    ///< [Hz] of the largest density from 20 Hz on
+  double main_frequency = 0;    ///< [Hz] of the largest density from `lowest` on
 };
 
 /// Mean over segments of at most 4096 samples that overlap by half, each weighted by a Hann window
-/// (Welch 1967). A sound of at least 64 samples that is not silent; throws InputError for others.
-SoundSpectrum sound_spectrum(const Sound& sound);
+/// (Welch 1967). A sound of at least 64 samples that is not silent; throws InputError for
+/// others. `lowest` [Hz]: of the main frequency.
+SoundSpectrum sound_spectrum(const Sound& sound, double lowest = 20);
 
 struct SoundBand {
   double low = 0, high = 0;  ///< [Hz]

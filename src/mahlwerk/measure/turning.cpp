@@ -80,19 +80,20 @@ double peak_of(std::span<const double> time, const std::vector<Complex>& points)
 void set_deviations(std::span<const double> time, const std::vector<Complex>& rest, double highest,
                     TurningVector& vector, int& freedom) {
   const double length = time.back() - time.front();
-  double power = 0;
-  int count = 0;
+  std::vector<double> powers;
   for (int k = noise_first; k <= noise_last; ++k)
     for (const double f : {vector.frequency - k / length, vector.frequency + k / length}) {
       if (std::abs(f) > highest || std::abs(f) < 0.9 / length) continue;
       const std::vector<Complex> back = turned_back(time, f);
       Complex sum = 0;
       for (std::size_t i = 0; i < rest.size(); ++i) sum += rest[i] * back[i];
-      power += std::norm(sum / static_cast<double>(rest.size()));
-      ++count;
+      powers.push_back(std::norm(sum / static_cast<double>(rest.size())));
     }
-  power = std::max(power / std::max(1, count), 1e-300);
-  freedom = std::min(freedom, 2 * count);
+  if (powers.size() < 3)
+    throw InputError(
+        Fault{"", "the film is too short to estimate errors", "film longer", "bad-readings"});
+  const double power = noise_power(powers).power;
+  freedom = std::min(freedom, noise_power(powers).freedom);
   vector.deviation = std::sqrt(0.5 * power);
   vector.frequency_deviation =
       std::sqrt(6 * power / std::norm(vector.radius)) / (2 * std::numbers::pi * length);
@@ -122,27 +123,29 @@ Turning fit_turning(std::span<const double> time, std::span<const double> x,
     made.vectors.push_back({.frequency = peak_of(time, rest)});
     rest = fit_vector(time, rest, made.vectors.back(), made.centre);
   }
-  if (count > 1)
-    for (int round = 0; round < 8; ++round)  // each vector changes the fit of the other
-      for (TurningVector& vector : made.vectors) {
-        add_vector(rest, time, vector);
-        rest = fit_vector(time, rest, vector, made.centre);
-      }
+  double moved = 1;  // [cycles per film]
+  for (int round = 0; round < 8 && count > 1 && moved > 1e-5; ++round) {
+    moved = 0;
+    for (TurningVector& vector : made.vectors) {  // each vector changes the fit of the other
+      const double before = vector.frequency;
+      add_vector(rest, time, vector);
+      rest = fit_vector(time, rest, vector, made.centre);
+      moved = std::max(moved, length * std::abs(vector.frequency - before));
+    }
+  }
   std::vector<Complex> without_centre = rest;
   for (Complex& point : without_centre) point -= made.centre;
   for (TurningVector& vector : made.vectors) {
     set_deviations(time, without_centre, made.highest, vector, made.freedom);
     const double periods = std::abs(vector.frequency) * length;
-    if (periods < 1.9)
-      throw InputError(
-          Fault{"", fmt::format("the film shows {:.1f} turns; at least 2 are needed", periods),
-                "film longer: 20 turns and more give small errors", "bad-readings"});
+    if (periods < 0.98 * least_periods)
+      throw InputError(Fault{"",
+                             fmt::format("the film shows {:.1f} turns; at least {:.0f} are needed",
+                                         periods, least_periods),
+                             "film longer: 20 turns and more give small errors", "bad-readings"});
     if (std::norm(vector.radius) < 40 * vector.deviation * vector.deviation)
       throw no_turning(made.vectors.size() > 1 && &vector != &made.vectors.front());
   }
-  if (made.freedom < 4)
-    throw InputError(
-        Fault{"", "the film is too short to estimate errors", "film longer", "bad-readings"});
   std::ranges::stable_sort(made.vectors, std::ranges::greater(),
                            [](const TurningVector& v) { return std::norm(v.radius); });
   return made;

@@ -49,7 +49,8 @@ cases::CatalogueEntry film_entry(const FilmArguments& given) {
     entry.kind = given.kind;
     entry.title = "Measured mill";
   }
-  entry.title = given.title.empty() ? entry.title + ", measured" : given.title;
+  if (!given.mill.empty()) entry.title += ", measured";
+  if (!given.title.empty()) entry.title = given.title;
   entry.about =
       fmt::format("{}Written by mahlwerk measure film: the motion is that of one machine.",
                   given.mill.empty() ? "" : "From the entry of " + entry.name + ". ");
@@ -107,8 +108,7 @@ void remark_film_errors(const FilmArguments& given, const FilmTracks& film,
     if (!length->empty() && length->find("+-") == std::string::npos &&
         length->find("\u00b1") == std::string::npos)
       found.remarks.push_back(fmt::format(
-          "\"{}\" counts as exact. Give its error, \"... +- 0.5 mm\": lengths follow it.",
-          *length));
+          "\"{0}\" counts as exact; lengths follow it. Give its error: \"{0} +- ...\".", *length));
   if (film.left_out > 0)
     found.remarks.push_back(fmt::format("{} of {} rows lack a number and are left out.",
                                         film.left_out, film.left_out + film.tracks.time.size()));
@@ -117,7 +117,7 @@ void remark_film_errors(const FilmArguments& given, const FilmTracks& film,
 int measure_film(const FilmArguments& given) {
   cases::CatalogueEntry entry = film_entry(given);
   if (given.tracks) refuse_existing(*given.tracks, given.output.running.force);
-  const FilmTracks film = read_film(given.film);
+  const FilmTracks film = at_file(given.film.file, [&] { return read_film(given.film); });
   Measured measured{
       .title = fmt::format("{}: {}", given.film.file, entry.title), .source = {}, .found = {}};
   measured.found = at_file(given.film.file, [&] {

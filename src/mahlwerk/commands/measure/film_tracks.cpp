@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/number_text.hpp"
@@ -158,7 +159,7 @@ FilmTracks read_film(const FilmWords& words) {
   std::array<char, 2> first{};
   stream.read(first.data(), first.size());
   if (first[0] == 'P' && (first[1] == '5' || first[1] == '6')) return tracks_of_pictures(words);
-  if (!words.marks.empty())
+  if (!words.marks.empty() && stream)
     throw film_option_fault(words.file, "--mark is for pictures, but this is no PGM or PPM file",
                             "make one: ffmpeg -i film.mp4 -f image2pipe -c:v pgm film.pgm");
   return tracks_of_table(measure::file_contents(words.file), words);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/error.hpp"
@@ -54,10 +55,11 @@ std::string data_text(const MeasureOutput& given, const Measured& measured) {
   std::ifstream stream(*given.data);
   std::string first;
   std::getline(stream, first);
-  if (trimmed(first) != trimmed(headings))
-    throw InputError(Fault{
-        given.data->string(), fmt::format("the table has other columns than {}", trimmed(headings)),
-        "name another file for --data, or give the same --set as before", "bad-data"});
+  if (fmt::format("{}\n", first) != headings)
+    throw InputError(
+        Fault{given.data->string(),
+              "the table has other columns than " + headings.substr(0, headings.size() - 1),
+              "name another file for --data, or give the same --set as before", "bad-data"});
   return cells;
 }
 
@@ -99,11 +101,24 @@ void write_files(const MeasureOutput& given, MeasuredFiles& files) {
   files.folder->commit();
 }
 
+/// The number as people say it: degrees, revolutions per minute, millilitres.
+std::string readable_finding(const measure::Finding& one) {
+  struct Spoken {
+    std::string_view unit, spoken;
+  };
+  static constexpr std::array<Spoken, 3> units{{{"rad", "deg"}, {"rad/s", "rpm"}, {"m3", "ml"}}};
+  for (const Spoken& unit : units)
+    if (one.unit == unit.unit) {
+      const double factor = 1 / parse_in(fmt::format("1 {}", unit.spoken), unit.unit);
+      return report::readable(factor * one.value.mean, factor * one.value.ci95, unit.spoken).text();
+    }
+  return report::readable(one.value.mean, one.value.ci95, one.unit).text();
+}
+
 std::string findings_table(const measure::Findings& found) {
   std::vector<std::array<std::string, 3>> lines{{"", "95 % interval", "key"}};
   for (const measure::Finding& one : found.list)
-    lines.push_back(
-        {one.label, report::readable(one.value.mean, one.value.ci95, one.unit).text(), one.key});
+    lines.push_back({one.label, readable_finding(one), one.key});
   return report::aligned(lines);
 }
 
@@ -123,9 +138,9 @@ void print_measured(const MeasureOutput& given, const Measured& measured,
   std::string text = fmt::format("{}\n\n{}", measured.title, findings_table(measured.found));
   if (!measured.more.empty()) text += "\n" + measured.more;
   for (const std::string& remark : measured.found.remarks) text += fmt::format("\n{}\n", remark);
-  text += "\n";
-  if (const std::string set = set_options(measured.found); !set.empty())
-    text += fmt::format("in a case:{}\n", set);
+  const std::string set = set_options(measured.found);
+  if (given.entry || given.data || files.folder || !set.empty()) text += "\n";
+  if (!set.empty()) text += fmt::format("in a case:{}\n", set);
   if (given.entry) text += fmt::format("entry:     {}\n", given.entry->string());
   if (given.data) text += fmt::format("data:      {}\n", given.data->string());
   if (files.folder)

@@ -56,10 +56,7 @@ auto at_file(const std::string& file, const F& analyse) {
   } catch (const InputError& e) {
     std::vector<Fault> faults = e.faults();
     for (Fault& fault : faults)
-      if (fault.where.empty())
-        fault.where = file;
-      else if (fault.where.find(file) == std::string::npos && fault.code == "bad-readings")
-        fault.where = file + ", " + fault.where;
+      if (fault.where.empty()) fault.where = file;
     throw InputError(std::move(faults));
   }
 }

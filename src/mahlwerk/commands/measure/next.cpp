@@ -31,6 +31,8 @@ struct Candidate {
   double reach() const { return std::max(std::abs(energy[0] - 1), std::abs(energy[1] - 1)); }
 };
 
+constexpr double small_reach = 0.05;  // of the energy, below which others matter more
+
 /// Energy of hits, or the part that they lose, up to a factor; none if the key has no known power.
 std::optional<double> energy_by(std::string_view key, double value) {
   static constexpr std::array<std::string_view, 8> squared{
@@ -100,6 +102,10 @@ std::string next_by_powers(const Measured& measured, const std::optional<cases::
   const std::vector<Candidate> all = candidates(measured, mill_case);
   if (all.empty()) return "";
   const Candidate& widest = *std::ranges::max_element(all, {}, &Candidate::reach);
+  if (widest.reach() < small_reach)
+    return "Next: no value that is known to the program changes the energy of hits by more than 5 "
+           "%.\n"
+           "mahlwerk measure ... --case CASE --next ranks the others, such as friction, by runs.\n";
   return fmt::format(
       "Next, {} {}: between {} and {} the energy of hits changes by {:+.0f} to {:+.0f} % "
       "({}).\n",

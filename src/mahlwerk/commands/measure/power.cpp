@@ -95,7 +95,10 @@ measure::TwoLevels levels_of_log(const PowerArguments& given) {
       throw InputError(Fault{"--idle " + given.idle, "the part of the loaded mill is missing",
                              "give --load \"80 s to 200 s\", too", "bad-command-line"});
   } else {
-    made.idle = read_log(given.idle, given.columns).power;
+    if (!std::filesystem::exists(given.idle))
+      throw InputError(Fault{"--idle " + given.idle, "this is neither a file nor a part of the log",
+                             "write for instance --idle \"10 s to 60 s\"", "no-such-file"});
+    made.idle = at_file(given.idle, [&] { return read_log(given.idle, given.columns).power; });
   }
   return made;
 }
@@ -116,7 +119,7 @@ void remark_drift(const measure::PowerLevel& level, std::string_view state,
 
 measure::Findings power_findings(const PowerArguments& given, const measure::TwoLevels& readings) {
   const double accuracy =
-      given.accuracy.empty() ? 0 : option_quantity(given.accuracy, "", "--accuracy", 0);
+      given.accuracy.empty() ? 0 : option_quantity(given.accuracy, "", "--accuracy", 0, 0.5);
   const measure::PowerLevel idle = measure::power_level(readings.idle),
                             load = measure::power_level(readings.load);
   if (!(load.power.mean > idle.power.mean))

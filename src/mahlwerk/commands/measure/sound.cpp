@@ -4,6 +4,7 @@
 // measure sound: hits per second and spectrum of a recording.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -70,10 +71,11 @@ int measure_sound(const SoundArguments& given) {
                       show_rounded(sound.rate, "Hz", 4)),
       .source = "",
       .found = at_file(given.file, [&] { return measure::hit_rate(sound, settings); })};
+  const double lowest = std::max(20.0, settings.low_cut);
   const measure::SoundSpectrum spectrum =
-      at_file(given.file, [&] { return measure::sound_spectrum(sound); });
+      at_file(given.file, [&] { return measure::sound_spectrum(sound, lowest); });
   measured.found.list.push_back({"",
-                                 "main frequency of the sound",
+                                 fmt::format("main frequency above {}", show_rounded(lowest, "Hz")),
                                  "Hz",
                                  {spectrum.main_frequency, 0.5 * spectrum.interval}});
   const observe::Estimate& heard = measured.found.list.front().value;

@@ -14,11 +14,11 @@
 namespace mahlwerk::commands {
 
 double option_quantity(const std::string& text, std::string_view unit, std::string_view option,
-                       double least) {
+                       double least, double most) {
   std::string what;
   try {
     const double value = parse_in(text, unit);
-    if (value >= least && value < 1e9) return value;
+    if (value >= least && value <= most) return value;
     what = "the value is out of range";
   } catch (const UnitError& error) {
     what = error.what();

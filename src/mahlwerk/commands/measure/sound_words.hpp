@@ -26,8 +26,8 @@ measure::HitSettings hit_settings(const SoundWords& words, double usual);
 /// The part of the file. Throws InputError.
 measure::Sound sound_part(const std::string& file, const SoundWords& words);
 
-/// A quantity of an option, at least `least`. Throws InputError.
+/// A quantity of an option, from `least` to `most`. Throws InputError.
 double option_quantity(const std::string& text, std::string_view unit, std::string_view option,
-                       double least);
+                       double least, double most = 1e9);
 
 }  // namespace mahlwerk::commands
