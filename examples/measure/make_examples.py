@@ -87,12 +87,12 @@ def drop_heights(rng):
 
 
 def power_log(rng):
-    """A plug meter in German: switched on, idle for a minute, off, loaded for two minutes."""
+    """A plug meter in German: switched on, idle for 100 s, off, loaded for three minutes."""
     lines = ["Messgerät 7;;", "Zeit;Leistung (W);Spannung (V)"]
     slow = 0.0
-    for second in range(220):
+    for second in range(310):
         slow = 0.8 * slow + rng.gauss(0, 0.6)
-        level = TRUE["idle"] if 10 <= second < 70 else TRUE["load"] if second >= 90 else 4.0
+        level = TRUE["idle"] if 10 <= second < 110 else TRUE["load"] if second >= 130 else 4.0
         power = level + (slow if level > 10 else 0)
         clock = f"14:{30 + second // 60:02d}:{second % 60:02d}"
         lines.append(f"{clock};{power:.1f};230,{rng.randrange(10)}".replace(".", ","))

@@ -27,7 +27,7 @@ std::string value_table(const std::string& key, const CatalogueValue& value) {
   if (ranged) text += line("from", value.range[0]) + line("to", value.range[1]);
   text += line("source", value.source);
   if (value.unverified) text += line("confidence", "unverified");
-  if (ranged) text += line("confidence", value.assumed ? "assumed" : "measured");
+  if (value.assumed || ranged) text += line("confidence", value.assumed ? "assumed" : "measured");
   return text;
 }
 

@@ -157,6 +157,11 @@ measure::Findings power_findings(const PowerArguments& given, const measure::Two
     found.remarks.emplace_back(
         "The net power is a small difference of two large ones: more balls or a higher speed show "
         "it better.");
+  if (std::min(idle.readings, load.readings) < 50)
+    found.remarks.emplace_back(
+        "Fewer than 50 readings of a state: where they follow each other slowly, the interval is "
+        "too "
+        "narrow.");
   remark_drift(idle, "idle", found);
   remark_drift(load, "loaded", found);
   return found;
