@@ -83,14 +83,14 @@ TwoLevels two_levels(std::span<const double> readings) {
   const double most = sorted.empty() ? 0 : std::ranges::max(sorted), off = 0.2 * most;
   std::erase_if(sorted, [&](double v) { return v <= off; });
   std::ranges::sort(sorted);
-  const auto [threshold, share] = sorted.size() < 20 ? std::pair(0.0, 0.0) : otsu(sorted);
-  if (!(share > 0.8))
+  const std::pair<double, double> split = sorted.size() < 20 ? std::pair(0.0, 0.0) : otsu(sorted);
+  if (!(split.second > 0.8))
     throw power_fault("the log does not show two clear levels, idle and loaded",
                       "give the log of the idle mill, --idle FILE, or the times of both states: "
                       "--idle \"10 s to 60 s\" --load \"80 s to 200 s\"");
   TwoLevels made;
   const auto state = [&](double v) {
-    return std::isnan(v) || v <= off ? 0 : v < threshold ? 1 : 2;
+    return std::isnan(v) || v <= off ? 0 : v < split.first ? 1 : 2;
   };
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const int here = state(readings[i]);
