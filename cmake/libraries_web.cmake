@@ -14,7 +14,7 @@ string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|surrogate|
   "|soft/device/"
   "|campaign/run/(resumable|streams)|lammps/program|results/files/(hdf5|result_file|writer)|report/(write|scripts|(fit|calibration|optimum)(_page)?|match|parameters|study_json)[.]cpp"
   "|report/(campaign|record)/"
-  "|commands/([a-z_]+[.]cpp|(reporting|campaigns|runs|searches|help)/)")
+  "|commands/([a-z_]+[.]cpp|(reporting|campaigns|runs|searches|help)/)|/measure/")
 
 function(header_library name)
   add_library(${name} INTERFACE IMPORTED GLOBAL)

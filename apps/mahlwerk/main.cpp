@@ -177,7 +177,8 @@ class CommandLine {
     return sub.add_option(option.name, set_.back().first, option.about)->allow_extra_args(false);
   }
   CLI::Option* add(CLI::App& sub, const Option& option, std::vector<std::string>* list) {
-    return sub.add_option(option.name, *list, option.about)->allow_extra_args(false);
+    const bool positional = !option.name.starts_with("-");
+    return sub.add_option(option.name, *list, option.about)->allow_extra_args(positional);
   }
   CLI::Option* add(CLI::App& sub, const Option& option, std::optional<double>* seconds) {
     return sub.add_option(option.name, *seconds, option.about)->check(no_seconds);

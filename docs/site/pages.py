@@ -7,14 +7,14 @@ HOME = pathlib.Path(__file__).resolve().parents[2]
 
 THEORY = ["geometry", "kinematics", "event", "many-balls", "soft", "engine-choice", "elastic-plastic", "capillary",
           "hollow-balls", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
-          "kinetics", "sensors", "fit",
+          "kinetics", "sensors", "measure", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {
     "Start": ["install", "tutorial/index"],
     "How-to": ["howto/*"],
-    "Use": ["cases", "cli", "formats", "campaigns", "cluster", "papers", "examples/index"],
+    "Use": ["cases", "cli", "measure", "formats", "campaigns", "cluster", "papers", "examples/index"],
     "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
                   "warnings", "conventions", "glossary"],
     "Trust": ["limits", "validation", "verification", "performance", "publications/index"],

@@ -15,11 +15,13 @@ namespace mahlwerk::cases {
 
 /// One value of a catalogue file.
 struct CatalogueValue {
-  std::string text;                       ///< as written in a case: "70 mm", "1:-2", "0.35"
-  std::string source;                     ///< citation, never empty
-  bool unverified = false;                ///< confidence = "unverified" in the file
-  bool assumed = false;                   ///< confidence = "assumed": not known of this entry
-  std::array<std::string, 2> range = {};  ///< `from` and `to` of an assumed value
+  std::string text;         ///< as written in a case: "70 mm", "1:-2", "0.35"
+  std::string source;       ///< citation, never empty
+  bool unverified = false;  ///< confidence = "unverified" in the file
+  bool assumed = false;     ///< confidence = "assumed": not known of this entry
+  /// `from` and `to`: the plausible range of an assumed value, or the 95 % interval of a measured
+  /// one (confidence = "measured"); else empty.
+  std::array<std::string, 2> range = {};
 };
 
 /// A [[check]] of a catalogue file: a published value that a quantity derived from the entry's

@@ -55,8 +55,13 @@ Case read_text(const std::string& text, const std::filesystem::path& file,
 /// Throws InputError.
 std::map<std::string, FitRange> fit_ranges(const std::filesystem::path& file);
 
-/// Whether a key of [fit] is one of [contact] or [mill], which decides how the balls move. Others
-/// are numbers of powder models, which can be fitted to one run.
+/// Whether a key of [fit] is one of the mill: of [contact], [mill], [jar], [[balls]] or
+/// [power_meter], for which the mill is run. Others are numbers of powder models, which can be
+/// fitted to one run.
 bool is_key_of_run(std::string_view key);
+
+/// Whether a key may vary from replicate to replicate, in [uncertainty]: one of [contact] or
+/// [mill].
+bool is_key_of_draw(std::string_view key);
 
 }  // namespace mahlwerk::cases

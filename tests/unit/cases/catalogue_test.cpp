@@ -14,6 +14,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
 #include "mahlwerk/cases/catalogue/catalogue_read.hpp"
+#include "mahlwerk/cases/catalogue/catalogue_write.hpp"
 
 namespace mahlwerk::cases::catalogue_test {
 namespace {
@@ -252,6 +253,44 @@ TEST(CatalogueFile, a_value_needs_its_text_and_its_source) {
             std::string::npos);
   EXPECT_NE(complaint("ratio = \"1:-2\"\n" + good).find("trial.toml:1: ratio has no source"),
             std::string::npos);
+}
+
+TEST(CatalogueFile, a_measured_value_has_the_ends_of_its_interval) {
+  const std::string measured =
+      good + "[ratio]\nvalue = \"-2\"\nsource = \"x\"\nconfidence = \"measured\"\n";
+  EXPECT_NE(complaint(measured).find("ratio is measured without a range"), std::string::npos);
+  EXPECT_NE(
+      complaint(good + "from = \"69 mm\"\nto = \"71 mm\"\n").find("no assumed or measured number"),
+      std::string::npos);
+  const CatalogueEntry entry =
+      read_entry(measured + "from = \"-2.1\"\nto = \"-1.9\"\n", "mills", "trial", "trial.toml");
+  const CatalogueValue& ratio = entry.values.at("ratio");
+  EXPECT_EQ(ratio.range[0], "-2.1");
+  EXPECT_FALSE(ratio.assumed || ratio.unverified);
+}
+
+TEST(CatalogueFile, that_is_written_reads_as_the_entry) {
+  for_each_entry([](const CatalogueEntry& entry) {
+    const CatalogueEntry again =
+        read_entry(entry_text(entry), entry.category, entry.name, entry.file);
+    EXPECT_EQ(again.title, entry.title);
+    EXPECT_EQ(again.about, entry.about);
+    EXPECT_EQ(again.kind, entry.kind);
+    EXPECT_EQ(again.names, entry.names);
+    EXPECT_EQ(again.jars, entry.jars);
+    ASSERT_EQ(again.values.size(), entry.values.size());
+    for (const auto& [key, value] : entry.values) {
+      const CatalogueValue& other = again.values.at(key);
+      EXPECT_EQ(other.text + other.source + other.range[0] + other.range[1],
+                value.text + value.source + value.range[0] + value.range[1]);
+      EXPECT_TRUE(other.assumed == value.assumed && other.unverified == value.unverified) << key;
+    }
+    ASSERT_EQ(again.checks.size(), entry.checks.size());
+    for (std::size_t i = 0; i < entry.checks.size(); ++i) {
+      EXPECT_EQ(again.checks[i].expected, entry.checks[i].expected);
+      EXPECT_NEAR(again.checks[i].tolerance, entry.checks[i].tolerance, 1e-15);
+    }
+  });
 }
 
 TEST(CatalogueFile, unknown_keys_are_faults_with_line_and_suggestion) {

@@ -36,21 +36,19 @@ std::vector<Fault> job_faults(const CalibrationJob& job, const Overrides& set) {
   std::vector<Fault> found;
   for (const auto& [key, range] : job.base().fit)
     if (!cases::is_key_of_run(key) && !gives(set, key))
-      found.push_back(
-          {cases::location_of(job.base(), "fit." + key),
-           fmt::format("[fit] has {} of the powder beside keys of [contact] and [mill]", key),
-           "calibrate the mill first: remove it, or give it by --set; then fit the "
-           "powder with calibrated.toml",
-           "mixed-fit"});
+      found.push_back({cases::location_of(job.base(), "fit." + key),
+                       fmt::format("[fit] has {} of the powder beside keys of the mill", key),
+                       "calibrate the mill first: remove it, or give it by --set; then fit the "
+                       "powder with calibrated.toml",
+                       "mixed-fit"});
   for (const Measurement& m : job.data.values)
     if (of_powder(m.what)) {
-      found.push_back({fmt::format("{}:{}", job.data_file, m.line),
-                       fmt::format("{} was measured on the powder, but [fit] has keys of [contact] "
-                                   "or [mill]",
-                                   m.name()),
-                       "calibrate the mill with measurements on the mill; then fit the powder with "
-                       "calibrated.toml",
-                       "mixed-fit"});
+      found.push_back(
+          {fmt::format("{}:{}", job.data_file, m.line),
+           fmt::format("{} was measured on the powder, but [fit] has keys of the mill", m.name()),
+           "calibrate the mill with measurements on the mill; then fit the powder with "
+           "calibrated.toml",
+           "mixed-fit"});
       break;
     }
   for (const FreeParameter& parameter : job.goal.parameters)

@@ -36,8 +36,8 @@ struct CalibrationJob {
   TrialRuns::Measure measure() const;
 };
 
-/// Whether `mahlwerk fit` calibrates this case: [fit] has a key of [contact] or [mill] that `set`
-/// does not give. Throws InputError.
+/// Whether `mahlwerk fit` calibrates this case: [fit] has a key of the mill (is_key_of_run) that
+/// `set` does not give. Throws InputError.
 bool calibrates(const std::filesystem::path& file, const std::vector<cases::Override>& set);
 
 /// Reads a case file with [fit] and a table of measurements. `settings` 0: as many as usual. Throws

@@ -116,13 +116,15 @@ cases::Case calibrated_case(const CalibrationJob& job, const Calibration& found)
   for (const FittedParameter& p : found.result.parameters)
     for (cases::Origin& origin : made.origins)
       if (origin.key == p.name) origin.source = fmt::format("{}: {}", source, p.interval_text());
-  cases::Uncertainty& uncertainty = made.uncertainty.emplace();
-  uncertainty.source = source;
-  for (const FittedParameter& p : found.result.parameters) uncertainty.keys.push_back({p.name, {}});
-  for (const DesignPoint& point : found.result.draws) {
-    const std::vector<std::string> values = runs.values(point);
-    for (std::size_t i = 0; i < values.size(); ++i) uncertainty.keys[i].values.push_back(values[i]);
+  cases::Uncertainty uncertainty{.source = source, .keys = {}};
+  for (std::size_t i = 0; i < found.result.parameters.size(); ++i) {
+    const std::string& key = found.result.parameters[i].name;
+    if (!cases::is_key_of_draw(key)) continue;  // sizes, and the power meter: the central value
+    uncertainty.keys.push_back({key, {}});
+    for (const DesignPoint& point : found.result.draws)
+      uncertainty.keys.back().values.push_back(runs.values(point)[i]);
   }
+  if (!uncertainty.keys.empty()) made.uncertainty = std::move(uncertainty);
   return made;
 }
 

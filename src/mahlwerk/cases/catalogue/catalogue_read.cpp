@@ -88,28 +88,34 @@ class EntryReader {
                    fmt::format("write [{}] with value = \"...\" and source = \"...\"", key.key));
     check_keys(*table, {"value", "source", "confidence", "from", "to"});
     CatalogueValue value{text(*table, "value"), text(*table, "source")};
+    bool measured = false;
     if (table->contains("confidence")) {
       const std::string word = text(*table, "confidence");
       value.unverified = word == "unverified";
       value.assumed = word == "assumed";
-      if (!value.unverified && !value.assumed)
-        fault(*table->get("confidence"), "confidence can only be \"unverified\" or \"assumed\"",
+      measured = word == "measured";
+      if (!value.unverified && !value.assumed && !measured)
+        fault(*table->get("confidence"),
+              "confidence can only be \"unverified\", \"assumed\" or \"measured\"",
               "leave it out if the source can be looked up");
     }
     if (!value.text.empty()) check_number(key, value.text, *table->get("value"));
-    read_range(key, *table, value);
+    read_range(key, *table, value.assumed || measured, value);
     entry_.values.emplace(key.key, std::move(value));
   }
 
-  /// `from` and `to` of an assumed number.
-  void read_range(const CatalogueKey& key, const toml::table& table, CatalogueValue& value) {
+  /// `from` and `to` of an assumed or measured number.
+  void read_range(const CatalogueKey& key, const toml::table& table, bool ranged,
+                  CatalogueValue& value) {
     const bool given = table.contains("from") || table.contains("to");
-    const bool wanted = value.assumed && key.unit != a_material;
+    const bool wanted = ranged && key.unit != a_material;
     if (given != wanted)
-      return fault(table,
-                   wanted ? fmt::format("{} is assumed without a range", key.key)
-                          : fmt::format("{} has a range, but is not an assumed number", key.key),
-                   "give `from` and `to` together with confidence = \"assumed\"");
+      return fault(
+          table,
+          wanted ? fmt::format("{} is {} without a range", key.key,
+                               value.assumed ? "assumed" : "measured")
+                 : fmt::format("{} has a range, but is no assumed or measured number", key.key),
+          "give `from` and `to` together with confidence = \"assumed\" or \"measured\"");
     if (!given) return;
     value.range = {text(table, "from"), text(table, "to")};
     const std::array ends{"from", "to"};

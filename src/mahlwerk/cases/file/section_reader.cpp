@@ -52,10 +52,14 @@ void SectionReader::add_defaults(const CatalogueEntry& entry) {
   entry_title_ = entry.title;
   for (const auto& [key, value] : entry.values) {
     Node node = value_from_text(value.text, entry.file, Precedence::catalogue);
-    node.source = fmt::format("{}: {}", place, value.source);
+    const bool measured = !value.assumed && !value.range[0].empty();
+    node.source = fmt::format(
+        "{}: {}{}", place,
+        measured ? fmt::format("measured, {} to {}: ", value.range[0], value.range[1]) : "",
+        value.source);
     node.unverified = value.unverified;
     node.assumed = value.assumed;
-    node.range = value.range;
+    if (value.assumed) node.range = value.range;
     catalogue_values_.insert_or_assign(key, std::move(node));
   }
 }

@@ -71,6 +71,11 @@ Case read_text(const std::string& text, const std::filesystem::path& file,
 }
 
 bool is_key_of_run(std::string_view key) {
+  return is_key_of_draw(key) || key.starts_with("jar.") || key.starts_with("balls.") ||
+         key.starts_with("power_meter.");
+}
+
+bool is_key_of_draw(std::string_view key) {
   return key.starts_with("contact.") || key.starts_with("mill.");
 }
 

@@ -59,8 +59,8 @@ class RangeReader {
   DottedLists lists_;
 };
 
-/// Reports ends of a range of a key of [contact] or [mill] that are no quantities, or do not
-/// increase. Whether the key exists is found when it gets a value.
+/// Reports ends of a range of a key of the mill that are no quantities, or do not increase. Whether
+/// the key exists is found when it gets a value.
 void check_range_of_run(const std::string& key, const FitRange& range, const std::string& location,
                         Findings& findings) {
   const auto fault = [&](std::string what, std::string remedy, const char* code) {
@@ -132,10 +132,12 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
           {location, fmt::format("[fit] cannot choose {}", key),
            !near.empty() ? fmt::format("did you mean \"{}\"?", near)
            : known.empty()
-               ? "it chooses keys of [contact] and [mill], and numbers of [capture], "
-                 "[breakage], [fragments], [grinding] and [kinetics], of which the case "
+               ? "it chooses keys of [contact], [mill], [jar], [[balls]] and [power_meter], and "
+                 "numbers of [capture], [breakage], [fragments], [grinding] and [kinetics], of "
+                 "which the case "
                  "has none"
-               : fmt::format("it may choose {}, or a key of [contact] or [mill]",
+               : fmt::format("it may choose {}, or a key of [contact], [mill], [jar], [[balls]] "
+                             "or [power_meter]",
                              quoted_list(known)),
            "unknown-key"});
       continue;
@@ -153,9 +155,10 @@ void check_fit(const Case& c, const std::map<std::string, std::string>& location
 void list_fit_keys(KeyVisitor& v) {
   v.custom(
       {.key = any_key,
-       .about = "the dotted name of a key of [contact] or [mill], or of a number of [capture], "
-                "[breakage], [fragments], [grinding] or [kinetics], with "
-                "the least and the largest value of the search",
+       .about =
+           "the dotted name of a key of [contact], [mill], [jar], [[balls]] or [power_meter], "
+           "or of a number of [capture], [breakage], [fragments], [grinding] or [kinetics], with "
+           "the least and the largest value of the search",
        .required = true},
       [] { return std::string(); });
 }

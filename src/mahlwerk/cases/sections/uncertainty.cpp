@@ -56,7 +56,7 @@ class DrawReader {
     }
   }
   void read_values(const std::string& key, const Node& node) {
-    if (!is_key_of_run(key))
+    if (!is_key_of_draw(key))
       return fault(node, fmt::format("\"{}\" cannot vary from replicate to replicate", key),
                    "[uncertainty] takes keys of [contact] and [mill]");
     UncertainKey made{.key = key, .values = {}};

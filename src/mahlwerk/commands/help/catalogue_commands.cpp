@@ -112,6 +112,7 @@ int list(const CatalogueArguments& given) {
 /// Mark of a value whose source is weak.
 std::string_view confidence(const cases::CatalogueValue& value) {
   if (value.assumed) return "ASSUMED: ";
+  if (!value.range[0].empty()) return "measured: ";
   return value.unverified ? "UNVERIFIED: " : "";
 }
 

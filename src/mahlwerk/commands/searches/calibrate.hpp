@@ -13,7 +13,7 @@ struct FitArguments : CaseArguments {
   std::optional<double> checkpoint;  ///< [s]
 };
 
-/// `fit` of a case whose [fit] has keys of [contact] or [mill]: calibrates them with runs.
+/// `fit` of a case whose [fit] has keys of the mill: calibrates them with runs.
 int calibrate(const FitArguments& given, const std::filesystem::path& file);
 
 }  // namespace mahlwerk::commands

@@ -165,8 +165,8 @@ Command fit_command() {
                   options_of(given->changes),
                   {{.name = "--settings",
                     .target = &given->settings,
-                    .about = "largest number of settings that are run for keys of [contact] and "
-                             "[mill]; by default 20, and 20 for each key",
+                    .about = "largest number of settings that are run for keys of the mill; by "
+                             "default 20, and 20 for each key",
                     .range = {5, 100'000}}},
                   options_of(given->running, ", with -fit"),
                   {resumable_checkpoint(given->checkpoint), json(given->running.json)}}),
