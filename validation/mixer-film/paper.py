@@ -37,9 +37,9 @@ paper.figure("3", "share of the time in which a ball that started from rest stay
 
 paper.check("1", "the ball circles for most of the time, and bounces between",
             states.agrees_with(measured_share, "circling_share"),
-            why="the assumed values decide between never and three quarters of the time. Both states "
-                "occur in one run with a friction of 0.3 and a restitution of 0.8 or more, which the "
-                "defaults are; below 0.7 the ball bounces for good")
+            why="the assumed values decide between never and most of the time. Both states occur in one "
+                "run with a friction of 0.3 or more and a restitution of 0.8 or more, as by the defaults, "
+                "or with little rolling friction")
 paper.check("2", "it turns 0.8 to 1.7 times round the jar's axis in a period",
             states.agrees_with(measured_turns, "turns_per_cycle"))
 paper.check("3", "a level mill that speeds up from rest leaves the ball where it lies (ours)",

@@ -27,3 +27,8 @@ paper.check("1a", "impacts are more frontal in a vial with flat ends (smaller me
                         second="18.9 mm"))
 paper.check("1b", "milling is more intense in a vial with flat ends (power drawn by the balls)",
             ends.smaller("drawn_power", against="jar.fillet", first="1 mm", second="18.9 mm"))
+paper.figure("1c", "share of the dissipated energy that goes into normal deformation, for flat and round ends",
+             ends.curve("impact_efficiency", against="jar.fillet"))
+paper.check("1c", "with flat ends less goes into friction: the share that hits lose along the normal is larger",
+            ends.smaller("impact_efficiency", against="jar.fillet", first="1 mm", second="18.9 mm"),
+            why="the authors' explanation of the cooler balls, not a measurement")

@@ -55,11 +55,68 @@ std::string about_distances(const MatchResult& found) {
       readable(best.model.mean, best.model.ci95, found.search.outcome.unit).text());
 }
 
+bool about_one(double ratio) {
+  constexpr double alike = 0.1;
+  return std::abs(ratio - 1) < alike;
+}
+
+/// "0.6 times as much as", or "about as much as".
+std::string times(double ratio, std::string_view word) {
+  return about_one(ratio) ? fmt::format("about as {} as", word)
+                          : fmt::format("{:.2g} times as {} as", ratio, word);
+}
+
+/// What a user changes on mill B, and what the hits do then.
+std::vector<std::string> in_words(const MatchResult& found) {
+  const campaign::Difference& d = found.difference;
+  std::string settings;
+  for (const KeyOptimum& k : found.search.keys)
+    settings += fmt::format("{}{} = {}", settings.empty() ? "" : ", ", k.key, k.text.best);
+  std::vector<std::string> all{fmt::format(
+      "Set B to {}: {} is then {} in A", settings,
+      found.by_powder ? "the energy per time and mass of powder" : "the dissipated power",
+      times(d.dose.value, "large"))};
+  const double energy = d.energy_b.mean / d.energy_a.mean;
+  if (!std::isfinite(energy) || !(energy > 0)) return all;
+  const double count = d.dose_b.mean / d.dose_a.mean / energy;  // by mass of powder, or in all
+  all.push_back(fmt::format(
+      "A collision of B loses {} one of A on average, and B has {} A{}", times(energy, "much"),
+      about_one(count) ? "about as many collisions as"
+                       : fmt::format("{:.2g} times as many collisions as", count),
+      found.by_powder ? ", by mass of powder" : ""));
+  return all;
+}
+
+/// What these keys cannot match; nothing where the spectra are alike.
+std::vector<std::string> not_matched(const MatchResult& found) {
+  constexpr double alike = 0.9;
+  const campaign::Difference& d = found.difference;
+  std::vector<std::string> all;
+  if (!about_one(d.dose.value) && !(d.dose.low < 1 && d.dose.high > 1))
+    all.push_back(fmt::format("The {} cannot be matched with these keys in their ranges",
+                              found.by_powder ? "dose rate" : "power"));
+  if (!(d.overlap < alike)) return all;
+  const bool harder = d.half_power.value > 1;
+  all.push_back(fmt::format(
+      "What cannot be matched with these keys: {:.0f} % of the power of B lies in hits of energies "
+      "that "
+      "A has less of. B's hits are {}: half of its power lies below {:.2g} times the energy that "
+      "halves the power of A. {} balls change that, the speed alone does not",
+      100 * (1 - d.overlap),
+      about_one(d.half_power.value) ? "spread otherwise"
+      : harder                      ? "harder"
+                                    : "softer",
+      d.half_power.value, harder ? "Smaller or lighter" : "Larger or heavier"));
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> sentences(const MatchResult& found) {
   std::vector<std::string> all;
   if (!found.search.best) return sentences(found.search);
+  for (std::string& one : in_words(found)) all.push_back(std::move(one));
+  for (std::string& one : not_matched(found)) all.push_back(std::move(one));
   if (!std::isfinite(found.difference.p_value))
     all.emplace_back("With fewer than two replicates of each mill their scatter is unknown");
   else if (found.difference.within_scatter())

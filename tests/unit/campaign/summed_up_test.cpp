@@ -47,6 +47,7 @@ friction = 0.3
 softening = 1e-4
 [wear]
 coefficient = 1e-4
+[heat]
 [run]
 engine = "soft"
 time = "0.05 s"

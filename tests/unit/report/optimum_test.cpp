@@ -244,6 +244,27 @@ TEST(MatchReport, says_whether_the_mills_do_the_same) {
   EXPECT_TRUE(says(sentences(found), "scatter is unknown"));
 }
 
+TEST(MatchReport, says_what_to_set_how_hits_change_and_what_cannot_be_matched) {
+  MatchResult found = matched();
+  found.difference.dose = {1.05, 0.98, 1.12};
+  EXPECT_TRUE(says(sentences(found), "Set B to mill.speed = "));
+  EXPECT_TRUE(says(sentences(found), "about as large as in A"));
+  EXPECT_TRUE(says(sentences(found), "loses about as much as one of A on average"));
+  EXPECT_FALSE(says(sentences(found), "The dose rate cannot be matched"));
+  EXPECT_TRUE(says(sentences(found), "13 % of the power of B"));
+  found.difference.energy_b = {0.2e-3, 1e-5};
+  found.difference.dose_b = {50, 2};
+  found.difference.dose = {0.5, 0.45, 0.55};
+  found.difference.half_power = {0.1, 0.09, 0.11};
+  EXPECT_TRUE(says(sentences(found), "0.5 times as large as in A"));
+  EXPECT_TRUE(says(sentences(found), "loses 0.2 times as much as one of A on average"));
+  EXPECT_TRUE(says(sentences(found), "2.5 times as many collisions as A"));
+  EXPECT_TRUE(says(sentences(found), "The dose rate cannot be matched"));
+  EXPECT_TRUE(says(sentences(found), "Larger or heavier balls change that"));
+  found.difference.overlap = 0.97;
+  EXPECT_FALSE(says(sentences(found), "balls change that"));
+}
+
 TEST(MatchReport, tells_of_a_best_outside_the_validity_of_its_engine_and_counts_both_mills) {
   MatchResult found = matched();
   found.search = invalid_best();
