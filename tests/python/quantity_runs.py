@@ -18,7 +18,7 @@ CASES = {
     "flying": {"mill": {**SHAKEN, "jars_carried": 2}, "jar": JAR, "balls": [BALLS], "powder": POWDER,
                "contact": {"restitution": 0.6, "friction": 0.3},
                "run": {"engine": "event", "time": "1 s", "settle": "0.2 s"},
-               "milling": {"time": "2 h", "dose": "5 kJ/g"},
+               "milling": {"time": "2 h", "dose": "5 kJ/g"}, "heat": {},
                "wear": {"model": "finnie", "coefficient": 2e-4},
                "kinetics": {"model": "by-impact", "mass_per_hit": "2 ug", "scheme": "sequential",
                             "processed_share": 0.5, "second_share": 0.25, "molar_mass": "60 g/mol",

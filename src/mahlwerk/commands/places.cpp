@@ -21,27 +21,40 @@ cases::Catalogue catalogue() {
   return cases::Catalogue(data_folder("catalogue"));
 }
 
+namespace {
+
+/// The mills of the catalogue that are called so; none without a catalogue.
+std::vector<std::string> mills_called(const std::string& name) {
+  try {
+    return catalogue().entries_called("mills", name);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 std::string mill_named(const std::string& target) {
   std::error_code failed;
   if (fs::exists(target, failed)) return "";
-  try {
-    const std::vector<std::string> mills = catalogue().entries_called("mills", target);
-    return mills.size() == 1 ? mills.front() : "";
-  } catch (const InputError&) {  // without a catalogue
-    return "";
-  }
+  const std::vector<std::string> mills = mills_called(target);
+  return mills.size() == 1 ? mills.front() : "";
 }
 
 namespace {
 
 /// What to type where a case was expected.
 std::string instead_of(const std::string& target) {
-  const std::string mill = mill_named(target);
-  if (mill.empty()) return "give a case file, or a folder that contains one";
+  const std::vector<std::string> mills = mills_called(target);
+  if (mills.empty())
+    return "give a case file, or a folder that contains one; `mahlwerk list mills` names the mills";
+  if (mills.size() > 1)
+    return fmt::format("several mills of the catalogue are called so: name one of {}",
+                       fmt::join(mills, ", "));
   return fmt::format(
       "this is a mill of the catalogue: mahlwerk estimate {0} --balls 2x10mm gives first answers, "
       "mahlwerk new --mill {0} FILE writes a case",
-      mill);
+      mills.front());
 }
 
 }  // namespace

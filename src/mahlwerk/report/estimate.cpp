@@ -142,6 +142,10 @@ std::string estimate_words(const Outcome& outcome) {
   text +=
       "Bands: each assumed value alone at both ends of its plausible range, beyond what chance\n"
       "makes, and the 95 % interval over replicates. Doses go with the power.\n";
+  if (const auto& found = outcome.summary.sensitivity; found && !found->left_out.empty())
+    text +=
+        fmt::format("Not varied, as the ends of the range do not fit the rest of the case: {}.\n",
+                    fmt::join(found->left_out, ", "));
   text += advice(all);
   for (const Notice& one : outcome.notices)
     if (one.warns()) text += fmt::format("\nWarning: {}\n", one.text);

@@ -123,11 +123,13 @@ std::string about_assumed(const Outcome& outcome) {
         "each, relative to the same with the assumed value. Ranges leave out what chance makes.",
         found.replicates == 1 ? "one run" : fmt::format("{} runs", found.replicates),
         show_rounded(found.time, "s", 2));
-  if (!found.left_out.empty())
-    text += fmt::format(
-        "{}What these assumed values decide was not computed: {}. run.sensitivity = \"on\" does "
-        "it.",
-        text.empty() ? "" : " ", list_of(found.left_out));
+  if (!found.left_out.empty()) {
+    const bool all = outcome.mill_case.run.sensitivity == cases::SensitivityMode::on;
+    text += fmt::format("{}What these assumed values decide was not computed: {}. {}",
+                        text.empty() ? "" : " ", list_of(found.left_out),
+                        all ? "The ends of their ranges do not fit the rest of the case."
+                            : "run.sensitivity = \"on\" does it.");
+  }
   return text;
 }
 

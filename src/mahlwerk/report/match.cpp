@@ -92,16 +92,18 @@ std::vector<std::string> not_matched(const MatchResult& found) {
   constexpr double alike = 0.9;
   const campaign::Difference& d = found.difference;
   std::vector<std::string> all;
+  if (d.within_scatter()) return all;
   if (!about_one(d.dose.value) && !(d.dose.low < 1 && d.dose.high > 1))
     all.push_back(fmt::format("The {} cannot be matched with these keys in their ranges",
                               found.by_powder ? "dose rate" : "power"));
   if (!(d.overlap < alike)) return all;
   const bool harder = d.half_power.value > 1;
   all.push_back(fmt::format(
-      "What cannot be matched with these keys: {:.0f} % of the power of B lies in hits of energies "
+      "What these keys do not match in their ranges: {:.0f} % of the power of B lies in hits of "
+      "energies "
       "that "
       "A has less of. B's hits are {}: half of its power lies below {:.2g} times the energy that "
-      "halves the power of A. {} balls change that, the speed alone does not",
+      "halves the power of A. {} balls would change that",
       100 * (1 - d.overlap),
       about_one(d.half_power.value) ? "spread otherwise"
       : harder                      ? "harder"

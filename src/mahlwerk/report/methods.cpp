@@ -207,17 +207,22 @@ std::string engine_words(const Case& c, cases::EngineName engine) {
 }
 
 /// "5 replicates of 60 s each were counted after 0.8 s of settling, from ...".
-std::string extent_words(const CountedRuns& runs, std::uint64_t seed) {
+std::string extent_words(const CountedRuns& runs, const Case& c) {
   const bool one = runs.replicates == 1;
   const std::string settling = !runs.settling ? " after the mill had settled"
                                : *runs.settling > 0
                                    ? fmt::format(" after {:.4g} s of settling", *runs.settling)
                                    : "";
+  if (runs.replicates == 0) return "The run was interrupted before anything was counted.";
+  const std::string ramp =
+      c.run.start == cases::StartLayout::ramp
+          ? fmt::format(", while the mill came to its speed within {:.4g} s", c.run.ramp_time)
+          : "";
   return fmt::format(
-      "{} of {:.4g} s each {} counted{}, from random starts (seed {}); intervals are 95 % "
+      "{} of {:.4g} s each {} counted{}, from random starts (seed {}){}; intervals are 95 % "
       "confidence, by Student's t over replicates{}.",
       one ? "One replicate" : fmt::format("{} replicates", runs.replicates), runs.time,
-      one ? "was" : "were", settling, seed,
+      one ? "was" : "were", settling, c.seed, ramp,
       one ? " or, of one alone, by batch means over time" : "");
 }
 
@@ -229,7 +234,7 @@ std::string methods(const Case& c, cases::EngineName engine, const CountedRuns& 
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(c, engine));
   text += say.mill() + say.charge() + say.contact(engine) + say.liquid() + say.powder() +
-          say.kinetics() + extent_words(runs, c.seed);
+          say.kinetics() + extent_words(runs, c);
   if (text.find('*') != std::string::npos)
     text += " * Assumed, not measured: a default of the program.";
   return text;

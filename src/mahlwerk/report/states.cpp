@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "mahlwerk/base/units.hpp"
@@ -50,7 +51,7 @@ StatesTable by_power(const results::TwoStates& found) {
 }
 
 std::string text_of(const observe::Estimate& value, std::string_view name, std::string_view unit) {
-  if (!(value.mean == value.mean)) return "–";
+  if (!std::isfinite(value.mean)) return "–";
   return readable(Quantity{.name = std::string(name),
                            .value = value.mean,
                            .ci95 = value.ci95,
@@ -78,7 +79,7 @@ StatesTable by_motion(const std::vector<MotionStateSummary>& found) {
     const std::array column{s.name,
                             text_of(s.share, "circling_share", "1"),
                             fmt::format("{}", s.replicates),
-                            show_rounded(s.visit, "s"),
+                            std::isfinite(s.visit) ? show_rounded(s.visit, "s") : "–",
                             text_of(s.power, "dissipated_power", "W"),
                             text_of(s.hit_rate, "collision_rate_above_threshold", "1/s"),
                             text_of(s.hit_energy, "energy_normal_mean_above_threshold", "J"),

@@ -205,7 +205,8 @@ TEST(Start, a_state_of_other_balls_or_of_too_few_replicates_is_refused) {
   EXPECT_EQ(has(fault(two, single, "other"), "has no column kind"), "");
   EXPECT_EQ(has(fault(two, single, "none"), "has no final-1.csv"), "");
   EXPECT_EQ(has(fault(two, single, "missing"), "no file or folder"), "");
-  EXPECT_EQ(has(fault(two, single + "start_speed = \"1 m/s\"\n", ""), "start_from gives the state"),
+  EXPECT_EQ(has(fault(two, single + "start_speed = \"1 m/s\"\n", ""),
+                "start_from, which gives the state"),
             "");
 }
 

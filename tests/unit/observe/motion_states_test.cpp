@@ -6,78 +6,19 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
 #include <string>
 
-#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "statement.hpp"
+#include "unit/observe/moved_by_hand.hpp"
 
 namespace mahlwerk::observe::motion_states_test {
 namespace {
 
+using namespace moved_by_hand;
+
 using tests::states;
-
-constexpr double pi = std::numbers::pi;
-constexpr double frequency = 25, radius = 5e-3;
-constexpr double half_length = 25e-3, half_width = 8e-3;  // [m] of the ball's centre
-
-kinematics::ArcShaker mill() {
-  return {.frequency = frequency, .arm = 0.136, .swing = 0.066};
-}
-scene::Chamber jar() {
-  return {geometry::Cylinder{2 * (half_width + radius), 2 * (half_length + radius)},
-          mill(),
-          scene::mounted_along(kinematics::lying),
-          {0, 0, -9.81}};
-}
-
-/// Position in the laboratory, of a ball in a jar whose centre is at `centre`, at a phase of the
-/// mill [turns].
-using Way = std::function<Vec3(double phase, const Vec3& centre)>;
-
-/// Along the jar's axis x, and the angle about it [turns].
-Vec3 at(double x, double turns, double off = half_width) {
-  return {x, off * std::cos(2 * pi * turns), off * std::sin(2 * pi * turns)};
-}
-Vec3 circles(double phase, const Vec3&) {
-  return at(0, 1.5 * phase);
-}
-Vec3 bounces(double phase, const Vec3& centre) {
-  return at(centre.x + half_length * std::sin(2 * pi * phase + 0.3), 0);
-}
-Vec3 keeps_to_the_jar(double, const Vec3& centre) {
-  return at(centre.x + 0.01, 0.75);
-}
-Vec3 stays(double, const Vec3&) {
-  return at(0, 0.75);
-}
-
-/// Moves balls for some periods in which 2 J are lost in each, with three hits of 0.1 J.
-class Charge {
- public:
-  explicit Charge(std::size_t balls) : balls_(balls, {radius, 7850, {}, {}, {}}) {}
-  void go(int periods, const std::vector<Way>& ways) {
-    for (int i = 0; i < periods * MotionStates::samples; ++i) take(ways);
-  }
-  /// One sample; the first begins the first period.
-  void take(const std::vector<Way>& ways) {
-    const double phase = static_cast<double>(taken_++) / MotionStates::samples,
-                 time = phase / frequency;
-    const Vec3 centre = mill().frame_motion(time).centre;
-    for (std::size_t i = 0; i < balls_.size(); ++i)
-      balls_[i].position = ways[i](phase, centre) - Vec3{centre.x, 0, 0};
-    states.sample(time, balls_, {.lost = 2 * phase, .hits = 3 * phase, .energy = 0.3 * phase});
-  }
-  MotionStates states{jar()};
-
- private:
-  std::vector<scene::Ball> balls_;
-  std::int64_t taken_ = 0;
-};
 
 TEST(MotionStates, are_told_apart_by_what_the_balls_do) {
   const std::pair<Way, MotionState> all[] = {{circles, MotionState::circling},
@@ -85,7 +26,7 @@ TEST(MotionStates, are_told_apart_by_what_the_balls_do) {
                                              {keeps_to_the_jar, MotionState::pinned},
                                              {stays, MotionState::stationary}};
   for (const auto& [way, state] : all) {
-    Charge charge(1);
+    MovedCharge charge(1);
     charge.go(10, {way});
     charge.take({way});  // ends the tenth period
     states(std::string(name_of(state)) + " [s]", charge.states.in(state).time, 10 / frequency,
@@ -97,14 +38,14 @@ TEST(MotionStates, are_told_apart_by_what_the_balls_do) {
 }
 
 TEST(MotionStates, give_turns_per_cycle_and_axial_travel_over_that_of_the_jar) {
-  Charge charge(1);
+  MovedCharge charge(1);
   charge.go(10, {circles});
   charge.take({circles});
   const MotionTotals& in = charge.states.in(MotionState::circling);
   states("turns per cycle", in.turned / in.time, 1.5, 1e-9,
          "by hand; the arc turns the jar by 4 deg");
   states("axial ratio while it circles", in.axial_ratio / in.time, 0, 1e-12, "by hand");
-  Charge other(1);
+  MovedCharge other(1);
   other.go(10, {keeps_to_the_jar});
   other.take({keeps_to_the_jar});
   const MotionTotals& pinned = other.states.in(MotionState::pinned);
@@ -113,7 +54,7 @@ TEST(MotionStates, give_turns_per_cycle_and_axial_travel_over_that_of_the_jar) {
 }
 
 TEST(MotionStates, change_once_a_change_has_lasted_three_periods) {
-  Charge charge(1);
+  MovedCharge charge(1);
   charge.go(20, {circles});
   charge.go(2, {bounces});  // too short
   charge.go(20, {circles});
@@ -130,7 +71,7 @@ TEST(MotionStates, change_once_a_change_has_lasted_three_periods) {
 }
 
 TEST(MotionStates, of_several_balls_belong_to_more_than_half_of_them) {
-  Charge charge(3);
+  MovedCharge charge(3);
   charge.go(10, {circles, circles, stays});
   charge.go(10, {circles, bounces, stays});
   charge.take({circles, bounces, stays});
@@ -143,8 +84,8 @@ TEST(MotionStates, of_several_balls_belong_to_more_than_half_of_them) {
 }
 
 TEST(MotionStates, go_on_after_they_were_saved) {
-  Charge whole(1), cut(1);
-  for (Charge* one : {&whole, &cut}) {
+  MovedCharge whole(1), cut(1);
+  for (MovedCharge* one : {&whole, &cut}) {
     one->go(7, {circles});
     one->go(1, {bounces});
   }
@@ -154,7 +95,7 @@ TEST(MotionStates, go_on_after_they_were_saved) {
   Archive from(saved.bytes());
   read.serialize(from);
   cut.states = read;
-  for (Charge* one : {&whole, &cut}) one->go(9, {bounces});
+  for (MovedCharge* one : {&whole, &cut}) one->go(9, {bounces});
   Archive a, b;
   whole.states.serialize(a);
   cut.states.serialize(b);

@@ -255,7 +255,8 @@ void describe_tilt(KeyVisitor& v, Mill& mill) {
   mill.tilt = given.value_or(0);
 }
 
-/// Warns of a jar of the case's own that holds much less or more than those of the mill.
+/// Warns of a jar whose sizes are the case's own, if it holds much less or more than those of the
+/// mill.
 void remark_on_volume(SectionReader& in, const CatalogueEntry& mill, const Jar& jar) {
   constexpr double least = 0.5, most = 1.5;  // times the smallest and the largest jar
   const double volume = geometry::volume(*jar.shape);
@@ -281,8 +282,7 @@ void remark_on_jar(SectionReader& in, const CatalogueEntry& mill, const Jar& jar
   const auto fits = [&](const CatalogueEntry& one) {
     return std::ranges::find(one.jars, jar.model) != one.jars.end();
   };
-  if (jar.model.empty()) return remark_on_volume(in, mill, jar);
-  if (fits(mill)) return;
+  if (jar.model.empty() || fits(mill)) return remark_on_volume(in, mill, jar);
   std::string others;
   for (const std::string& name : in.catalogue().names("mills"))
     if (const CatalogueEntry other = in.catalogue().find("mills", name); fits(other))

@@ -111,7 +111,22 @@ void read_start_from(SectionReader& in, StartStates& start) {
   if (start.file.empty()) return;
   start = read_start_states(start.file, *at, in.findings());
   in.refuse({"start_speed", "start_spin", "start_frame", "start"},
-            "start_from gives the state of all balls", "remove it, or start_from");
+            "beside start_from, which gives the state of all balls", "remove it, or start_from");
+}
+
+/// The time of a ramp. Without one only its default may stand in a case.
+void describe_ramp(KeyVisitor& v, Run& run) {
+  constexpr double usual = 2;  // [s]
+  const NumberSpec spec(
+      "ramp_time", "s", ramp_times,
+      "time in which the mill comes to its speed from rest, with start = \"ramp\"", usual,
+      "assumed; makers do not state it");
+  SectionReader* in = v.reader();
+  if (run.start == StartLayout::ramp || v.visits_all()) return v.number(spec, run.ramp_time);
+  if (in == nullptr || !in->gives(spec.key)) return;
+  if (in->value(spec) != usual)
+    in->refuse({spec.key}, "where the mill runs at its speed from the start",
+               "write start = \"ramp\", or remove it");
 }
 
 /// Arrangement and state of the balls at the start. Written only where a case gives them.
@@ -126,14 +141,7 @@ void describe_start(KeyVisitor& v, Run& run) {
             {"random positions", "the first ball set lowest, each set above the one before",
              "random positions, and the mill comes to its speed from rest within ramp_time"}},
            run.start);
-  if (run.start == StartLayout::ramp || v.visits_all())
-    v.number({"ramp_time", "s", ramp_times,
-              "time in which the mill comes to its speed from rest, with start = \"ramp\"", 2.0,
-              "assumed; makers do not state it"},
-             run.ramp_time);
-  else if (v.reader() != nullptr)
-    v.reader()->refuse({"ramp_time"}, "the mill runs at its speed from the start",
-                       "write start = \"ramp\", or remove it");
+  describe_ramp(v, run);
   if (all || run.settle_at_rest != 0)
     v.number({"settle_at_rest", "s", settle_times,
               "time before the start of the mill, which stands still; not counted", 0.0,

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sections/writer.hpp"

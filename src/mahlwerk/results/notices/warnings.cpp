@@ -197,7 +197,7 @@ Notices warnings(const Outcome& outcome) {
   overlaps(outcome, list);
   append(list, softened_quantities(outcome));
   append(list, state_notices(outcome.summary));
-  append(list, motion_state_notices(outcome.summary));
+  append(list, motion_state_notices(outcome));
   flight_and_rolling(outcome, list);
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));

@@ -50,9 +50,11 @@ double axial_ratio(const Case&, const Replicate& r) {
 Estimate ratio(const std::vector<const Replicate*>& replicates, MotionState state, Total of,
                Total over) {
   double sum = 0, whole = 0, squares = 0;
+  int having = 0;
   for (const Replicate* r : replicates) {
     sum += r->motion.in(state).*of;
     whole += r->motion.in(state).*over;
+    having += r->motion.in(state).*over > 0 ? 1 : 0;
   }
   if (!(whole > 0)) return {};
   Estimate found{.mean = sum / whole};
@@ -61,7 +63,7 @@ Estimate ratio(const std::vector<const Replicate*>& replicates, MotionState stat
     squares += off * off;
   }
   const auto n = static_cast<double>(replicates.size());
-  if (n > 1)
+  if (having > 1)
     found.ci95 =
         observe::student95(static_cast<int>(n) - 1) * std::sqrt(n / (n - 1) * squares) / whole;
   return found;
@@ -189,7 +191,8 @@ std::string motion_reason(const std::vector<MotionStateSummary>& states) {
   return text;
 }
 
-Notices motion_state_notices(const Summary& summary) {
+Notices motion_state_notices(const Outcome& outcome) {
+  const Summary& summary = outcome.summary;
   constexpr double least = 0.05;
   std::vector<const MotionStateSummary*> found;
   for (const MotionStateSummary& s : summary.motion_states)
@@ -202,14 +205,18 @@ Notices motion_state_notices(const Summary& summary) {
   std::string text;
   for (const MotionStateSummary* s : found) text += (text.empty() ? "" : ", ") + words(*s);
   const bool changes = named(summary.quantities, "state_changes").value > 0;
-  return {warning(
-      "motion-states",
-      fmt::format(
-          "The charge is {}. Power and hits of the result are means over these states. {}", text,
-          changes ? "It changes between them by itself: a longer run.time gives their shares "
-                    "of the time better."
-                  : "No replicate changes between them: the start decides. run.start = "
-                    "\"ramp\" starts the mill as a motor does."))};
+  constexpr std::string_view ramp = " run.start = \"ramp\" starts the mill as a motor does.";
+  const bool ramped = outcome.mill_case.run.start == cases::StartLayout::ramp;
+  const std::string why =
+      changes
+          ? "It changes between them by itself: a longer run.time gives their shares of the time "
+            "better."
+          : fmt::format("No replicate changes between them: the start decides.{}",
+                        ramped ? "" : ramp);
+  return {warning("motion-states",
+                  fmt::format("The charge is {}. Power and hits of the result are means over these "
+                              "states. {}",
+                              text, why))};
 }
 
 }  // namespace mahlwerk::results

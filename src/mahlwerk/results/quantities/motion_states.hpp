@@ -29,6 +29,6 @@ std::string motion_reason(const std::vector<MotionStateSummary>& states);
 
 /// The warning that means are taken over several states; empty where they are over one, or where
 /// the states do not differ in power or hits.
-Notices motion_state_notices(const Summary& summary);
+Notices motion_state_notices(const Outcome& outcome);
 
 }  // namespace mahlwerk::results
