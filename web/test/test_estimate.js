@@ -70,6 +70,11 @@ async function a_mill_has_its_jars_and_its_range({ page, url, engine }) {
   await page.fill(control("mill"), "fritsch-p7-classic");
   expect("what drives a planetary mill", await page.textContent('.word[data-word="drive"] label'), "Speed");
   expect("a first value", (await page.inputValue(control("drive"))).endsWith("rpm"));
+  await page.fill(control("mill"), "Emax");
+  expect("the jar of a mill without jars", await page.inputValue(control("jar")), "");
+  await estimate(page);
+  await page.waitForSelector('.word[data-word="jar"] .word-fault:not([hidden])');
+  expect("is asked for", await fault(page, "jar"), "Fill in this field.");
   await page.fill(control("mill"), "spex");
   expect("the only frequency of a mill", await page.inputValue(control("drive")), "");
   expect("which it is", (await hint(page, "drive")).includes("17.67 Hz"));

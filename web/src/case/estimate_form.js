@@ -73,7 +73,8 @@ export class EstimateForm {
     this.mill = mill;
     const jars = jarsOf(mill, this.known), { control: jar } = this.fields.jar, before = jar.value;
     jar.replaceChildren(...jars.map(optionOf));
-    jar.value = (jars.find(({ value }) => value === before) ?? jars[Math.floor(jars.length / 2)]).value;
+    const middle = jars[0].value === "" ? jars[0] : jars[Math.floor(jars.length / 2)];
+    jar.value = (jars.find(({ value }) => value === before) ?? middle).value;
     this.drive = driveOf(mill, this.known);
     const { label, hint, control } = this.fields.drive;
     label.textContent = text.estimateDrive(this.drive.key);

@@ -17,11 +17,12 @@ export function millCalled(word, { catalogue }) {
   return catalogue.mills.find(({ name }) => name === word) ?? (found.length === 1 ? found[0] : undefined);
 }
 
-/// The jars of a mill, or all if the catalogue names none of it: `{ value, name }`. The value is the volume where
-/// only one jar of the mill has it.
+/// The jars of a mill, or none and all others if the catalogue names none of it: `{ value, name }`. The value is the
+/// volume where only one jar of the mill has it.
 export function jarsOf(mill, { catalogue }) {
   const own = catalogue.jars.filter(({ name }) => mill.jars.includes(name));
-  if (own.length === 0) return catalogue.jars.map(({ name, title }) => ({ value: name, name: title }));
+  if (own.length === 0)
+    return [{ value: "", name: "–" }, ...catalogue.jars.map(({ name, title }) => ({ value: name, name: title }))];
   const millilitres = ({ volume }) => (volume ? convert(split(volume).number, split(volume).unit, "ml") : null);
   const volumes = own.map(millilitres);
   const alone = (volume) => volume !== null && volumes.filter((each) => each === volume).length === 1;
