@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "estimate.hpp"
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
@@ -93,6 +94,11 @@ const char* mahlwerk_vocabulary() {
 
 const char* mahlwerk_check(const char* text, const char* set) {
   return answer_of([&] { return description(read_case(text, overrides(set))).text(); });
+}
+
+/// The case of a few words, which are JSON (estimate.hpp).
+const char* mahlwerk_estimate(const char* words) {
+  return answer_of([&] { return estimate(words).text(); });
 }
 
 /// The data of a replay with the balls at the start.

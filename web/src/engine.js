@@ -23,6 +23,11 @@ class Engine {
     return this.object("vocabulary");
   }
 
+  /// `words`: mill, jar, material, balls, frequency or speed, powder, time; what is empty is left out.
+  estimate(words) {
+    return this.object("estimate", JSON.stringify(words));
+  }
+
   check(toml, set = []) {
     const found = this.object("check", toml, lines(set));
     if (found.faults.length > 0) return found;

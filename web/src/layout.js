@@ -32,14 +32,14 @@ function footer() {
 function caseRegion() {
   const tabs = new Tabs(text.caseHeading, [{ key: "form", name: text.form },
     { key: "text", name: text.caseTab }]);
-  const parts = { examples: element("div", { className: "examples" }),
+  const parts = { estimate: element("div"), examples: element("div", { className: "examples" }),
     form: element("form", { className: "form", onsubmit: (event) => event.preventDefault() }),
     faultLine: element("p", { className: "fault-line", role: "alert", hidden: true }),
     editor: element("div", { className: "text" }) };
   tabs.panels.form.append(parts.form);
   tabs.panels.text.append(parts.editor);
   const region = element("section", { className: "case", "aria-label": text.caseHeading },
-    element("h2", { textContent: text.caseHeading }), parts.examples, parts.faultLine, tabs.list,
+    element("h2", { textContent: text.caseHeading }), parts.estimate, parts.examples, parts.faultLine, tabs.list,
     element("div", { className: "case-panels" }, tabs.panels.form, tabs.panels.text));
   return { region, caseTabs: tabs, ...parts };
 }

@@ -6,6 +6,7 @@
 import { button, download, element, later } from "./dom.js";
 import { CaseStore, kept } from "./case/store.js";
 import { Editor } from "./case/editor.js";
+import { EstimateForm } from "./case/estimate_form.js";
 import { Form } from "./case/form.js";
 import { fragmentOf } from "./case/share.js";
 import { ExampleChoice } from "./example_choice.js";
@@ -29,6 +30,7 @@ export class Page {
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });
+    this.estimateForm = new EstimateForm(parts.estimate, known, (words) => this.estimate(words));
     this.choice = new ExampleChoice(parts.examples, cases, (name) => this.chooseExample(name));
     this.form = new Form(parts.form, store, known);
     this.editor = new Editor(parts.editor, store);
@@ -69,7 +71,7 @@ export class Page {
     return this.store.check();
   }
 
-  /// Whether the case is another than the example or the link that it comes from.
+  /// Whether the case is another than the example, the link or the estimate that it comes from.
   edited() {
     const { name } = this.choice;
     return this.store.text !== (name ? kept(this.cases[name]) : this.linked);
@@ -100,6 +102,25 @@ export class Page {
     this.keep();
     history.pushState(null, "", "#");
     return this.runExample(name);
+  }
+
+  /// Makes and runs the case of an estimate, in an entry of the history of its own. Resolves with the faults of the
+  /// words, and with the case whose lines they cite.
+  async estimate(words) {
+    let made;
+    try {
+      made = await this.inspector.call("estimate", words);
+    } catch (error) {
+      this.inspector.renew();
+      return { faults: [{ where: "", line: 0, text: error.message, remedy: "", code: "internal" }], text: "" };
+    }
+    if (made.faults.length > 0 || (this.edited() && !confirm(text.leaveChanges))) return made;
+    this.keep();
+    history.pushState(null, "", "#");
+    this.linked = kept(made.text);
+    await this.take(made.text, "");
+    this.start();
+    return made;
   }
 
   async runExample(name) {

@@ -90,6 +90,17 @@ class MockEngine {
     return { keys: vocabulary, units, catalogue };
   }
 
+  estimate({ mill, jar, material, balls, frequency, speed }) {
+    const wrong = balls.find((set) => !/^\d+x.*mm$/.test(set));
+    if (wrong !== undefined) return { text: "", faults: [{ where: `--balls ${wrong}`, line: 0, column: 0,
+      text: "this is no number and diameter", remedy: "", code: "bad-command-line" }] };
+    const sets = balls.map((set) => `[[balls]]\ncount = ${set.split("x")[0]}\ndiameter = "${set.split("x")[1]}"\n` +
+      `material = "${material}"\n`);
+    const drive = frequency ? `frequency = "${frequency}"` : `speed = "${speed}"`;
+    return { faults: [], text: `title = "${mill}, ${jar}, ${balls}"\n\n[mill]\nmodel = "${mill}"\n${drive}\n\n[jar]\n` +
+      `model = "${jar}"\n\n${sets.join("\n")}\n[run]\ntime = "1 s"\n` };
+  }
+
   check(toml, set) {
     const text = applied(toml, set);
     const faults = faultsOf(text);

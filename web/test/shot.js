@@ -28,12 +28,13 @@ async function showCase(page) {
 }
 
 for (const [width, height, colorScheme] of views) {
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: "reduce" });
+  const context = await browser.newContext({ viewport: { width: 1280, height }, colorScheme, reducedMotion: "reduce" });
   const page = await context.newPage();
   page.on("console", (message) => message.type() === "error" && console.log(message.text()));
   page.on("pageerror", (error) => console.log(error.stack));
   await showCase(page);
   await ended(page);
+  await page.setViewportSize({ width, height });
   await page.waitForSelector('#replay[data-state="drawn"]');
   const name = (what) => `${folder}/${width}-${colorScheme}-${what}.png`;
   await page.screenshot({ path: name("top") });

@@ -33,6 +33,12 @@ function offeredBy(mill, value) {
   return inUnit(least) !== null && start.number < inUnit(least) ? mill.least : value;
 }
 
+/// What drives a mill of the catalogue: the key, "frequency" or "speed", and a first value that it offers.
+export function firstDrive(mill, { vocabulary }) {
+  const { key, start } = keysOf(vocabulary, "mill", mill.kind).find((each) => ["frequency", "speed"].includes(each.key));
+  return { key, start: offeredBy(mill, start) };
+}
+
 /// The text without the keys of a section that belong to a mill or jar.
 function emptied(text, where) {
   const section = parse(text).find(({ name }) => name === where);

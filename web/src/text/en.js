@@ -15,6 +15,20 @@ const counters = { collisions: "Collisions computed", simulated: "Time simulated
 const severities = { invalid: "Outside the validity:", warning: "Warning:", note: "Note:" };
 const verdicts = { apart: "differ", overlap: "may be equal", unknown: "no interval" };
 
+const estimate = {
+  mill: { label: "Mill", remedy: "choose one of the list" },
+  jar: { label: "Jar", remedy: "choose one of the list" },
+  material: { label: "Material of balls, jar" },
+  balls: { label: "Balls", hint: "or 50 g x 3 mm",
+    remedy: "write number and diameter, 2x10mm, or 50 g x 3 mm, or 30 % x 5 mm (of the volume of the jar); a comma stands " +
+      "between two sets" },
+  drive: { label: "Frequency" },
+  powder: { label: "Powder", hint: "or balls to powder, 10:1",
+    remedy: "write a mass, 200 mg, or the mass of the balls over that of the powder, 10:1" },
+  time: { label: "Milling time", remedy: "fill in the powder, or leave the time empty" },
+};
+const sentence = (words) => (words === "" ? "" : `${words[0].toUpperCase()}${words.slice(1).replace(/[.]$/, "")}.`);
+
 function status(run) {
   if (!run) return "Ready.";
   const sum = seconds(run.sum("simulated") || 0);
@@ -44,6 +58,18 @@ export const text = {
   toDark: "Dark",
   toLight: "Light",
   themeAbout: "Switch between dark and light",
+
+  estimate: "Estimate",
+  estimateHeading: "Estimate of a mill",
+  estimateAbout: "Makes the case, shows it below and runs it. What it assumes is listed under \"About these numbers\"; bands " +
+    "over these values are computed by mahlwerk estimate on the command line.",
+  estimateWord: (word) => estimate[word].label,
+  estimateHint: (word) => estimate[word].hint ?? "",
+  estimateDrive: (key) => (key === "speed" ? "Speed" : "Frequency"),
+  estimateRange: ({ least, most, fixed }) => fixed ? `empty: ${fixed}, that of the mill`
+    : !most ? "" : least ? `${least} to ${most}` : `up to ${most}`,
+  estimateFault: (kind, word, fault) => kind === "missing" ? "Fill in this field."
+    : `${sentence(fault.text)} ${sentence(kind === "written" ? estimate[word].remedy : fault.remedy)}`.trim(),
 
   examples: "Examples",
   example: "Start from",

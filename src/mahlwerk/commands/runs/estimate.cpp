@@ -8,22 +8,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <string>
 #include <string_view>
 
 #include "mahlwerk/base/error.hpp"
-#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/campaign/run/assumed_values.hpp"
-#include "mahlwerk/campaign/run/engine_choice.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
-#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/commands/compute.hpp"
+#include "mahlwerk/commands/reference/estimate_text.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/reporting/progress.hpp"
-#include "mahlwerk/commands/runs/estimate_case.hpp"
 #include "mahlwerk/results/files/folder.hpp"
 
 namespace mahlwerk::commands {
@@ -97,26 +93,9 @@ cases::Case read(const EstimateArguments& given, const std::string& text,
   return made;
 }
 
-/// [s] Counted time: a hundred periods of the mill between one and three seconds, at least three
-/// periods; less where the soft engine would take more than about half a minute of a core. It
-/// follows from the case alone, so that an estimate is the same on any machine.
-double time_to_count(cases::Case mill_case) {
-  constexpr double most_cost = 30;  // [s] of a core
-  const double period = cases::mill_period(mill_case);
-  const double usual = std::isfinite(period) ? std::clamp(100 * period, 1.0, 3.0) : 1.0,
-               least = std::isfinite(period) ? 3 * period : 0.1;
-  mill_case.run.time = usual;
-  const double cost =
-      campaign::soft_work(mill_case) * campaign::ball_step_cost *
-      static_cast<double>(mill_case.run.replicates) *
-      (1 + campaign::assumed_values_cost(mill_case, cases::least_settling(mill_case)));
-  return std::max(usual * std::min(1.0, most_cost / cost), least);
-}
-
 EstimateJob prepare(const EstimateArguments& given, const cases::Catalogue& known) {
-  std::string text = estimate_case(given.words, known, "1 s");
-  const double time = time_to_count(read(given, text, known));
-  text = estimate_case(given.words, known, show_rounded(time, "s", 2));
+  const auto reader = [&](const std::string& text) { return read(given, text, known); };
+  const std::string text = estimate_text(given.words, known, reader);
   EstimateJob job{text, read(given, text, known)};
   if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
     throw InputError(without_file(wrong));
@@ -144,14 +123,6 @@ std::string set_words(const EstimateArguments& given) {
   return words;
 }
 
-/// The case as a file, with comments that say how it is run.
-std::string saved_text(const EstimateArguments& given, const EstimateJob& job) {
-  std::string set = given.set.empty() ? "" : "# The estimate had also:" + set_words(given);
-  std::ranges::replace(set, '\n', ' ');
-  return "# A case by `mahlwerk estimate`; `mahlwerk check` shows every value that it assumes.\n" +
-         set + '\n' + job.text;
-}
-
 /// The outcome with what its assumed values do; the runs for it may be stopped.
 results::Outcome compute(const EstimateArguments& given, const EstimateJob& job,
                          const cases::Catalogue& known) {
@@ -172,7 +143,7 @@ int estimate(const EstimateArguments& given) {
   const cases::Catalogue known = catalogue();
   if (given.save) check_save(*given.save, given.running.force);
   const EstimateJob job = prepare(given, known);
-  if (given.save) results::write_whole(*given.save, saved_text(given, job));
+  if (given.save) results::write_whole(*given.save, saved_estimate(job.text, set_words(given)));
   const results::Outcome outcome = compute(given, job, known);
   if (stop_wanted())
     return report_interrupted(given.running, "an estimate keeps no numbers; start it again.");

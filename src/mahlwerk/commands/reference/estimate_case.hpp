@@ -7,7 +7,7 @@
 
 #include "mahlwerk/cases/catalogue.hpp"
 
-// A case from a few words of the command line.
+// A case from a few words: of the command line, or of a form.
 namespace mahlwerk::commands {
 
 /// The words of `mahlwerk estimate`; empty: not given.

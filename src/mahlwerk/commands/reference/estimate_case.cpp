@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/commands/runs/estimate_case.hpp"
+#include "mahlwerk/commands/reference/estimate_case.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
