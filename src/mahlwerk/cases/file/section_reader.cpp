@@ -208,7 +208,7 @@ std::string SectionReader::remedy_for(const NumberSpec& spec) const {
 std::optional<std::string> SectionReader::text(std::string_view key) {
   const Node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  const auto found = text_at(key, *node);
+  auto found = text_at(key, *node);
   if (found) record_origin(key, fmt::format("\"{}\"", *found), node);
   return found;
 }
