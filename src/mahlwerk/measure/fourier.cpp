@@ -42,7 +42,7 @@ void remove_line(std::vector<Complex>& values) {
   const std::size_t n = values.size(), quarter = std::max<std::size_t>(1, n / 4);
   const Complex first = mean(std::span(values).first(quarter)),
                 last = mean(std::span(values).last(quarter));
-  const double between = static_cast<double>(n - quarter);
+  const auto between = static_cast<double>(n - quarter);
   for (std::size_t i = 0; i < n; ++i) {
     const double place =
         (static_cast<double>(i) - 0.5 * static_cast<double>(quarter - 1)) / std::max(1.0, between);

@@ -107,11 +107,11 @@ class MaterialValues {
 /// Writes the keys of a mill or jar.
 class PartWriter {
  public:
-  PartWriter(TemplateText& out, std::string section, const std::string& kind,
+  PartWriter(TemplateText& out, std::string section, std::string kind,
              std::optional<CatalogueEntry> entry, const cases::Catalogue& catalogue)
       : out_(out),
         section_(std::move(section)),
-        kind_(kind),
+        kind_(std::move(kind)),
         entry_(std::move(entry)),
         material_(catalogue, of_entry("material") ? of_entry("material")->text : "") {}
 

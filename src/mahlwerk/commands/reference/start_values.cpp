@@ -53,7 +53,11 @@ std::string sample_surface() {
       const std::string a = corner(-w, -half), b = corner(w, -half), c = corner(w, half),
                         d = corner(-w, half);
       for (const auto& [second, third] : {std::pair{b, c}, std::pair{c, d}})
-        text += "facet normal 0 0 0\nouter loop\n" + a + second + third + "endloop\nendfacet\n";
+        text.append("facet normal 0 0 0\nouter loop\n")
+            .append(a)
+            .append(second)
+            .append(third)
+            .append("endloop\nendfacet\n");
     }
   return text + "endsolid jar\n";
 }
