@@ -42,19 +42,15 @@ bool settles(const Case& c) {
 
 SettlingBlocks settling_blocks(const Case& c) {
   constexpr double times = 4;  // of the least, and of the counted time
-  SettlingBlocks made{.begin = ramp_time(c), .length = mill_period(c) / blocks_per_period(c)};
+  SettlingBlocks made{.begin = ramp_time(c.run), .length = mill_period(c) / blocks_per_period(c)};
   const double within_counted = std::min(1e6, times * c.run.time / made.length);
   made.most = std::max(static_cast<int>(times) * SettlingBlocks::least,
                        c.run.until ? 0 : static_cast<int>(within_counted));
   return made;
 }
 
-double ramp_time(const Case& c) {
-  return c.run.start == StartLayout::ramp ? c.run.ramp_time : 0;
-}
-
 double least_settling(const Case& c) {
-  if (!settles(c)) return c.run.settle.value_or(ramp_time(c));
+  if (!settles(c)) return c.run.settle.value_or(ramp_time(c.run));
   const SettlingBlocks blocks = settling_blocks(c);
   return blocks.begin + SettlingBlocks::least * blocks.length;
 }

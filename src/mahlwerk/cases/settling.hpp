@@ -24,8 +24,6 @@ struct SettlingBlocks {
 bool settles(const Case& c);
 /// The blocks of a case that settles().
 SettlingBlocks settling_blocks(const Case& c);
-/// [s] In which the mill comes to its speed; 0 unless run.start is "ramp".
-double ramp_time(const Case& c);
 /// [s] Time before counting: run.settle, or the least that "auto" takes.
 double least_settling(const Case& c);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/kinematics/arc_shaker.hpp"
@@ -181,6 +182,10 @@ double MotionStates::time() const {
   double all = 0;
   for (const MotionTotals& one : in_) all += one.time;
   return all;
+}
+
+double MotionStates::time_of_balls() const {
+  return std::accumulate(of_balls_.begin(), of_balls_.end(), 0.0);
 }
 
 void MotionStates::serialize(Archive& archive) {

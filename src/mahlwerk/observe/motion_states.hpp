@@ -64,8 +64,9 @@ class MotionStates {
   std::int64_t visits(MotionState state) const { return visits_[index(state)]; }
   /// [s] Time of the balls in the state, a period of a ball at a time, over their number.
   double time_of_balls(MotionState state) const { return of_balls_[index(state)]; }
-  /// [s] In all states.
-  double time() const;
+  double time() const;           ///< [s] of the charge in all states
+  double time_of_balls() const;  ///< [s] of the balls in all states, over their number
+  std::int64_t taken() const { return taken_; }  ///< samples so far
 
   void serialize(Archive& archive);
 

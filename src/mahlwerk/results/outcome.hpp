@@ -75,6 +75,7 @@ struct ReadBefore {
   double speed_in_carrier = 0;     ///< [m/s]
   double largest_speed = 0;        ///< [m/s] of the fastest collisions
   double share_by_softening = 0;   ///< [1] of the balls' time
+  double heat_in_balls = 0;        ///< [1] of the dissipated power, with [heat]
   std::vector<BedPoint> bed = {};  ///< of a drum
 };
 

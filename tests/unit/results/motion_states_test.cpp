@@ -59,6 +59,20 @@ TEST(MotionStateQuantities, are_shares_of_the_balls_time_changes_turns_and_axial
             "circling and bouncing and pinned and stationary");
 }
 
+TEST(MotionStateQuantities, shares_add_up_to_one_while_a_change_does_not_count_yet) {
+  MovedCharge charge(1);
+  charge.go(8, {circles});
+  charge.go(2, {bounces});
+  charge.take({bounces});
+  const Outcome outcome = outcome_of({charge.states});
+  states("circling_share", value(outcome, "circling_share"), 0.8, 0.1 + 1e-12,
+         "8 of 10 periods; that of the change may belong to either");
+  double all = 0;
+  for (const char* name : {"circling_share", "bouncing_share", "pinned_share", "stationary_share"})
+    all += value(outcome, name);
+  states("all shares", all, 1, 1e-12, "each period belongs to one state");
+}
+
 TEST(MotionStateQuantities, mean_turns_and_axial_travel_are_those_of_the_states_by_their_time) {
   MovedCharge charge(1);
   charge.go(20, {circles});

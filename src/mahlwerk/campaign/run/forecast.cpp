@@ -73,8 +73,7 @@ class Deadline {
 
 /// A case that runs until it is stopped.
 cases::Case endless(cases::Case made) {
-  made.run.settle = 0;
-  if (made.run.start == cases::StartLayout::ramp) made.run.start = cases::StartLayout::random;
+  cases::settle_at_speed(made.run, 0);
   made.run.time = 1e3;
   made.run.until.reset();
   return made;

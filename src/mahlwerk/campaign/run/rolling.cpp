@@ -70,11 +70,7 @@ Rates tc_rates(cases::Case mill_case, double settle) {
   constexpr int parts = 50;
   mill_case.contact.lasting = cases::SustainedContactModel::tc;
   mill_case.run.engine = cases::EngineName::event;
-  if (settle > settled) {
-    settle = settled;
-    if (mill_case.run.start == cases::StartLayout::ramp)
-      mill_case.run.start = cases::StartLayout::random;
-  }
+  if (settle > settled) cases::settle_at_speed(mill_case.run, settle = settled);
   const auto trial = engine(mill_case, 0);
   ThresholdCounter ignored(mill_case.observe.threshold), hits(mill_case.observe.threshold);
   Rates found;

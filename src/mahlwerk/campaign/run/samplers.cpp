@@ -55,21 +55,21 @@ class MotionSampler final : public Sampler {
   MotionSampler(double period, results::Replicate& result)
       : interval_(period / observe::MotionStates::samples), result_(&result) {}
   void begin(double time) override { begin_ = time; }
-  double next() const override { return begin_ + interval_ * static_cast<double>(taken_ + 1); }
+  double next() const override {
+    return begin_ + interval_ * static_cast<double>(result_->motion.taken() + 1);
+  }
   void take(Moment& moment) override {
     const observe::CollisionSums& hits = result_->tally.above;
-    for (; next() <= moment.now().time; ++taken_)
+    while (next() <= moment.now().time)
       result_->motion.sample(moment.now().time, moment.balls(),
                              {.lost = moment.now().lost(),
                               .hits = static_cast<double>(hits.count),
                               .energy = hits.energy_normal});
   }
-  void serialize(Archive& archive) override { archive(taken_); }
 
  private:
   double interval_, begin_ = never;  // [s]
   results::Replicate* result_;
-  std::int64_t taken_ = 0;
 };
 
 /// Calls a recorder of a part at its times.

@@ -54,8 +54,8 @@ std::optional<SettledState> settled_state(const cases::Case& mill_case, double m
   if (!trial.counting_begins()) return std::nullopt;
   SettledState state{mill_case, *trial.counting_begins()};
   state.mill_case.run.start_from = start_states(softer, trial, stop);
-  state.mill_case.run.settle = state.mill_case.run.settle_at_rest = 0;  // the mill runs
-  state.mill_case.run.start = cases::StartLayout::random;
+  cases::settle_at_speed(state.mill_case.run, 0);
+  state.mill_case.run.settle_at_rest = 0;
   return state;
 } catch (const Interrupted&) {  // while balls were placed
   return std::nullopt;

@@ -22,6 +22,7 @@ std::vector<Fault> inconsistencies(const Case& c);
 void bad_positions(const Case& c, std::vector<Fault>& found);
 /// A start state with other balls, or too few states for the replicates.
 void bad_start_state(const Case& c, std::vector<Fault>& found);
+/// A mill that cannot speed up, or counting that begins before it has its speed.
 void bad_ramp(const Case& c, std::vector<Fault>& found);
 /// Solid volume of powder and balls larger than the jar.
 void bad_powder(const Case& c, std::vector<Fault>& found);

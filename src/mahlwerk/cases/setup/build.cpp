@@ -10,9 +10,8 @@ namespace mahlwerk::cases {
 
 scene::Chamber chamber(const Case& c) {
   return {.shape = c.jar.shape,
-          .motion = c.run.start == StartLayout::ramp
-                        ? kinematics::ramped(*c.mill.motion, c.run.ramp_time)
-                        : c.mill.motion,
+          .motion = ramp_time(c.run) > 0 ? kinematics::ramped(*c.mill.motion, ramp_time(c.run))
+                                         : c.mill.motion,
           .mount = scene::mounted_along(c.mill.jar_axis),
           .gravity = c.gravity_vector()};
 }

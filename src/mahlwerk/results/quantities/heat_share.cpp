@@ -5,20 +5,9 @@
 #include <algorithm>
 
 namespace mahlwerk::results {
-namespace {
-
-/// The value that was read before the spectra of the replicate were forgotten.
-double read_before(const cases::Case& c, const Replicate& r) {
-  const Measures all = measures(c);
-  const auto at = std::ranges::find(all, "heat_share_in_balls", &Measure::name);
-  return r.read_before->values.at(static_cast<std::size_t>(at - all.begin()));
-}
-
-}  // namespace
-
 double heat_share_in_balls(const cases::Case& c, const Replicate& r) {
   if (c.heat->share_in_balls) return *c.heat->share_in_balls;
-  if (r.read_before) return read_before(c, r);
+  if (r.read_before) return r.read_before->heat_in_balls;
   double between_balls = 0, recorded = 0;
   for (int pair = 0; pair < r.tally.by_pair.pairs(); ++pair) {
     const double lost = r.tally.by_pair[pair].spectra.energy_lost.sum();

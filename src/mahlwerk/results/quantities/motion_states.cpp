@@ -22,7 +22,7 @@ using Total = double MotionTotals::*;
 
 template <MotionState state>
 double share_of_balls(const Case&, const Replicate& r) {
-  return share(r.motion.time_of_balls(state), r.motion.time());
+  return share(r.motion.time_of_balls(state), r.motion.time_of_balls());
 }
 
 /// Sum over all states.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mahlwerk/results/quantities/bed.hpp"
+#include "mahlwerk/results/quantities/heat_share.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/softening.hpp"
 
@@ -49,6 +50,7 @@ ReadBefore SummingUp::read(std::size_t replicate) const {
                   .speed_in_carrier = speed_in_carrier(r),
                   .largest_speed = largest_speed(r),
                   .share_by_softening = 0,
+                  .heat_in_balls = c.heat ? heat_share_in_balls(c, r) : 0,
                   .bed = bed_profile(outcome_.mill_case, r)};
   for (const Measure& m : measures_) made.values.push_back(m.compute(c, r));
   if (cases::in_time_steps(outcome_.engine) && c.contact.softening < 1)
