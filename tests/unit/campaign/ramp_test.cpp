@@ -162,6 +162,14 @@ TEST(MotionStatesOfRuns, of_a_ball_at_rest_in_a_level_mill_is_stationary_and_a_l
   EXPECT_LT(started, 0.2);
 }
 
+TEST(MotionStatesOfRuns, without_losses_differ_by_no_power) {
+  const results::Outcome outcome =
+      run_of(mixer, {{"contact.restitution", "1"}, {"contact.friction", "0"}, {"run.time", "2 s"}});
+  ASSERT_GT(outcome.summary.motion_states.size(), 1u);
+  for (const results::MotionStateSummary& s : outcome.summary.motion_states)
+    EXPECT_EQ(s.power.mean, 0) << s.name;
+}
+
 TEST(MotionStatesOfRuns, that_differ_are_named_instead_of_their_mean_alone) {
   const results::Outcome outcome = run_of(mixer, {{"run.start", "ramp"}, {"run.replicates", "8"}});
   const auto found = std::ranges::find(outcome.notices, "motion-states", &Notice::code);

@@ -45,6 +45,12 @@ double axial_ratio(const Case&, const Replicate& r) {
   return share(total(r, &MotionTotals::axial_ratio), total(r, &MotionTotals::time));
 }
 
+/// The sum in the state; of energies lost only what is more than rounding.
+double sum_of(const Replicate& r, MotionState state, Total of) {
+  const double sum = r.motion.in(state).*of;
+  return of == &MotionTotals::lost ? above_rounding(r, sum) : sum;
+}
+
 /// Sum of `of` over that of `over`, in the state, over the replicates; with its half-width
 /// (obs.21).
 Estimate ratio(const std::vector<const Replicate*>& replicates, MotionState state, Total of,
@@ -52,14 +58,14 @@ Estimate ratio(const std::vector<const Replicate*>& replicates, MotionState stat
   double sum = 0, whole = 0, squares = 0;
   int having = 0;
   for (const Replicate* r : replicates) {
-    sum += r->motion.in(state).*of;
+    sum += sum_of(*r, state, of);
     whole += r->motion.in(state).*over;
     having += r->motion.in(state).*over > 0 ? 1 : 0;
   }
   if (!(whole > 0)) return {};
   Estimate found{.mean = sum / whole};
   for (const Replicate* r : replicates) {
-    const double off = r->motion.in(state).*of - found.mean * r->motion.in(state).*over;
+    const double off = sum_of(*r, state, of) - found.mean * r->motion.in(state).*over;
     squares += off * off;
   }
   const auto n = static_cast<double>(replicates.size());
