@@ -40,7 +40,8 @@ Case& Case::operator=(Case&&) noexcept = default;
 Case::~Case() = default;
 
 bool Case::operator==(const Case& o) const {
-  return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar && balls == o.balls &&
+  return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar &&
+         machine_parts == o.machine_parts && balls == o.balls &&
          powder == o.powder && contact == o.contact && liquid == o.liquid && run == o.run &&
          observe == o.observe && milling == o.milling && heat == o.heat && capture == o.capture &&
          grinding == o.grinding && kinetics == o.kinetics && parts == o.parts &&

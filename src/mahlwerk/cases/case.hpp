@@ -13,6 +13,8 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/machine_part.hpp"
+#include "mahlwerk/cases/material.hpp"
 #include "mahlwerk/cases/part_values.hpp"
 #include "mahlwerk/cases/run.hpp"
 #include "mahlwerk/cases/sizes.hpp"
@@ -21,7 +23,6 @@
 #include "mahlwerk/contact/bounce.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
-#include "mahlwerk/contact/pair_table.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/powder/any_model.hpp"
@@ -41,20 +42,6 @@ struct Mill {
   bool operator==(const Mill&) const = default;
 };
 
-/// Steel, the default material.
-constexpr contact::ElasticConstants steel{.youngs_modulus = 210e9, .poisson_ratio = 0.3};
-
-/// Material properties for wear and heat.
-struct Substance {
-  double hardness = 0;       ///< [1] Vickers number HV > 0
-  double conductivity = 0;   ///< [W/(m K)] thermal conductivity > 0
-  double heat_capacity = 0;  ///< [J/(kg K)] specific heat capacity > 0
-  bool operator==(const Substance&) const = default;
-};
-
-/// Steel 1.4034, the material of many balls and jars: the default.
-constexpr Substance hardened_steel{.hardness = 600, .conductivity = 30, .heat_capacity = 460};
-constexpr double hardened_steel_density = 7730;  ///< [kg/m3]
 constexpr double default_wall_thickness = 5e-3;  ///< [m] of a small jar
 
 /// Source of a jar's mesh.
@@ -128,7 +115,7 @@ enum class SustainedContactModel {
 };
 
 /// A contact rule for the pairs that two names select: ball sets ("balls.2", "balls"), faces of the
-/// jar ("jar.side", "jar"), or all bodies of a material ("steel").
+/// jar ("jar.side", "jar"), parts ("parts.stirrer", "parts"), or all bodies of a material ("steel").
 struct PairRule {
   std::array<std::string, 2> between;
   contact::BounceRule rule;
@@ -283,6 +270,7 @@ struct Case {
   std::uint64_t seed = 1;
   Mill mill;
   Jar jar;
+  std::vector<MachinePart> machine_parts;  ///< in the jar, beside the balls
   std::vector<BallSet> balls;
   std::optional<Powder> powder;
   Contact contact;

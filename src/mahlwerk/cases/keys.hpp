@@ -18,6 +18,7 @@ namespace mahlwerk::cases {
 struct SectionSpec {
   std::string_view name, choice, about;  ///< without a name: the keys outside sections
   bool many_runs = false;                ///< whether it is about many runs
+  bool several = false;                  ///< whether a case may have several: [[balls]]
 };
 
 /// The sections of a case, in the order in which cases are written.
@@ -65,6 +66,7 @@ struct KeySection {
   std::string kind;     ///< "planetary", "hertz-mindlin"; empty for the keys of every kind
   std::string choice;   ///< the key that chooses the kind: "mill.kind"; empty without kinds
   std::string about;    ///< description, one sentence
+  bool several = false;  ///< whether a case may have several such sections
   std::vector<KeyInfo> keys;
 };
 

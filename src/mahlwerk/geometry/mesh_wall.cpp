@@ -11,13 +11,14 @@
 
 namespace mahlwerk::geometry {
 
-MeshWall::MeshWall(Surface surface, double crease_angle)
+MeshWall::MeshWall(Surface surface, double crease_angle, Depth depth)
     : surface_(std::move(surface)), facets_(facets_of(surface_, crease_angle)) {
   reorder(facets_, build_trees());  // near facets get near in memory
   build_trees();
   orient_trees();
   measure();
   renew_view();
+  if (depth == Depth::unknown) return;
   sample_depth();
   renew_view();
 }

@@ -19,8 +19,11 @@ class MeshWall {
   using NearestFace = MeshView::NearestFace;
   static constexpr double far = MeshView::far;
 
+  /// Whether the wall encloses the balls, so that its depth can be sampled.
+  enum class Depth { sampled, unknown };
+
   /// `surface` must be without a flaw (flaw_of()); `crease_angle` [rad].
-  MeshWall(Surface surface, double crease_angle);
+  MeshWall(Surface surface, double crease_angle, Depth depth = Depth::sampled);
   MeshWall(MeshWall&&) = default;  // no copies: the view would be that of the original
   MeshWall& operator=(MeshWall&&) = default;
 

@@ -58,6 +58,7 @@ void CollisionStatistics::add(const scene::Collision& c, const CollisionBatch& b
     above.between_balls += counts ? 1 : 0;
     return;
   }
+  if (~c.other >= wall_map.grid().faces) return;  // of a part
   WallSums& cell = wall_map.at(batch.cell[i]);
   ++cell.count;
   cell.energy_normal += batch.energy_normal[i];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -14,23 +15,38 @@
 
 namespace mahlwerk::observe {
 
-/// Kind of each ball, and number of distinguished faces of the jar. Copies share the table.
+/// Kind of each ball, and distinguished faces of the jar and its parts. Copies share the tables.
 class BallKinds {
  public:
   BallKinds() : BallKinds({}, 1, 1) {}  ///< all of one kind, in a jar of one face
   /// `of_ball`: kind of each ball; empty if all are of kind 0. Faces from `faces` - 1 count as one.
   BallKinds(std::vector<std::int32_t> of_ball, int kinds, int faces)
+      : BallKinds(std::move(of_ball), kinds, each_of(faces)) {}
+  /// `of_face`: the distinguished face, from 0, that each face counts as; faces after the last as
+  /// that one.
+  BallKinds(std::vector<std::int32_t> of_ball, int kinds, std::vector<std::int32_t> of_face)
       : of_ball_(std::make_shared<const std::vector<std::int32_t>>(std::move(of_ball))),
+        of_face_(std::make_shared<const std::vector<std::int32_t>>(std::move(of_face))),
         kinds_(kinds),
-        faces_(std::max(faces, 1)) {}
+        faces_(std::ranges::max(*of_face_) + 1) {}
   int kinds() const { return kinds_; }
   int faces() const { return faces_; }
+  std::int32_t face(std::int32_t face) const {
+    const auto last = static_cast<std::int32_t>(of_face_->size()) - 1;
+    return (*of_face_)[static_cast<std::size_t>(std::min(face, last))];
+  }
   std::int32_t of(std::int32_t ball) const {
     return of_ball_->empty() ? 0 : (*of_ball_)[static_cast<std::size_t>(ball)];
   }
 
  private:
-  std::shared_ptr<const std::vector<std::int32_t>> of_ball_;
+  static std::vector<std::int32_t> each_of(int faces) {
+    std::vector<std::int32_t> all(static_cast<std::size_t>(std::max(faces, 1)));
+    std::iota(all.begin(), all.end(), 0);
+    return all;
+  }
+
+  std::shared_ptr<const std::vector<std::int32_t>> of_ball_, of_face_;
   int kinds_ = 1, faces_ = 1;
 };
 
@@ -87,7 +103,7 @@ class StatisticsByPair {
   int pair_of(const scene::Collision& c) const {
     const std::int32_t row = kinds_.kinds() + kinds_.faces();
     const std::int32_t other =
-        c.other < 0 ? kinds_.kinds() + std::min(~c.other, kinds_.faces() - 1) : kinds_.of(c.other);
+        c.other < 0 ? kinds_.kinds() + kinds_.face(~c.other) : kinds_.of(c.other);
     return number_[static_cast<std::size_t>(kinds_.of(c.ball) * row + other)];
   }
   /// The statistics of a pair, for counting.
@@ -104,7 +120,8 @@ class StatisticsByPair {
   int kinds() const { return kinds_.kinds(); }
   int faces() const { return kinds_.faces(); }
   int pairs() const { return static_cast<int>(statistics_.size()); }
-  /// Kinds of a pair: `one`, and `other` >= `one` or, with the jar, `other` = ~face.
+  /// Kinds of a pair: `one`, and `other` >= `one` or, with the jar, `other` = ~face, a
+  /// distinguished one.
   struct Kinds {
     int one = 0, other = 0;
     bool with_jar() const { return other < 0; }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/base/vec3.hpp"
@@ -22,6 +23,8 @@ struct WallGrid {
 
   double radius = 1;            ///< [m] largest distance from the axis
   double bottom = -1, top = 1;  ///< [m] ends along the axis
+  /// Number of faces of the jar; hits on those of parts are not in its map.
+  int faces = std::numeric_limits<int>::max();
 
   enum class Part { side, bottom, top };
   static Part part(int cell);

@@ -6,7 +6,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/file/stl.hpp"
+#include "mahlwerk/cases/file/mesh_file.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -231,9 +231,9 @@ TEST(MeshFile, more_triangles_than_there_is_memory_for_are_refused) {
   for (std::size_t k = 0; k < 4; ++k) head[80 + k] = static_cast<char>(count >> 8 * k & 0xff);
   head.resize(84 + 50 * count);
   try {
-    read_stl(head, 1);
+    read_mesh_file(head, "head.stl", 1);
     ADD_FAILURE() << "taken";
-  } catch (const StlError& error) {
+  } catch (const MeshFileError& error) {
     EXPECT_STREQ(error.what(), "it has 4000001 triangles, more than the limit of 4000000");
   }
 }

@@ -19,6 +19,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -118,11 +119,10 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   const auto choose = [](cases::EngineName engine, std::string why) {
     return EngineChoice{engine, {std::move(why)}};
   };
-  if (!geometry::exact_touches(*mill_case.jar.shape))
-    return choose(cases::EngineName::soft,
-                  fmt::format("Engine: soft, chosen by auto. The event engine does not support a "
-                              "jar of kind \"{}\".",
-                              geometry::name_of(*mill_case.jar.shape)));
+  if (const std::string wall = cases::soft_only_wall(mill_case); !wall.empty())
+    return choose(
+        cases::EngineName::soft,
+        fmt::format("Engine: soft, chosen by auto. The event engine does not support {}.", wall));
   if (cases::fits_exactly(mill_case))
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. Two balls fit exactly across the jar, where hard "

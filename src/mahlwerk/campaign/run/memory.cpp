@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/run/replicate.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/results/quantities/summed_up.hpp"
 
@@ -104,7 +105,7 @@ std::optional<double> memory_available(const std::string& root) {
 
 double memory_kept(const cases::Case& mill_case, bool sums_up) {
   const auto sets = static_cast<double>(mill_case.balls.size());
-  const auto faces = static_cast<double>(geometry::face_names(*mill_case.jar.shape).size());
+  const auto faces = static_cast<double>(cases::wall_faces(mill_case));
   const double pairs = sets * (0.5 * (sets + 1) + faces);
   if (sums_up && results::can_be_summed_up(mill_case)) return any_result + sums_of_pair * pairs;
   return any_result + maps + spectra_of_pair * pairs;

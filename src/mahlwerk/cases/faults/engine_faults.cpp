@@ -7,6 +7,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -49,11 +50,11 @@ std::vector<Fault> liquid_faults(const Case& c) {
 
 std::vector<Fault> event_faults(const Case& c) {
   if (auto found = liquid_faults(c); !found.empty()) return found;
-  if (!geometry::exact_touches(*c.jar.shape))
+  if (const std::string wall = soft_only_wall(c); !wall.empty())
     return {{location_of(c, "run.engine"),
-             fmt::format("the event engine does not take a jar of kind \"{}\": it computes exact "
-                         "contact times from a formula",
-                         geometry::name_of(*c.jar.shape)),
+             fmt::format("the event engine does not take {}: it computes exact contact times from "
+                         "a formula",
+                         wall),
              "write engine = \"soft\", or \"auto\"", "jar-needs-soft"}};
   if (c.run.engine == EngineName::event && fits_exactly(c))
     return {
@@ -101,7 +102,7 @@ bool fits_exactly(const Case& c) {
 }
 
 std::vector<Fault> engine_faults(const Case& c) {
-  const bool exact = geometry::exact_touches(*c.jar.shape);  // else "auto" chooses soft
+  const bool exact = soft_only_wall(c).empty();  // else "auto" chooses soft
   const bool soft = in_time_steps(c.run.engine) ||
                     ((!exact || liquid_needs_soft(c)) && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);

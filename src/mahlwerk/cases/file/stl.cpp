@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "mahlwerk/base/admission.hpp"
-#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/file/mesh_file.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -29,7 +28,7 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 
 void refuse_too_many(std::size_t triangles) {
   if (triangles > max_triangles)
-    throw StlError(
+    throw MeshFileError(
         fmt::format("it has {} triangles, more than the limit of {}", triangles, max_triangles));
 }
 
@@ -43,7 +42,7 @@ std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale)
       const double x = std::bit_cast<float>(number_at(bytes, at));
       at += 4;
       if (!std::isfinite(x))
-        throw StlError(fmt::format("triangle {} has a coordinate that is not a number", i + 1));
+        throw MeshFileError(fmt::format("triangle {} has a coordinate that is not a number", i + 1));
       return x * scale;
     };
     for (Vec3& corner : all[i]) {
@@ -73,7 +72,7 @@ class StlTokens {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
-      throw StlError(said.empty() ? fmt::format("it is cut off in line {}", line_)
+      throw MeshFileError(said.empty() ? fmt::format("it is cut off in line {}", line_)
                                   : fmt::format("\"{}\" in line {} is not a number",
                                                 said.substr(0, 40), line_));
     return value;
@@ -101,7 +100,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (equals_ignoring_case(word, "vertex")) {
       if (known == 3)
-        throw StlError(
+        throw MeshFileError(
             fmt::format("the facet in line {} has more than three corners", words.line()));
       Vec3& c = corners[known++];
       c.x = scale * words.number();
@@ -109,7 +108,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
       c.z = scale * words.number();
     } else if (equals_ignoring_case(word, "endfacet")) {
       if (known != 3)
-        throw StlError(
+        throw MeshFileError(
             fmt::format("the facet that ends in line {} has {} corners", words.line(), known));
       all.push_back(corners);
       known = 0;
@@ -118,7 +117,7 @@ std::vector<geometry::Corners> read_as_text(std::string_view text, double scale)
     ended = ended || equals_ignoring_case(word, "endsolid");
   }
   if (!ended || known != 0)
-    throw StlError(
+    throw MeshFileError(
         fmt::format("it is cut off after triangle {}: there is no \"endsolid\"", all.size()));
   return all;
 }
@@ -133,21 +132,7 @@ bool looks_like_text(std::string_view bytes) {
 
 }  // namespace
 
-namespace {
-
-void refuse_far_corners(const std::vector<geometry::Corners>& all) {
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const Vec3& corner : all[i])
-      for (const double coordinate : {corner.x, corner.y, corner.z})
-        if (const std::string refused = refusal(coordinate, any_number, "m"); !refused.empty())
-          throw StlError(fmt::format("a corner of triangle {} is {}: is it in the stated unit?",
-                                     i + 1, refused));
-}
-
-}  // namespace
-
 std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
-  if (bytes.empty()) throw StlError("it is empty");
   const std::size_t whole = bytes.size() < head ? 0 : head + record * number_at(bytes, 80);
   std::vector<geometry::Corners> all;
   if (bytes.size() == whole)
@@ -155,13 +140,12 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
   else if (looks_like_text(bytes))
     all = read_as_text(bytes, scale);
   else if (whole > bytes.size())
-    throw StlError(fmt::format("its header gives {} triangles, and it ends in triangle {}",
+    throw MeshFileError(fmt::format("its header gives {} triangles, and it ends in triangle {}",
                                number_at(bytes, 80), (bytes.size() - head) / record + 1));
   else
-    throw StlError(
-        "it is not an STL file: neither the length of a binary one nor the words of an ASCII one");
-  if (all.empty()) throw StlError("it has no triangles");
-  refuse_far_corners(all);
+    throw MeshFileError(
+        "it is not an STL file: neither the length of a binary one nor the words of an ASCII one "
+        "(OBJ files are known by their ending .obj, PLY files by their first word)");
   return all;
 }
 

@@ -106,6 +106,7 @@ class CaseReader final : public SectionTables {
   void read_sections() {
     find_jars_of_mill();
     c_.jar = described<Jar>("jar", true).value_or(invalid_jar());
+    c_.machine_parts = read_machine_parts(tree_.root().find("parts"), findings_);
     Node no_balls;
     no_balls.where = tree_.file().generic_string();
     const Node* balls = tree_.root().find("balls");

@@ -82,6 +82,10 @@ void describe(CaseVisitor& v, Case& c) {
   describe_top(v, c);
   section("mill", c.mill, c);
   section("jar", c.jar);
+  for (std::size_t i = 0; i < c.machine_parts.size(); ++i) {
+    v.section("parts", i + 1);
+    describe(v, c.machine_parts[i]);
+  }
   for (std::size_t i = 0; i < c.balls.size(); ++i) {
     if (c.balls[i].grains) continue;  // part of [powder]
     v.section("balls", i + 1);

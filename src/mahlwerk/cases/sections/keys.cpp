@@ -18,11 +18,15 @@ constexpr std::array first_sections{
     SectionSpec{"", "", "keys at the top of the file, before the first section"},
     SectionSpec{"mill", "kind", "the mill and its motion"},
     SectionSpec{"jar", "kind", "the jar: inner shape, sizes and material of the wall"},
-    SectionSpec{"balls", "", "a ball set: size, number and material; one section for each set"},
+    SectionSpec{"parts", "kind",
+                "a part of the mill in the jar, at rest or moving; one section for each part", false,
+                true},
+    SectionSpec{"balls", "", "a ball set: size, number and material; one section for each set",
+                false, true},
     SectionSpec{"powder", "", "the powder: amount, sizes and material"},
     SectionSpec{"contact", "law", "rules and parameters of all contacts"},
     SectionSpec{"contact.pairs", "",
-                "an exception from [contact] for certain pairs; one section for each"},
+                "an exception from [contact] for certain pairs; one section for each", false, true},
     SectionSpec{"liquid", "kind", "liquid in the jar: films on the bodies, or a jar full of it"},
     SectionSpec{"run", "", "engine, times, replicates and the start of a run"},
     SectionSpec{"observe", "", "statistics and records of a run"},
@@ -47,6 +51,7 @@ std::vector<SectionSpec> all_sections() {
 /// A case with every section.
 Case full_case() {
   Case c;
+  c.machine_parts.emplace_back();
   c.balls.resize(2);
   c.balls.back().grains = true;
   c.powder.emplace().grain_size = 1e-3;
@@ -201,16 +206,16 @@ void add_section(std::vector<KeySection>& all, const SectionSpec& spec) {
   const std::string name(spec.name), choice = name + "." + std::string(spec.choice);
   std::vector<KeyInfo> keys = KeySearch(spec, {}).keys();
   if (spec.choice.empty()) {
-    all.push_back({name, "", "", std::string(spec.about), std::move(keys)});
+    all.push_back({name, "", "", std::string(spec.about), spec.several, std::move(keys)});
     return;
   }
   const KeyInfo chosen = *std::ranges::find(keys, choice, &KeyInfo::key);
   std::vector<KeySection> kinds;
   for (std::size_t i = 0; i < chosen.words.size(); ++i)
     kinds.push_back(
-        {name, chosen.words[i], choice, chosen.meanings[i], KeySearch(spec, {{choice, i}}).keys()});
+        {name, chosen.words[i], choice, chosen.meanings[i], spec.several, KeySearch(spec, {{choice, i}}).keys()});
   const std::vector<KeyInfo> common = common_keys(kinds);
-  all.push_back({name, "", choice, std::string(spec.about), common});
+  all.push_back({name, "", choice, std::string(spec.about), spec.several, common});
   for (KeySection& kind : kinds) {
     std::erase_if(kind.keys, [&](const KeyInfo& key) {
       return std::ranges::find(common, key) != common.end();

@@ -4,68 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <utility>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/mesh_triangles.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
-using geometry::Flaw;
 using geometry::Mesh;
 using geometry::Surface;
 
 constexpr double widest = 10, narrowest = 1e-3;  // [m] plausible widths of a jar
-
-std::string position_text(const Vec3& p) {
-  return fmt::format("({:.4g}, {:.4g}, {:.4g}) mm", 1e3 * p.x, 1e3 * p.y, 1e3 * p.z);
-}
-
-std::string edges(std::size_t count) {
-  return count == 1 ? "1 edge" : fmt::format("{} edges", count);
-}
-
-/// The fault for a flaw of the mesh, with its remedy.
-Fault mesh_fault(const Flaw& flaw, const std::string& file) {
-  const auto fault = [&](std::string what, const char* remedy, const char* code) {
-    return Fault{"", fmt::format("{}: {}", file, what), remedy, code};
-  };
-  switch (flaw.kind) {
-    case Flaw::Kind::open:
-      return fault(fmt::format("the surface is open: {} belong to one triangle only, one at {}",
-                               edges(flaw.count), position_text(flaw.where)),
-                   "close the holes: draw the inner volume as a solid and export that",
-                   "open-mesh");
-    case Flaw::Kind::non_manifold:
-      return fault(fmt::format("at {} more than two triangles meet, at {} for instance",
-                               edges(flaw.count), position_text(flaw.where)),
-                   "join the parts to one solid before exporting, without inner walls",
-                   "crowded-mesh");
-    case Flaw::Kind::misoriented:
-      return fault(
-          fmt::format("at {} neighbours disagree which side is outside, at {} for instance",
-                      edges(flaw.count), position_text(flaw.where)),
-          "let the CAD program orient all normals outwards", "twisted-mesh");
-    case Flaw::Kind::several_shells:
-      return fault(fmt::format("the surface has {} parts that are not connected, the second "
-                               "at {}",
-                               flaw.count, position_text(flaw.where)),
-                   "export the inner volume alone, as one solid: without the jar's outside and "
-                   "loose parts",
-                   "several-meshes");
-    case Flaw::Kind::inside_out:
-      break;
-  }
-  return fault("the surface is inside out: its normals point into the jar",
-               "draw the inner volume as a solid, or flip all normals and export again",
-               "mesh-inside-out");
-}
 
 Choice mesh_origin() {
   return {"origin",
@@ -81,18 +34,15 @@ class MeshReader {
   MeshReader(SectionReader& in, Jar& jar) : in_(in), jar_(jar) {}
 
   void read() {
-    const auto file = in_.text("file");
-    if (!file && !in_.gives("file"))
-      in_.missing("file", "the jar's inner surface", "write for instance file = \"my-jar.stl\"");
-    const double scale = read_unit();
+    auto found = read_mesh_triangles(in_, "the jar's inner surface");
     const bool said = in_.gives("origin");
     const std::string origin = in_.choice(mesh_origin());
     const auto angle_field = Mesh::fields()[0];
     const double angle = in_.value(NumberSpec(angle_field));
-    if (!file || std::isnan(scale) || std::isnan(angle) || origin.empty()) return;
-    jar_.mesh.file = *file;
-    jar_.mesh.centred = origin == "centre";
-    if (auto surface = surface_in(*file, scale)) {
+    if (!found) return;
+    jar_.mesh = {found->file, found->unit, origin == "centre"};
+    if (std::isnan(angle) || origin.empty()) return;
+    if (auto surface = closed(std::move(found->triangles), found->path)) {
       Mesh mesh(std::move(*surface), angle);
       if (jar_.mesh.centred || said || holds_origin(mesh)) jar_.shape = std::move(mesh);
     }
@@ -101,48 +51,6 @@ class MeshReader {
  private:
   void fault(std::string what, std::string remedy, std::string_view code) {
     in_.fault(*in_.find("file"), std::move(what), std::move(remedy), code);
-  }
-
-  /// [m] Length of the file's unit; `invalid_value` after a fault.
-  double read_unit() {
-    const auto unit = in_.text("unit");
-    if (!unit) {
-      if (!in_.gives("unit"))
-        in_.missing("unit", "the unit of the file's numbers, as an STL file has none",
-                    "write for instance unit = \"mm\"");
-      return invalid_value;
-    }
-    jar_.mesh.unit = *unit;
-    try {
-      return parse_in("1 " + *unit, "m");
-    } catch (const UnitError& error) {
-      in_.fault(*in_.find("unit"), fmt::format("unit = \"{}\": {}", *unit, error.what()),
-                "write a unit of length: \"mm\", \"m\", \"um\"", "bad-quantity");
-      return invalid_value;
-    }
-  }
-
-  std::optional<Surface> surface_in(const std::string& name, double scale) {
-    const auto path = std::filesystem::path(in_.findings().folder) / name;
-    const std::string file = path.generic_string();
-    std::error_code ignored;
-    std::ifstream stream;
-    if (std::filesystem::is_regular_file(path, ignored)) stream.open(path, std::ios::binary);
-    if (!stream.is_open()) {
-      fault(fmt::format("the mesh file {} cannot be read", file),
-            "give its path relative to the case file", "no-such-file");
-      return std::nullopt;
-    }
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    try {
-      return closed(read_stl(bytes, scale), file);
-    } catch (const StlError& error) {
-      fault(fmt::format("{}: {}", file, error.what()),
-            "export the surface again as STL, binary or ASCII, with fewer triangles if they are "
-            "too many",
-            "bad-mesh-file");
-      return std::nullopt;
-    }
   }
 
   /// The triangles as one closed surface of a plausible size, centred if the case says so; no value

@@ -18,8 +18,10 @@ namespace {
 
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
-constexpr FileColumn motion_columns[] = {
-    {"time_s", "s"}, {"x_m", "m"}, {"y_m", "m"}, {"z_m", "m"}, {"angle_rad", "rad"}};
+constexpr std::string_view header_of_six = "time_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad";
+constexpr FileColumn motion_columns[] = {{"time_s", "s"},     {"x_m", "m"},         {"y_m", "m"},
+                                         {"z_m", "m"},        {"angle_rad", "rad"}, {"angle_rad", "rad"},
+                                         {"angle_rad", "rad"}};
 constexpr std::size_t max_faults = 10;  // one wrong column would give a fault for every row
 
 /// The numbers of a row; no value if a cell is not a finite number.
@@ -40,7 +42,9 @@ std::optional<std::vector<double>> numbers(std::string_view row) {
 
 class MotionFile {
  public:
-  MotionFile(const std::string& file, Findings& findings) : file_(file), findings_(findings) {}
+  /// `six_axes`: whether a table may have three angles.
+  MotionFile(const std::string& file, Findings& findings, bool six_axes)
+      : file_(file), findings_(findings), six_axes_(six_axes) {}
 
   std::vector<kinematics::Sample> read(std::istream& stream) {
     std::vector<kinematics::Sample> samples;
@@ -52,7 +56,8 @@ class MotionFile {
         if (!read_header(row)) return {};
       } else if (const auto cells = numbers(row); cells && cells->size() == columns_) {
         const auto& c = *cells;
-        samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ == 5 ? c[4] : 0.0});
+        samples.push_back({c[0], {c[1], c[2], c[3]}, columns_ > 4 ? c.back() : 0.0});
+        lean_.push_back({c[0], columns_ == 7 ? Vec3{c[4], c[5], 0} : Vec3{}, 0});
         check_numbers(c);
         if (samples.size() > 1 && !(c[0] > samples[samples.size() - 2].time))
           fault("the time does not increase", "sort the rows by time, each time once");
@@ -64,13 +69,19 @@ class MotionFile {
     return samples;
   }
   bool sound() const { return faults_ == 0; }
+  /// The angles about x and y as coordinates.
+  const std::vector<kinematics::Sample>& lean() const { return lean_; }
 
  private:
   bool read_header(std::string_view row) {
-    columns_ = row == header ? 4 : row == header_with_angle ? 5 : 0;
+    columns_ = row == header                       ? 4
+               : row == header_with_angle          ? 5
+               : six_axes_ && row == header_of_six ? 7
+                                                   : 0;
     if (columns_ == 0)
       fault("the first line does not name the columns",
-            fmt::format("write {} or {}", header, header_with_angle));
+            fmt::format("write {} or {}{}", header, header_with_angle,
+                        six_axes_ ? fmt::format(" or {}", header_of_six) : ""));
     return columns_ != 0;
   }
   void check_numbers(const std::vector<double>& cells) {
@@ -87,13 +98,15 @@ class MotionFile {
 
   const std::string& file_;
   Findings& findings_;
+  bool six_axes_;
+  std::vector<kinematics::Sample> lean_;
   std::size_t columns_ = 0, line_ = 0, faults_ = 0;
 };
 
 }  // namespace
 
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
-                                       Findings& findings) {
+                                       Findings& findings, kinematics::Tabulated* lean) {
   std::error_code none;
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, none)) stream.open(file);  // /dev/zero has no end
@@ -102,10 +115,11 @@ kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis
                                "give its path relative to the case file", "no-such-file"});
     return {};
   }
-  MotionFile rows(file, findings);
+  MotionFile rows(file, findings, lean != nullptr);
   std::vector<kinematics::Sample> samples = rows.read(stream);
   if (!rows.sound()) return {};
   try {
+    if (lean != nullptr) *lean = kinematics::Tabulated(rows.lean());
     return kinematics::Tabulated(std::move(samples), axis);
   } catch (const std::invalid_argument& error) {
     findings.faults.push_back(

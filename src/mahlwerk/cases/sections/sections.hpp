@@ -30,6 +30,7 @@ void describe_many_runs(CaseVisitor& v);
 
 void describe_gravity_direction(KeyVisitor& v, Vec3& direction);
 void describe(KeyVisitor& v, Jar& jar);
+void describe(KeyVisitor& v, MachinePart& part);
 void describe(KeyVisitor& v, BallSet& set, const Jar& jar);
 /// Requires `c` with gravity, jar and balls.
 void describe(KeyVisitor& v, Mill& mill, const Case& c);
@@ -81,11 +82,12 @@ std::optional<double> read_of_material(SectionReader& in, const NumberSpec& spec
                                        std::string& material);
 /// The mesh of a jar of kind "mesh". After a fault the shape has no surface.
 void describe_mesh(KeyVisitor& v, Jar& jar);
-/// Reads a file with a measured motion. Faults cite the file's lines.
 /// The states of run.start_from: `file` relative to the case file. `states` is null after a fault.
 StartStates read_start_states(const std::string& file, const Node& at, Findings& findings);
+/// Reads a file with a measured motion. Faults cite the file's lines. With `lean` the table may
+/// have three angles: `lean` gets those about x and y as coordinates.
 kinematics::Tabulated read_motion_file(const std::string& file, const Vec3& axis, const Node& at,
-                                       Findings& findings);
+                                       Findings& findings, kinematics::Tabulated* lean = nullptr);
 
 /// The catalogue entry called `name`; no value after a fault, which cites `at`.
 std::optional<CatalogueEntry> find_entry(SectionReader& in, std::string_view category,
@@ -121,6 +123,7 @@ bool describe_kind(KeyVisitor& v, std::string_view category, std::string_view ab
 
 Jar invalid_jar();  ///< stands for a jar with faults, so that other sections are still checked
 std::vector<BallSet> read_balls(const Node* list, const Jar& jar, Findings& findings);
+std::vector<MachinePart> read_machine_parts(const Node* list, Findings& findings);
 Contact read_contact(const Node* table, const Case& c, Findings& findings);
 /// A node that is a whole number from 1; no value otherwise.
 std::optional<double> whole_number(const Node& node);

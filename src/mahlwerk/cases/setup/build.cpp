@@ -8,12 +8,23 @@
 
 namespace mahlwerk::cases {
 
+namespace {
+
+std::vector<scene::MachinePart> bodies(const Case& c) {
+  std::vector<scene::MachinePart> all;
+  for (const MachinePart& part : c.machine_parts) all.push_back(part.body);
+  return all;
+}
+
+}  // namespace
+
 scene::Chamber chamber(const Case& c) {
   return {.shape = c.jar.shape,
           .motion = ramp_time(c.run) > 0 ? kinematics::ramped(*c.mill.motion, ramp_time(c.run))
                                          : c.mill.motion,
           .mount = scene::mounted_along(c.mill.jar_axis),
-          .gravity = c.gravity_vector()};
+          .gravity = c.gravity_vector(),
+          .parts = bodies(c)};
 }
 
 std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
@@ -64,8 +75,10 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
   const Rotation axes = start.rotation * mount;
   const Vec3 gravity = c.gravity_vector();
   const Vec3 up = axes.apply_inverse(c.gravity == 0 ? Vec3{0, 0, 1} : -gravity / c.gravity);
+  const Obstacles obstacles(c);
   std::vector<scene::Ball> balls =
-      fill(*c.jar.shape, c.balls, random, stop, c.run.start == StartLayout::layers ? &up : nullptr);
+      fill(*c.jar.shape, c.balls, random, stop, c.run.start == StartLayout::layers ? &up : nullptr,
+           obstacles.empty() ? nullptr : &obstacles);
   // Ball velocities are relative to the jar's centre, initial speeds to the chosen frame.
   const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.frame.velocity;
   std::vector<std::size_t> placed(c.balls.size());  // balls of each set so far

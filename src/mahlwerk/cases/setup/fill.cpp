@@ -43,12 +43,13 @@ class Layers {
  public:
   /// Layers without `up` are the whole jar. The shares of the jar's volume are those of the balls'
   /// volumes, by random points of the jar.
-  Layers(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, const Vec3* up)
+  Layers(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, const Vec3* up,
+         const Obstacles* obstacles)
       : up_(up), top_(sets.size(), INFINITY) {
     if (up == nullptr) return;
     constexpr std::size_t points = 20'000;  // heights to within a percent of the jar
     Random random(1, 0);
-    const PositionSampler sampler(shape, 0.5 * largest_ball(sets));
+    const PositionSampler sampler(shape, 0.5 * largest_ball(sets), obstacles);
     std::vector<double> heights(points);
     for (double& h : heights) h = dot(sampler.draw(random), *up);
     std::ranges::sort(heights);
@@ -83,12 +84,13 @@ class Layers {
 class ChargeFiller {
  public:
   ChargeFiller(const geometry::AnyShape& shape, const std::vector<BallSet>& sets, Random& random,
-               const std::atomic<bool>* stop, const Vec3* up)
+               const std::atomic<bool>* stop, const Vec3* up, const Obstacles* obstacles)
       : shape_(shape),
+        obstacles_(obstacles),
         sets_(sets),
         random_(random),
         stop_(stop),
-        layers_(shape, sets, up),
+        layers_(shape, sets, up, obstacles),
         portions_(portions(sets)) {
     order_.resize(portions_.size());
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -99,7 +101,7 @@ class ChargeFiller {
     }
     domain_.periods = geometry::periods(shape);
     for (const std::size_t i : order_) {
-      const Vec3& box = samplers_.emplace_back(shape, 0.5 * portions_[i].diameter).box();
+      const Vec3& box = samplers_.emplace_back(shape, 0.5 * portions_[i].diameter, obstacles).box();
       domain_.half = {std::max(domain_.half.x, box.x), std::max(domain_.half.y, box.y),
                       std::max(domain_.half.z, box.z)};
     }
@@ -234,7 +236,7 @@ class ChargeFiller {
     if (moves_left_ <= 0) return false;
     const std::int64_t enough = sweeps(10'000, 0);  // converging charges need far fewer
     const PushApartResult end =
-        push_apart(placed_, shape_, domain_, smaller, std::min(moves_left_, enough), stop_);
+        push_apart(placed_, shape_, domain_, smaller, std::min(moves_left_, enough), stop_, obstacles_);
     moves_left_ -= end.moves;
     largest_ = std::max(largest_, end.largest);
     typical_ = std::max(typical_, end.typical);
@@ -280,11 +282,13 @@ class ChargeFiller {
     std::vector<PlacedBall> smaller = placed_;
     for (PlacedBall& b : smaller) b.radius *= size;
     return push_apart(smaller, shape_, domain_, 1e-6,
-                      sweeps(300, std::min(5e7, 1.5e3 * static_cast<double>(count_))), stop_)
+                      sweeps(300, std::min(5e7, 1.5e3 * static_cast<double>(count_))), stop_,
+                      obstacles_)
         .free;
   }
 
   const geometry::AnyShape& shape_;
+  const Obstacles* obstacles_;
   const std::vector<BallSet>& sets_;
   Random& random_;
   const std::atomic<bool>* stop_;
@@ -303,8 +307,9 @@ class ChargeFiller {
 }  // namespace
 
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
-                              Random& random, const std::atomic<bool>* stop, const Vec3* up) {
-  ChargeFiller filler(shape, sets, random, stop, up);
+                              Random& random, const std::atomic<bool>* stop, const Vec3* up,
+                              const Obstacles* obstacles) {
+  ChargeFiller filler(shape, sets, random, stop, up, obstacles);
   filler.place();
   return filler.balls();
 }

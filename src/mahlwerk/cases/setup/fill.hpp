@@ -7,6 +7,7 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/case.hpp"
+#include "mahlwerk/cases/setup/obstacles.hpp"
 #include "mahlwerk/scene/balls.hpp"
 
 namespace mahlwerk::cases {
@@ -19,6 +20,6 @@ namespace mahlwerk::cases {
 /// layers: the first set lowest, each in a part of the jar in proportion to its volume of balls.
 std::vector<scene::Ball> fill(const geometry::AnyShape& shape, const std::vector<BallSet>& sets,
                               Random& random, const std::atomic<bool>* stop = nullptr,
-                              const Vec3* up = nullptr);
+                              const Vec3* up = nullptr, const Obstacles* obstacles = nullptr);
 
 }  // namespace mahlwerk::cases

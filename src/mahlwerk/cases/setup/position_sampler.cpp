@@ -63,23 +63,32 @@ void PositionSampler::measure(const S& shape) {
   half_size_ = box_;
 }
 
-PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius)
-    : shape_(&shape), radius_(radius), needed_(radius + wall_clearance(shape, radius, 1e-3)) {
+PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius,
+                                 const Obstacles* obstacles)
+    : shape_(&shape), obstacles_(obstacles), radius_(radius), needed_(radius + wall_clearance(shape, radius, 1e-3)) {
   std::visit([&](const auto& s) { measure(s); }, shape);
 }
 
+bool PositionSampler::clear_of_parts(const Vec3& p) const {
+  return obstacles_ == nullptr || obstacles_->clearance(p, radius_) >= needed_;
+}
+
 Vec3 PositionSampler::draw(Random& random) const {
-  constexpr int tries = 1000;  // before the box is halved; at least half of the first box is free
+  // Before the box is halved; at least half of the first box is free, unless parts fill the jar.
+  const int tries = obstacles_ == nullptr || obstacles_->empty() ? 1000 : 100'000;
   for (double scale = 1; scale > 1e-9; scale *= 0.5)
     for (int i = 0; i < tries; ++i) {
       const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
       const double z = random.uniform(-1, 1);
       const Vec3 place = centre_ + Vec3{x * half_size_.x, y * half_size_.y, z * half_size_.z};
       const Vec3 p = middle_ + scale * (place - middle_);
-      if (std::visit([&](const auto& s) { return free(s, p); }, *shape_)) return p;
+      if (std::visit([&](const auto& s) { return free(s, p); }, *shape_) && clear_of_parts(p))
+        return p;
     }
   throw InputError(Fault{"jar", "no position was found for a ball in the jar",
-                         "give a smaller ball; a mesh must not intersect itself", "does-not-fit"});
+                         "give a smaller ball; a mesh must not intersect itself, and parts must leave "
+                         "room",
+                         "does-not-fit"});
 }
 
 }  // namespace mahlwerk::cases

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/setup/obstacles.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 
 namespace mahlwerk::cases {
@@ -15,7 +16,9 @@ double wall_clearance(const geometry::AnyShape& shape, double radius, double sha
 /// contact, by rejection sampling. Positions are in the jar's own axes.
 class PositionSampler {
  public:
-  PositionSampler(const geometry::AnyShape& shape, double radius);
+  /// `obstacles` are kept clear of, if not null.
+  PositionSampler(const geometry::AnyShape& shape, double radius,
+                  const Obstacles* obstacles = nullptr);
 
   Vec3 draw(Random& random) const;
   /// [m] Half the sides of a box about the origin that holds all such positions.
@@ -31,7 +34,10 @@ class PositionSampler {
   template <class S>
   bool square(const S& shape, const Vec3& p, const Vec3& axis) const;
 
+  bool clear_of_parts(const Vec3& p) const;
+
   const geometry::AnyShape* shape_;
+  const Obstacles* obstacles_;
   double radius_, needed_;
   Vec3 box_;
   Vec3 centre_, half_size_;  // of the box in which positions are drawn

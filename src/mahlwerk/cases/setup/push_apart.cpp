@@ -18,8 +18,8 @@ namespace {
 class OverlapRelaxation {
  public:
   OverlapRelaxation(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
-                    const Domain& domain, double gap)
-      : balls_(balls), shape_(shape), domain_(domain), gap_(gap) {
+                    const Domain& domain, double gap, const Obstacles* obstacles)
+      : balls_(balls), shape_(shape), domain_(domain), gap_(gap), obstacles_(obstacles) {
     const auto [least, most] = std::ranges::minmax(balls, {}, &PlacedBall::radius);
     smallest_ = least.radius;
     std::ptrdiff_t sizes = 1;
@@ -120,15 +120,17 @@ class OverlapRelaxation {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       if (balls_[i].fixed) continue;
       const double r = balls_[i].radius, wanted = r + margin_[i];
+      const auto push = [&](const geometry::Gap& gap) {
+        const double overlap = wanted - gap.distance;
+        if (!(overlap > 0)) return;
+        force_[i] += 2 * overlap * gap.inward;
+        contact_force2_ += 4 * overlap * overlap;
+        wall_overlap_ = std::max(wall_overlap_, overlap / margin_[i]);
+        largest_ = std::min(largest_, gap.distance / r);
+      };
       geometry::for_each_near_face(shape, balls_[i].position, r, wanted,
-                                   [&](int, const geometry::Gap& gap) {
-                                     const double overlap = wanted - gap.distance;
-                                     if (!(overlap > 0)) return;
-                                     force_[i] += 2 * overlap * gap.inward;
-                                     contact_force2_ += 4 * overlap * overlap;
-                                     wall_overlap_ = std::max(wall_overlap_, overlap / margin_[i]);
-                                     largest_ = std::min(largest_, gap.distance / r);
-                                   });
+                                   [&](int, const geometry::Gap& gap) { push(gap); });
+      if (obstacles_ != nullptr) obstacles_->near(balls_[i].position, r, wanted, push);
     }
   }
 
@@ -170,6 +172,7 @@ class OverlapRelaxation {
   const geometry::AnyShape& shape_;
   const Domain& domain_;
   double gap_, smallest_ = 0, skin_ = 0;
+  const Obstacles* obstacles_;  // null: none
   bool many_sizes_ = false;  // a grid for each size would be mostly empty
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Vec3> listed_positions_, force_, velocity_;  // positions when pairs_ was built
@@ -189,8 +192,8 @@ class OverlapRelaxation {
 
 PushApartResult push_apart(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
                            const Domain& domain, double gap, std::int64_t most,
-                           const std::atomic<bool>* stop) {
-  return OverlapRelaxation(balls, shape, domain, gap).run(most, stop);
+                           const std::atomic<bool>* stop, const Obstacles* obstacles) {
+  return OverlapRelaxation(balls, shape, domain, gap, obstacles).run(most, stop);
 }
 
 }  // namespace mahlwerk::cases

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/setup/grid.hpp"
+#include "mahlwerk/cases/setup/obstacles.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 
 namespace mahlwerk::cases {
@@ -31,6 +32,7 @@ struct PushApartResult {
 /// other; or after `most` moves. Throws Interrupted once `*stop` is set.
 PushApartResult push_apart(std::vector<PlacedBall>& balls, const geometry::AnyShape& shape,
                            const Domain& domain, double gap, std::int64_t most,
-                           const std::atomic<bool>* stop = nullptr);
+                           const std::atomic<bool>* stop = nullptr,
+                           const Obstacles* obstacles = nullptr);
 
 }  // namespace mahlwerk::cases

@@ -261,7 +261,8 @@ std::string other_sections() {
   std::string names;
   for (const cases::SectionSpec& s : cases::section_list())
     if (std::ranges::find(written, s.name) == written.end())
-      names += fmt::format("{}[{}]", names.empty() ? "" : ", ", s.name);
+      names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ", s.several ? "[[" : "[", s.name,
+                           s.several ? "]]" : "]");
   return names;
 }
 

@@ -26,9 +26,8 @@ std::string_view section_word(const KeySection& section) {
 }
 
 std::string heading(const KeySection& section) {
-  const bool list = section.section == "balls" || section.section == "contact.pairs";
   const std::string name = section.section.empty() ? "(top of the file)"
-                           : list                  ? fmt::format("[[{}]]", section.section)
+                           : section.several       ? fmt::format("[[{}]]", section.section)
                                                    : fmt::format("[{}]", section.section);
   if (section.kind.empty()) return name;
   return fmt::format("{} {} = \"{}\"", name, section.choice.substr(section.choice.rfind('.') + 1),

@@ -24,6 +24,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/runs/cheaper.hpp"
@@ -161,9 +162,9 @@ std::string in_words(const contact::BounceRule& rule) {
 
 /// Prints the bounce rule of each pair if the case has rules by pair.
 void print_pairs(const cases::Case& mill_case) {
-  if (mill_case.contact.pairs.empty()) return;
+  if (mill_case.contact.pairs.empty() && mill_case.machine_parts.empty()) return;
   const contact::BounceTable table = cases::bounce_table(mill_case);
-  const std::vector<std::string> faces = geometry::face_names(*mill_case.jar.shape);
+  const std::vector<std::string> faces = cases::wall_face_names(mill_case);
   const auto line = [](const std::string& one, const std::string& other,
                        const contact::BounceRule& rule) {
     to_stdout(fmt::format("  {:<38} {}\n", one + " on " + other, in_words(rule)));
@@ -174,7 +175,7 @@ void print_pairs(const cases::Case& mill_case) {
     for (int j = i; j < table.kinds(); ++j)
       line(set, cases::set_name(mill_case, static_cast<std::size_t>(j)), table.balls(i, j));
     for (int face = 0; face < table.faces(); ++face)
-      line(set, "jar." + faces[static_cast<std::size_t>(face)], table.wall(i, face));
+      line(set, faces[static_cast<std::size_t>(face)], table.wall(i, face));
   }
 }
 

@@ -69,17 +69,34 @@ double set_wear_rate(const Case& c, const Replicate& r, int set) {
   return worn(c, slid, erosion, balls.substance.hardness) / r.time();
 }
 
-/// [m3/s] Wear of one face of the jar, or of all faces for -1.
+/// What wears at a distinguished face: the jar or a part.
+struct WallMaterial {
+  double hardness, density;
+};
+WallMaterial wall_material(const Case& c, const Replicate& r, int face) {
+  const cases::MachinePart* part = results::part_of(c, r.tally.by_pair, face);
+  return part != nullptr ? WallMaterial{part->substance.hardness, part->density}
+                         : WallMaterial{c.jar.substance.hardness, c.jar.density};
+}
+
+/// [m3/s] Wear of one distinguished face.
 double face_wear_rate(const Case& c, const Replicate& r, int face) {
   double slid = 0, erosion = 0;
   const observe::StatisticsByPair& pairs = r.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
-    if (!kinds.with_jar() || (face >= 0 && kinds.face() != face)) continue;
+    if (!kinds.with_jar() || kinds.face() != face) continue;
     slid += pairs[pair].load_distance;
     erosion += pairs[pair].erosion;
   }
-  return worn(c, slid / r.time(), erosion / r.time(), c.jar.substance.hardness);
+  return worn(c, slid / r.time(), erosion / r.time(), wall_material(c, r, face).hardness);
+}
+/// [kg/s] of the distinguished faces from `first` to before `last`.
+double faces_wear(const Case& c, const Replicate& r, int first, int last) {
+  double mass = 0;
+  for (int face = first; face < last; ++face)
+    mass += face_wear_rate(c, r, face) * wall_material(c, r, face).density;
+  return mass;
 }
 
 double balls_wear(const Case& c, const Replicate& r) {
@@ -89,7 +106,11 @@ double balls_wear(const Case& c, const Replicate& r) {
   return mass;
 }
 double jar_wear(const Case& c, const Replicate& r) {
-  return face_wear_rate(c, r, -1) * c.jar.density;
+  return faces_wear(c, r, 0, results::distinguished_jar_faces(c, r.tally.by_pair));
+}
+double parts_wear(const Case& c, const Replicate& r) {
+  return faces_wear(c, r, results::distinguished_jar_faces(c, r.tally.by_pair),
+                    r.tally.by_pair.faces());
 }
 
 results::Measures quantities() {
@@ -105,20 +126,28 @@ results::Measures quantities() {
                           "mass worn off the jar per second",
                           jar_wear,
                           {.label = "wear rate of the jar"}},
+                         {"wear_rate_parts",
+                          "kg/s",
+                          "mass worn off the parts in the jar per second",
+                          parts_wear,
+                          {.label = "wear rate of the parts",
+                           .applies = [](const Case& c) { return !c.machine_parts.empty(); },
+                           .only = "with `[[parts]]`"}},
                          {"contamination_rate",
                           "ug/g/h",
-                          "worn mass of balls and jar per mass of powder and hour of milling",
+                          "worn mass of balls, jar and parts per mass of powder and hour of milling",
                           [](const Case& c, const Replicate& r) {
                             constexpr double hour = 3600;
-                            return 1e6 * hour * (balls_wear(c, r) + jar_wear(c, r)) /
+                            return 1e6 * hour *
+                                   (balls_wear(c, r) + jar_wear(c, r) + parts_wear(c, r)) /
                                    c.powder->mass;
                           },
                           {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}}});
 }
 
-/// A row for each ball set and each face of the jar.
+/// A row for each ball set, each face of the jar and each part.
 Table rates(const Outcome& outcome) {
-  Table table{{{"body", "1", "a ball set, the jar or a face of it"},
+  Table table{{{"body", "1", "a ball set, the jar or a face of it, or a part"},
                {"volume_rate", "m3/s", "volume worn off it per second"},
                {"mass_rate", "kg/s", "mass worn off it per second"}},
               {}};
@@ -137,7 +166,8 @@ Table rates(const Outcome& outcome) {
           [&](const Replicate& r) { return set_wear_rate(c, r, set); });
   for (int pair = 0; pair < pairs.pairs(); ++pair)
     if (const auto kinds = pairs.kinds_of(pair); kinds.one == 0 && kinds.with_jar())
-      add(results::pair_names(c, pairs, pair)[1], c.jar.density,
+      add(results::pair_names(c, pairs, pair)[1],
+          wall_material(c, *chosen.front(), kinds.face()).density,
           [&](const Replicate& r) { return face_wear_rate(c, r, kinds.face()); });
   return table;
 }

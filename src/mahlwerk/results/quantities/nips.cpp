@@ -11,6 +11,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
+#include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
 namespace mahlwerk::results {
@@ -133,8 +134,11 @@ std::vector<powder::Nip> nips(const cases::Case& mill_case,
     powder::Nip nip;
     if (kinds.with_jar() && !mill_case.balls[one].grains) {
       // With one face in the statistics, it stands for all faces of the jar.
-      const int face = pairs.faces() == 1 ? -1 : kinds.face();
-      nip.radius = mean_radius(patches, face, 0.5 * mill_case.balls[one].diameter, hits, areas);
+      const int face = distinguished_jar_faces(mill_case, pairs) == 1 ? -1 : kinds.face();
+      const double radius = 0.5 * mill_case.balls[one].diameter;
+      nip.radius = part_of(mill_case, pairs, kinds.face()) != nullptr
+                       ? radius  // parts count as flat
+                       : mean_radius(patches, face, radius, hits, areas);
       nip.modulus = cases::flash_pair_with_jar(mill_case, one).modulus;
     } else if (!kinds.with_jar() && !mill_case.balls[one].grains &&
                !mill_case.balls[static_cast<std::size_t>(kinds.other)].grains) {

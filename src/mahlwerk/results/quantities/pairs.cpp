@@ -30,20 +30,23 @@ double mean_of(const PairSums& sums, double PairSums::*what) {
 
 constexpr std::string_view jar = "jar";
 
-/// Kinds of pairs. All faces of the jar count as one.
+/// Kinds of pairs. All faces of the jar count as one, each part as one.
 std::vector<PairKind> kinds_of_pairs(const cases::Case& mill_case, const StatisticsByPair& pairs) {
   std::vector<PairKind> list;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto kinds = pairs.kinds_of(pair);
     const std::string one = cases::set_name(mill_case, static_cast<std::size_t>(kinds.one));
-    if (kinds.with_jar() && kinds.face() > 0) {
+    const cases::MachinePart* part =
+        kinds.with_jar() ? part_of(mill_case, pairs, kinds.face()) : nullptr;
+    if (kinds.with_jar() && part == nullptr && kinds.face() > 0) {
       list.back().pairs.push_back(pair);
       continue;
     }
     list.push_back({one,
-                    kinds.with_jar()
-                        ? std::string(jar)
-                        : cases::set_name(mill_case, static_cast<std::size_t>(kinds.other)),
+                    part != nullptr    ? "parts." + part->name
+                    : kinds.with_jar() ? std::string(jar)
+                                       : cases::set_name(mill_case,
+                                                         static_cast<std::size_t>(kinds.other)),
                     {pair}});
   }
   return list;
@@ -85,6 +88,17 @@ const std::vector<PairMeasure>& pair_measures() {
   return list;
 }
 
+int distinguished_jar_faces(const cases::Case& mill_case, const StatisticsByPair& pairs) {
+  return pairs.faces() - static_cast<int>(mill_case.machine_parts.size());
+}
+
+const cases::MachinePart* part_of(const cases::Case& mill_case, const StatisticsByPair& pairs,
+                                  int face) {
+  const int first = distinguished_jar_faces(mill_case, pairs);
+  return face < first ? nullptr
+                      : &mill_case.machine_parts[static_cast<std::size_t>(face - first)];
+}
+
 std::vector<Column> pair_columns() {
   return {{"one", "1", "a ball set"},
           {"other", "1", "its collision partner: a ball set, the jar or a face of it"}};
@@ -100,8 +114,11 @@ std::array<std::string, 2> pair_names(const cases::Case& mill_case, const Statis
   const std::string one = cases::set_name(mill_case, static_cast<std::size_t>(kinds.one));
   if (!kinds.with_jar())
     return {one, cases::set_name(mill_case, static_cast<std::size_t>(kinds.other))};
+  if (const cases::MachinePart* part = part_of(mill_case, pairs, kinds.face()))
+    return {one, "parts." + part->name};
   const std::vector<std::string> faces = geometry::face_names(*mill_case.jar.shape);
-  if (faces.size() < 2 || pairs.faces() == 1) return {one, std::string(jar)};
+  if (faces.size() < 2 || distinguished_jar_faces(mill_case, pairs) == 1)
+    return {one, std::string(jar)};
   return {one, fmt::format("{}.{}", jar, faces[static_cast<std::size_t>(kinds.face())])};
 }
 

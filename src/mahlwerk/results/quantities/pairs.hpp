@@ -35,8 +35,13 @@ Table collisions_by_pair(const std::vector<PairSummary>& pairs);
 /// The first two columns of a table by kind of pair; `pair_cells` gives a row's cells in them.
 std::vector<Column> pair_columns();
 std::vector<double> pair_cells(Table& table, const std::array<std::string, 2>& names);
-/// Names of the two bodies: ball sets, a face of the jar as in [[contact.pairs]] ("jar.side"), or
-/// "jar" where faces are not distinguished.
+/// Number of the distinguished faces that are the jar's; each part is one of those after them.
+int distinguished_jar_faces(const cases::Case& mill_case, const observe::StatisticsByPair& pairs);
+/// The part that is the distinguished face `face`; null for a face of the jar.
+const cases::MachinePart* part_of(const cases::Case& mill_case,
+                                  const observe::StatisticsByPair& pairs, int face);
+/// Names of the two bodies: ball sets, a face of the jar or a part as in [[contact.pairs]]
+/// ("jar.side", "parts.stirrer"), or "jar" where its faces are not distinguished.
 std::array<std::string, 2> pair_names(const cases::Case& mill_case,
                                       const observe::StatisticsByPair& pairs, int pair);
 

@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/cases/wear_heat.hpp"
 #include "mahlwerk/powder/wear.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
@@ -20,9 +21,10 @@ namespace {
 /// Jars with more faces (meshes) are treated as one face.
 constexpr int max_faces = 12;
 
-observe::WallGrid wall_grid(const geometry::AnyShape& shape) {
+observe::WallGrid wall_grid(const cases::Case& mill_case) {
   observe::WallGrid grid{.radius = 0, .bottom = INFINITY, .top = -INFINITY};
-  for (const JarMesh& mesh : jar_surface(shape))
+  if (!mill_case.machine_parts.empty()) grid.faces = cases::jar_faces(mill_case);
+  for (const JarMesh& mesh : jar_surface(*mill_case.jar.shape))
     for (const Vec3& p : mesh.vertices) {
       grid.radius = std::max(grid.radius, math::hypot(p.x, p.y));
       grid.bottom = std::min(grid.bottom, p.z);
@@ -56,21 +58,35 @@ observe::PairFactors factors(const cases::Case& mill_case, const contact::Bounce
   return made;
 }
 
+/// The distinguished face that each face counts as: those of the jar, then one for each part.
+std::vector<std::int32_t> distinguished_faces(const cases::Case& mill_case) {
+  const int of_jar = cases::jar_faces(mill_case);
+  std::vector<std::int32_t> faces;
+  for (int face = 0; face < of_jar; ++face) faces.push_back(of_jar > max_faces ? 0 : face);
+  // A jar without walls has one face that nothing hits.
+  const std::int32_t first = faces.empty() ? 1 : faces.back() + 1;
+  for (const int part : cases::parts_of_faces(mill_case)) faces.push_back(first + part);
+  if (faces.empty()) faces.push_back(0);
+  return faces;
+}
+
 }  // namespace
 
 Replicate empty_replicate(const cases::Case& mill_case) {
   std::vector<std::int32_t> of_ball = cases::kinds_of_balls(mill_case);
-  const int faces = geometry::faces(*mill_case.jar.shape);
+  const std::vector<std::int32_t> faces = distinguished_faces(mill_case);
   observe::BallKinds kinds(
       mill_case.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
-      static_cast<int>(mill_case.balls.size()), faces > max_faces ? 1 : faces);
-  Replicate made(mill_case.observe.threshold, std::move(kinds), wall_grid(*mill_case.jar.shape));
+      static_cast<int>(mill_case.balls.size()), faces);
+  Replicate made(mill_case.observe.threshold, std::move(kinds), wall_grid(mill_case));
   const contact::BounceTable rules = cases::bounce_table(mill_case);
   observe::StatisticsByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {
     const auto [one, other] = pairs.kinds_of(pair);
-    if (other < 0 && faces == 0) continue;
-    const contact::BounceRule& rule = other < 0 ? rules.wall(one, ~other) : rules.balls(one, other);
+    const auto first = std::ranges::find(faces, ~other) - faces.begin();
+    if (other < 0 && first >= rules.faces()) continue;  // a jar without walls
+    const contact::BounceRule& rule =
+        other < 0 ? rules.wall(one, static_cast<int>(first)) : rules.balls(one, other);
     pairs.set_factors(pair, factors(mill_case, rule, one, other));
   }
   for (const cases::Part* part : cases::parts_of(mill_case))

@@ -82,7 +82,7 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
                        .duration = duration,
                        .ball = static_cast<std::int32_t>(p.i[lane]),
                        .other = wall ? ~p.face[lane] : static_cast<std::int32_t>(p.j[lane]),
-                       .where = jar_->to_face_axes(where, t, face),
+                       .where = jar_->to_face_point(where, t, face),
                        .normal = jar_->to_face_axes(n, t, face),
                        .mass = pair.effective.mass,
                        .approach = onset.approach,

@@ -191,7 +191,9 @@ void FewBodySolver::build_gather_maps() {
   for (std::size_t k = 0; k < lanes * w.wall_point_lanes.size(); ++k) {
     const WallNeighbour& n = w.wall_neighbours[std::min(k, w.wall_neighbours.size() - 1)];
     WallPointLanes& of = w.wall_point_lanes[k / lanes];
-    of.ball[k % lanes] = body_address(n.ball), of.face[k % lanes] = n.face;
+    of.ball[k % lanes] = body_address(n.ball);
+    // The jar's own loop computes all lanes; those of parts are overwritten.
+    of.face[k % lanes] = n.face < jar_->first_part_face() ? n.face : 0;
   }
   w.near_facets.resize(jar_->keeps_near_facets() ? w.wall_neighbours.size() : 0);
   w.rows_of_ball.clear(), w.row_offsets.clear();

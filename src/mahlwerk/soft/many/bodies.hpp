@@ -93,12 +93,15 @@ template <class V>
     gather_motion<V>(s.rows, i, position, velocity);
     const Vec<V> at = group(points);
     motion.wj = in_all_lanes<V>(s.drive.spin);
+    Vec<V> offset{};
     for (int l = 0; s.turning && l < width_of<V>; ++l) {
       if (j[l] < s.jar->first_rotor_face()) continue;
-      const Vec3& rotor = s.drive.rotor_spin;
-      motion.wj.x[l] = rotor.x, motion.wj.y[l] = rotor.y, motion.wj.z[l] = rotor.z;
+      const MovingWall::FaceMotion of = s.jar->face_motion(j[l], s.drive, s.wall_axes);
+      motion.wj.x[l] = of.spin.x, motion.wj.y[l] = of.spin.y, motion.wj.z[l] = of.spin.z;
+      offset.x[l] = of.velocity.x, offset.y[l] = of.velocity.y, offset.z[l] = of.velocity.z;
     }
     motion.vj = cross(motion.wj, at);
+    if (s.turning) motion.vj = motion.vj + offset;
     motion.separation = at - position;
     motion.relative_velocity = velocity - motion.vj;
   } else {

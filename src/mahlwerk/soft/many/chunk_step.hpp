@@ -53,7 +53,7 @@ struct alignas(64) ChunkStep {
   double pull_off_distance = 0;   ///< [m] largest of all pairs
   DriveSample drive, next_drive;  ///< at this step and at the next
   bool large = false;             ///< the balls exceed the processor's cache
-  bool turning = false;           ///< the jar has a rotor
+  bool turning = false;           ///< the jar has a rotor or parts
   bool liquid = false;            ///< there is a liquid
   bool has_history = false;       ///< the law or rolling model needs OptionalHistory
   StepConstants constants;

@@ -185,7 +185,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
                              .duration = duration,
                              .ball = id_[static_cast<std::size_t>(g.i[l])],
                              .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
-                             .where = jar_->to_face_axes(where, t, face),
+                             .where = jar_->to_face_point(where, t, face),
                              .normal = jar_->to_face_axes(normal, t, face),
                              .mass = pair.effective.mass,
                              .approach = onset.approach,

@@ -11,6 +11,7 @@
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/chosen_motion.hpp"
 #include "mahlwerk/scene/typed_chamber.hpp"
+#include "mahlwerk/soft/walls/part_wall.hpp"
 #include "mahlwerk/soft/walls/wall_point_loop.hpp"
 
 namespace mahlwerk::soft {
@@ -37,7 +38,7 @@ class ChamberWall final : public MovingWall {
   explicit ChamberWall(const scene::TypedChamber<S>& jar) : jar_(jar) {
     gravity_ = jar.gravity();
     periods_ = laboratory_periods(jar);
-    faces_ = first_rotor_face_ = jar.shape().faces;
+    faces_ = first_rotor_face_ = first_part_face_ = jar.shape().faces;
     max_wall_speed_ = jar.max_wall_speed();
     if constexpr (has_rotor) {
       first_rotor_face_ = S::first_rotor_face;
@@ -68,12 +69,7 @@ class ChamberWall final : public MovingWall {
   }
   Vec3 spin(double t) const override { return jar_.motion().spin(t); }
 
-  WallAxes axes(double t) const override {
-    const Rotation own = jar_.axes(t);
-    if constexpr (has_rotor)
-      return {own, own * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t)};
-    return {own, own};
-  }
+  WallAxes axes(double t) const override { return {jar_axes(t), {}}; }
 
   geometry::Gap gap(int face, const Vec3& position, const WallAxes& axes, double within,
                     geometry::NearFacets* facets) const override {
@@ -104,11 +100,12 @@ class ChamberWall final : public MovingWall {
                    const BallBlock* balls, BodyBlock* points, bool all,
                    geometry::NearFacets* facets) const override {
     const bool plain = jar_.axis_aligned() && !has_rotor;
-    const WallAxes at = plain ? WallAxes{} : axes(t);
+    const JarAxes at = plain ? JarAxes{} : jar_axes(t);
     if constexpr (in_registers)
       return wall_points_(
           {jar_.shape(), near_lanes, plain ? nullptr : &at.own, drive.spin, points});
     for (std::size_t k = 0; k < near.size(); ++k) {
+      if (near[k].face >= faces_) continue;  // of a part
       const auto b = static_cast<std::size_t>(near[k].ball) / lanes,
                  l = static_cast<std::size_t>(near[k].ball) % lanes;
       double& slack = near[k].slack;
@@ -171,7 +168,7 @@ class ChamberWall final : public MovingWall {
   }
   /// From the derivative of the normal along the parallel surface through the ball's centre.
   std::pair<double, double> curvatures(int face, const Vec3& position, double t) const override {
-    const WallAxes at = axes(t);
+    const JarAxes at = jar_axes(t);
     const Vec3 p = of_face(at, face).apply_inverse(position);
     const geometry::Gap gap = jar_.shape().gap(face, p);
     const Vec3 n = gap.inward;
@@ -185,13 +182,19 @@ class ChamberWall final : public MovingWall {
     return {at_wall(middle + half), at_wall(middle - half)};
   }
   Vec3 to_face_axes(const Vec3& a, double t, int face) const override {
-    return face >= first_rotor_face_ ? axes(t).rotor.apply_inverse(a) : jar_.to_jar_axes(a, t);
+    return face >= first_rotor_face_ ? jar_axes(t).rotor.apply_inverse(a) : jar_.to_jar_axes(a, t);
   }
   bool can_touch(int face, double radius) const override {
     return jar_.shape().can_touch(face, radius);
   }
 
  private:
+  JarAxes jar_axes(double t) const {
+    const Rotation own = jar_.axes(t);
+    if constexpr (has_rotor)
+      return {own, own * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t)};
+    return {own, own};
+  }
   /// With the facets that element `k` of `facets` keeps; null: none.
   geometry::Gap gap_near(int face, const Vec3& p, double within, geometry::NearFacets* facets,
                          std::size_t k = 0) const {
@@ -199,7 +202,7 @@ class ChamberWall final : public MovingWall {
       if (facets != nullptr) return jar_.shape().gap(face, p, within, facets[k]);
     return geometry::gap_near(jar_.shape(), face, p, within);
   }
-  const Rotation& of_face(const WallAxes& axes, int face) const {
+  const Rotation& of_face(const JarAxes& axes, int face) const {
     return has_rotor && face >= first_rotor_face_ ? axes.rotor : axes.own;
   }
 
@@ -214,12 +217,13 @@ class ChamberWall final : public MovingWall {
 }  // namespace
 
 std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber) {
-  return std::visit(
+  auto jar = std::visit(
       [&]<class S>(const S& shape) -> std::unique_ptr<const MovingWall> {
         const kinematics::ChosenMotion motion(chamber.motion);
         return std::make_unique<ChamberWall<S>>(scene::TypedChamber<S>(shape, motion, chamber));
       },
       *chamber.shape);
+  return chamber.parts.empty() ? std::move(jar) : wall_with_parts(std::move(jar), chamber);
 }
 
 }  // namespace mahlwerk::soft

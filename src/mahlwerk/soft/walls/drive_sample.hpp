@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "mahlwerk/base/rotation.hpp"
+#include "mahlwerk/scene/machine_part.hpp"
 
 namespace mahlwerk::soft {
 
@@ -18,9 +21,16 @@ struct DriveSample {
   Vec3 rotor_spin;         ///< [rad/s] of the rotor's faces
 };
 
+/// Largest number of different motions of the parts in a jar.
+constexpr std::size_t max_part_motions = 8;
+
 /// At an instant, the rotations from the axes of a face's geometry to those of the jar frame.
-struct WallAxes {
+struct JarAxes {
   Rotation own, rotor;  ///< of the jar's faces, of the rotor's
+};
+/// The same, and the poses of the motions of parts.
+struct WallAxes : JarAxes {
+  std::array<scene::PartPose, max_part_motions> parts;
 };
 
 }  // namespace mahlwerk::soft

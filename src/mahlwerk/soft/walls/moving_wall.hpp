@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
@@ -83,11 +85,29 @@ class MovingWall {
   /// Transforms a vector to the axes that turn with a face; to the jar axes if face < 0 (two
   /// balls).
   virtual Vec3 to_face_axes(const Vec3& a, double t, int face) const = 0;
+  /// The same for a point of the jar frame [m]; the axes of a part have their origin in the part.
+  virtual Vec3 to_face_point(const Vec3& p, double t, int face) const {
+    return to_face_axes(p, t, face);
+  }
+  /// Motion of the material of a face: its velocity at the origin of the jar frame [m/s], and its
+  /// spin [rad/s].
+  struct FaceMotion {
+    Vec3 velocity, spin;
+  };
+  FaceMotion face_motion(int face, const DriveSample& drive, const WallAxes& axes) const {
+    if (face >= first_part_face_) {
+      const scene::PartPose& pose = axes.parts[part_motion_of(face)];
+      return {pose.velocity, pose.spin};
+    }
+    return {{}, face < first_rotor_face_ ? drive.spin : drive.rotor_spin};
+  }
   virtual bool can_touch(int face, double radius) const = 0;
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }
   int first_rotor_face() const { return first_rotor_face_; }  ///< first face of the rotor, if any
+  /// First face of the parts in the jar; without parts the number of faces.
+  int first_part_face() const { return first_part_face_; }
   /// Largest speed at which the wall may approach a ball at rest in the jar frame [m/s].
   double max_wall_speed() const { return max_wall_speed_; }
   double reach() const { return reach_; }  ///< [m] largest distance of the wall from the centre
@@ -95,7 +115,7 @@ class MovingWall {
   bool stands_still() const { return stands_still_; }
   /// Upper bound of the speed of the wall in the laboratory frame [m/s].
   double max_lab_wall_speed(double t) const {
-    const double turning = first_rotor_face_ < faces_ ? max_wall_speed_ : 0;
+    const double turning = first_rotor_face_ < faces_ ? std::max(max_wall_speed_, part_speed_) : 0;
     return norm(frame_motion(t).velocity) + norm(spin(t)) * reach_ + turning;
   }
   /// Whether wall points need less time if facets are kept for each ball and face.
@@ -108,9 +128,15 @@ class MovingWall {
   }
 
  protected:
+  std::size_t part_motion_of(int face) const {
+    return motion_of_part_face_[static_cast<std::size_t>(face - first_part_face_)];
+  }
+
   Vec3 gravity_, periods_;
-  int faces_ = 0, first_rotor_face_ = 0;
+  int faces_ = 0, first_rotor_face_ = 0, first_part_face_ = 0;
   double max_wall_speed_ = 0, reach_ = 0;
+  double part_speed_ = 0;  // [m/s] bound of the speed of the parts in the jar frame
+  std::vector<std::size_t> motion_of_part_face_;  // index of WallAxes::parts
   bool keeps_near_facets_ = false, stands_still_ = false;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/setup/obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/geometry/solids.hpp"
+
+namespace mahlwerk::cases {
+
+Obstacles::Obstacles(const Case& c) : periods_(geometry::periods(*c.jar.shape)) {
+  const scene::Chamber mill = chamber(c);
+  const Rotation jar = kinematics::rotation(*mill.motion, 0) * mill.mount;
+  for (const MachinePart& part : c.machine_parts) {
+    const scene::PartPose pose =
+        scene::part_pose(part.body.motion, part.body.in_laboratory, *mill.motion, mill.mount, 0);
+    const Rotation axes = pose.axes * part.body.axes;
+    const Vec3 position = pose.origin + pose.axes * part.body.position;
+    parts_.push_back({&part,
+                      {jar.apply_inverse(axes.ex), jar.apply_inverse(axes.ey),
+                       jar.apply_inverse(axes.ez)},
+                      jar.apply_inverse(position)});
+  }
+}
+
+double Obstacles::clearance(const Vec3& p, double radius) const {
+  double least = geometry::never;
+  for (const Placed& one : parts_) {
+    if (2 * radius < one.part->body.opening) continue;
+    const Vec3 own = in_own_axes(one, p);
+    least = std::min(least, std::visit([&](const auto& s) { return s.clearance(own); },
+                                       *one.part->body.solid));
+  }
+  return least;
+}
+
+Vec3 Obstacles::in_own_axes(const Placed& one, const Vec3& p) const {
+  const Vec3 away = p - one.position;
+  return one.axes.apply_inverse({std::remainder(away.x, periods_.x),
+                                 std::remainder(away.y, periods_.y),
+                                 std::remainder(away.z, periods_.z)});
+}
+
+std::vector<geometry::Gap> Obstacles::gaps(const Placed& one, const Vec3& p, double within) const {
+  const Vec3 own = in_own_axes(one, p);
+  std::vector<geometry::Gap> found;
+  std::visit(
+      [&](const auto& s) {
+        for (int face = 0; face < s.faces; ++face) {
+          geometry::Gap gap = s.gap(face, own, within);
+          if (gap.distance > within) continue;
+          gap.inward = one.axes * gap.inward;
+          found.push_back(gap);
+        }
+      },
+      *one.part->body.solid);
+  return found;
+}
+
+}  // namespace mahlwerk::cases

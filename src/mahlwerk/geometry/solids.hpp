@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "mahlwerk/geometry/mesh_solid.hpp"
+#include "mahlwerk/geometry/solid.hpp"
+
+namespace mahlwerk::geometry {
+
+/// The register of solids: what a part in a jar may be.
+struct AnySolid
+    : std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid> {
+  using Models = std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid>;
+  using Models::Models;
+  bool operator==(const AnySolid&) const = default;
+};
+
+}  // namespace mahlwerk::geometry
