@@ -51,7 +51,9 @@ function readMesh(mesh, frames, i) {
     throw fault(`"${at}.triangles" refers to a vertex that "${at}.vertices" does not contain`);
   const turn =
     mesh.turn == null ? null : decoded(Float32Array, mesh.turn, 4 * frames, `${at}.turn`);
-  return { name: String(mesh.name ?? ""), vertices, triangles, turn };
+  const shift =
+    mesh.shift == null ? null : decoded(Float32Array, mesh.shift, 3 * frames, `${at}.shift`);
+  return { name: String(mesh.name ?? ""), vertices, triangles, turn, shift };
 }
 
 function readTimes(times) {

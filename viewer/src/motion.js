@@ -49,7 +49,9 @@ export function poseAt(data, frame) {
     placeAt(data.jarCentre, f).applyQuaternion(turnAt(data.carrierTurn, f).invert());
   const centre = seen(step.low).lerp(seen(step.high), step.part).applyQuaternion(carrier);
   const parts = data.meshes.map((mesh) => mesh.turn && turnBetween(mesh.turn, step));
-  return { centre, carrier, jar: turnBetween(data.jarTurn, step), parts };
+  const shifts = data.meshes.map((mesh) => mesh.shift &&
+    placeAt(mesh.shift, step.low).lerp(placeAt(mesh.shift, step.high), step.part));
+  return { centre, carrier, jar: turnBetween(data.jarTurn, step), parts, shifts };
 }
 
 /// Frames of reference that can be selected. `key` is the value of data-view.

@@ -182,7 +182,10 @@ export class Stage {
     this.room.quaternion.copy(seen.turn);
     this.room.position.copy(seen.origin).negate().applyQuaternion(seen.turn);
     this.riding.position.copy(pose.centre);
-    this.bodies.forEach((body, i) => body.group.quaternion.copy(pose.parts[i] ?? pose.jar));
+    this.bodies.forEach((body, i) => {
+      body.group.quaternion.copy(pose.parts[i] ?? pose.jar);
+      if (pose.shifts[i]) body.group.position.copy(pose.shifts[i]);
+    });
     if (this.carrier) {
       this.carrier.group.visible = rides.includes(view);
       this.carrier.group.quaternion.copy(pose.carrier);

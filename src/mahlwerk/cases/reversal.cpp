@@ -25,6 +25,8 @@ Case reversed(const Case& c) {
   Case made = c;
   for (double* speed : {speed_of(*made.mill.motion), speed_of_stirrer(*made.jar.shape)})
     if (speed != nullptr) *speed = -*speed;
+  for (MachinePart& part : made.machine_parts)
+    part.body.motion.speed = -part.body.motion.speed;
   made.milling->reverse = false;
   return made;
 }
@@ -34,13 +36,16 @@ Case reversed(const Case& c) {
 bool has_sense_of_rotation(const Case& c) {
   Case copy = c;
   const auto turns = [](const double* speed) { return speed != nullptr && *speed != 0; };
+  for (const MachinePart& part : c.machine_parts)
+    if (turns(&part.body.motion.speed)) return true;
   return turns(speed_of(*copy.mill.motion)) || turns(speed_of_stirrer(*copy.jar.shape));
 }
 
 bool needs_both_senses(const Case& c) {
   if (!c.milling || !c.milling->reverse) return false;
   // All other shapes have the plane of x and z as a plane of symmetry.
-  const bool any_jar = geometry::as<geometry::Mesh>(*c.jar.shape) != nullptr;
+  const bool any_jar =
+      geometry::as<geometry::Mesh>(*c.jar.shape) != nullptr || !c.machine_parts.empty();
   kinematics::AnyMotion motion = *c.mill.motion;
   const bool shaken =
       speed_of(motion) == nullptr && !std::holds_alternative<kinematics::Still>(motion);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
@@ -31,7 +32,8 @@ int blocks_per_period(const Case& c) {
 
 double mill_period(const Case& c) {
   if (const auto shaft = shaft_speed(c)) return 2 * std::numbers::pi / *shaft;
-  return kinematics::period(*c.mill.motion);
+  const double jar = kinematics::period(*c.mill.motion);
+  return std::isfinite(jar) ? jar : part_period(c);
 }
 
 bool settles(const Case& c) {

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "mahlwerk/geometry/solids.hpp"
 
 namespace mahlwerk::cases {
@@ -38,6 +41,27 @@ std::vector<int> parts_of_faces(const Case& c) {
     parts.insert(parts.end(), static_cast<std::size_t>(faces_of(c.machine_parts[i])),
                  static_cast<int>(i));
   return parts;
+}
+
+double part_speed(const Case& c) {
+  const double reach = geometry::reach(*c.jar.shape);
+  double most = 0;
+  for (const MachinePart& part : c.machine_parts) {
+    const kinematics::PartMotion& m = part.body.motion;
+    const double own = std::visit([](const auto& s) { return s.reach(); }, *part.body.solid);
+    const double lever =
+        std::min(norm(part.body.position - m.pivot) + own, reach + norm(m.pivot));
+    most = std::max(most, m.speed_bound() + m.spin_bound() * lever);
+  }
+  return most;
+}
+
+double part_period(const Case& c) {
+  double longest = 0;
+  for (const MachinePart& part : c.machine_parts)
+    if (const double period = part.body.motion.period(); std::isfinite(period))
+      longest = std::max(longest, period);
+  return longest > 0 ? longest : kinematics::no_period;
 }
 
 std::string soft_only_wall(const Case& c) {

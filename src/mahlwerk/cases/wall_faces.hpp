@@ -17,6 +17,10 @@ int wall_faces(const Case& c);  ///< of jar and parts
 std::vector<std::string> wall_face_names(const Case& c);
 /// The part of each face after those of the jar, by its index.
 std::vector<int> parts_of_faces(const Case& c);
+/// [m/s] Bound of the speed of the parts, relative to the jar or in the laboratory.
+double part_speed(const Case& c);
+/// [s] The longest period of a part that moves; infinite without one.
+double part_period(const Case& c);
 /// What of the jar the event engine cannot compute, "a jar of kind \"mesh\""; empty if nothing.
 std::string soft_only_wall(const Case& c);
 

@@ -88,6 +88,28 @@ std::string meshes(const cases::Case& c, const MotionSamples& w) {
   return list;
 }
 
+/// The parts of the mill, each with its rotation and place in the jar frame.
+std::string part_meshes(const cases::Case& c, const std::vector<double>& times) {
+  const scene::Chamber mill = cases::chamber(c);
+  const std::vector<results::JarMesh> surfaces = results::part_surfaces(mill);
+  std::string list;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    std::vector<float> vertices, turn, shift;
+    for (const Vec3& v : surfaces[i].vertices) append(vertices, v);
+    for (const double t : times) {
+      const scene::PartPose pose = scene::part_pose(
+          mill.parts[i].motion, mill.parts[i].in_laboratory, *mill.motion, mill.mount, t);
+      append(turn, pose.axes);
+      append(shift, pose.origin);
+    }
+    list += fmt::format(
+        ",{{\"name\":{},\"vertices\":\"{}\",\"triangles\":\"{}\",\"turn\":{},\"shift\":{}}}",
+        json_string(c.machine_parts[i].name), packed(vertices), packed(surfaces[i].triangles),
+        json_string(packed(turn)), json_string(packed(shift)));
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string replay_data(const cases::Case& c, const observe::Replay& film) {
@@ -117,7 +139,7 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
       json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
       names, film.position_unit(), packed(film.positions()), fastest / most, packed(speeds),
       packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
-      meshes(c, w));
+      meshes(c, w) + part_meshes(c, film.times()));
 }
 
 std::string replay_section(const results::Outcome& outcome) {

@@ -90,9 +90,25 @@ StatesTable by_motion(const std::vector<MotionStateSummary>& found) {
   return table;
 }
 
-/// By the balls' motion where this has several states, and by power.
+StatesTable by_part(const std::vector<results::PartSummary>& parts) {
+  StatesTable table{{{"parts in the jar"}},
+                    "Parts in the jar",
+                    "What each part does to the balls: work per time, torque about its axis of "
+                    "motion, force along the axes of its frame, hits above the threshold (obs.22). "
+                    "± is the 95 % confidence half-width over the replicates."};
+  for (const Quantity& q : parts.front().quantities) table.lines.push_back({label(q)});
+  for (const results::PartSummary& part : parts) {
+    table.lines[0].push_back(part.name);
+    for (std::size_t i = 0; i < part.quantities.size(); ++i)
+      table.lines[i + 1].push_back(readable(part.quantities[i]).text());
+  }
+  return table;
+}
+
+/// The parts in the jar; states by the balls' motion where this has several states, and by power.
 std::vector<StatesTable> tables(const results::Outcome& outcome) {
   std::vector<StatesTable> all;
+  if (!outcome.summary.parts.empty()) all.push_back(by_part(outcome.summary.parts));
   if (outcome.summary.motion_states.size() > 1)
     all.push_back(by_motion(outcome.summary.motion_states));
   if (outcome.summary.two_states) all.push_back(by_power(*outcome.summary.two_states));

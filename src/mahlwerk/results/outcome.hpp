@@ -22,6 +22,7 @@
 #include "mahlwerk/results/summary.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/energy_balance.hpp"
+#include "mahlwerk/scene/wall_load.hpp"
 
 namespace mahlwerk::results {
 
@@ -95,6 +96,8 @@ struct Replicate {
   std::vector<Window> windows;
   scene::EnergyBalance energy_balance;     ///< at the end
   scene::EnergyBalance at_settled;         ///< when counting began
+  /// Loads of the jar and its parts, at the end and when counting began; none without parts.
+  std::vector<scene::WallLoad> loads = {}, loads_at_settled = {};
   bool settled = true;                     ///< false if run.settle = "auto" found a trend
   bool complete = true;                    ///< false if stopped early
   bool precision_reached = true;           ///< false if [run] until was not reached

@@ -71,6 +71,12 @@ struct MotionStateSummary {
   observe::Estimate axial_ratio;  ///< [1] axial travel of a ball over that of the jar
 };
 
+/// What a part in the jar does to the balls (obs.22).
+struct PartSummary {
+  std::string name;
+  std::vector<Quantity> quantities;
+};
+
 /// All numbers of an outcome.
 struct Summary {
   std::vector<Quantity> quantities;  ///< in the order of summary.json (docs/formats.md)
@@ -78,6 +84,7 @@ struct Summary {
   /// replicates together, are left out.
   std::vector<std::vector<double>> by_replicate;
   std::vector<PairSummary> pairs;  ///< empty if there is only one kind of pair
+  std::vector<PartSummary> parts;  ///< in the jar, in the order of the case
   std::optional<TwoStates> two_states;
   std::vector<MotionStateSummary> motion_states;  ///< the longest first
   std::optional<Sensitivity> sensitivity;         ///< to assumed values; only of a single run

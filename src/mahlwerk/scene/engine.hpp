@@ -10,6 +10,7 @@
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/scene/observer.hpp"
+#include "mahlwerk/scene/wall_load.hpp"
 
 namespace mahlwerk::scene {
 
@@ -43,6 +44,10 @@ class Engine {
   /// Contact force on each ball [N] at the time reached, by ball number, in laboratory axes; empty
   /// if contacts are instantaneous.
   virtual std::vector<Vec3> forces() const { return {}; }
+
+  /// Loads since the start, at the time reached: of the jar, then of each part. Empty if there are
+  /// no parts, or from an engine that has none.
+  virtual std::vector<WallLoad> wall_loads() const { return {}; }
 
   /// [s] CPU time so far of another program that computes for this engine, once that has ended.
   virtual double cpu_seconds_elsewhere() const { return 0; }

@@ -58,4 +58,13 @@ bool is_sustained(double duration, const ContactOnset& onset, const SpeciesPair&
 /// The constants of all packets and steps. The caller sets the jar velocity at each step.
 StepConstants step_constants(const Settings& settings, const Vec3& periods);
 
+/// Adds `more` to `sum`; `more` may be empty.
+inline void add_loads(std::span<scene::WallLoad> sum, std::span<const scene::WallLoad> more) {
+  for (std::size_t k = 0; k < more.size(); ++k) {
+    sum[k].impulse += more[k].impulse;
+    sum[k].angular_impulse += more[k].angular_impulse;
+    sum[k].work += more[k].work;
+  }
+}
+
 }  // namespace mahlwerk::soft

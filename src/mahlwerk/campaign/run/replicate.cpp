@@ -243,6 +243,7 @@ void ReplicateRun::end_block() {
   result_.settled = settling_.settled();
   if (!result_.settled && settling_.blocks() < blocks_.most && result_.stop_reason.empty()) return;
   engine_->begin_counting();
+  result_.loads_at_settled = engine_->wall_loads();
   result_.at_settled = last_ = result_.energy_balance = engine_->energy_balance();
   window_ = 1;
   begin_counting(end);
@@ -254,6 +255,7 @@ void ReplicateRun::end_window() {
   if (window_ == 0) {
     const double end = window_end(0);
     engine_->begin_counting();
+    result_.loads_at_settled = engine_->wall_loads();
     result_.at_settled = result_.energy_balance = engine_->energy_balance();
     begin_counting(end);
   } else {
@@ -282,6 +284,7 @@ void ReplicateRun::end_window() {
 
 results::Replicate ReplicateRun::result() const {
   results::Replicate given = result_;
+  given.loads = engine_->wall_loads();
   given.complete = finished() && given.stop_reason.empty();
   given.precision_reached = !mill_case_->run.until || converged_;
   if (!given.complete) add_partial_window(given);
@@ -297,7 +300,7 @@ results::Replicate ReplicateRun::result() const {
 /// Adds the window that did not end.
 void ReplicateRun::add_partial_window(results::Replicate& given) const {
   if (window_ == 0)
-    given.at_settled = given.energy_balance;
+    given.at_settled = given.energy_balance, given.loads_at_settled = given.loads;
   else if (given.energy_balance.time > last_.time)
     given.windows.push_back(window_between(given.energy_balance.time - begin_, last_,
                                            given.energy_balance, all_, above_, given.tally));
@@ -315,6 +318,7 @@ void ReplicateRun::serialize(Archive& archive) {
   r.stream.serialize(archive);
   for (const auto& recorder : r.recorders.all()) recorder->serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
+  if (!mill_case_->machine_parts.empty()) archive(r.loads_at_settled);
   archive(last_)(all_)(above_)(window_length_)(converged_);
   for (const auto& sampler : samplers_) sampler->serialize(archive);
   engine_->serialize(archive);

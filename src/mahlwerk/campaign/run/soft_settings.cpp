@@ -18,6 +18,7 @@
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/on_device.hpp"
@@ -55,7 +56,8 @@ double largest_start_speed(const cases::Case& mill_case) {
 double meeting_speed(const cases::Case& mill_case) {
   const double reach = geometry::reach(*mill_case.jar.shape);
   const auto most = kinematics::bounds(*mill_case.mill.motion);
-  const double parts = geometry::rotor_tip_speed(*mill_case.jar.shape);
+  const double parts =
+      geometry::rotor_tip_speed(*mill_case.jar.shape) + cases::part_speed(mill_case);
   const double wall = most.speed + most.spin * reach + parts + largest_start_speed(mill_case);
   constexpr double least = 0.01;  // m/s: a charge at rest needs a finite step, too
   return std::max(least, std::sqrt(wall * wall + 4 * mill_case.gravity * reach));

@@ -15,8 +15,19 @@ class NullObserver final : public scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
+/// A part, standing still where it starts; the jar's centre is then at the origin.
+void stop(scene::MachinePart& part, const Vec3& jar_centre) {
+  const kinematics::Displacement d = part.motion.at(0);
+  part.position = d.centre + d.rotation * (part.position - part.motion.pivot);
+  if (part.in_laboratory) part.position -= jar_centre;
+  part.axes = d.rotation * part.axes;
+  part.motion = {};
+}
+
 /// The jar, standing still where its mill starts.
 scene::Chamber at_rest(scene::Chamber jar) {
+  for (scene::MachinePart& part : jar.parts)
+    stop(part, kinematics::frame_motion(*jar.motion, 0).centre);
   jar.mount = kinematics::rotation(*jar.motion, 0) * jar.mount;
   jar.motion = kinematics::AnyMotion(kinematics::Still{});
   if (const auto* stirred = geometry::as<geometry::Attritor>(*jar.shape)) {

@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/faults/inconsistencies.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/still.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
@@ -68,7 +69,7 @@ void bad_ramp(const Case& c, std::vector<Fault>& found) {
     found.push_back({location_of(c, key), std::move(what), std::move(remedy), "bad-ramp"});
   };
   const kinematics::AnyMotion& mill = *c.mill.motion;
-  const bool still = kinematics::as<kinematics::Still>(mill) != nullptr;
+  const bool still = kinematics::as<kinematics::Still>(mill) != nullptr && part_speed(c) == 0;
   if (still || kinematics::as<kinematics::Tabulated>(mill) != nullptr)
     fault("run.start",
           still ? "start = \"ramp\": a jar that stands still has no speed to come to"

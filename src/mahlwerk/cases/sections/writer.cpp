@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
+#include "mahlwerk/geometry/solids.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
 
 namespace mahlwerk::cases {
@@ -82,6 +83,14 @@ std::string input_files_fingerprint(const Case& c) {
   }
   if (const auto* measured = kinematics::as<kinematics::Tabulated>(*c.mill.motion))
     for (const kinematics::Sample& sample : measured->samples()) add(sample);
+  for (const MachinePart& part : c.machine_parts) {
+    if (const auto* mesh = std::get_if<geometry::MeshSolid>(&*part.body.solid)) {
+      for (const Vec3& point : mesh->surface().points) add(point);
+      for (const auto& triangle : mesh->surface().triangles) add(triangle);
+    }
+    for (const kinematics::Tabulated* path : {&part.body.motion.path, &part.body.motion.lean})
+      for (const kinematics::Sample& sample : path->samples()) add(sample);
+  }
   if (c.run.start_from.states)
     for (const auto& state : *c.run.start_from.states)
       for (const BallState& ball : state) {

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
@@ -76,6 +77,9 @@ class Derivation {
     add("peak_wall_speed", peak_, "m/s",
         "upper bound of the speed of the jar's wall: speed of the centre plus that of rotation "
         "(kin.9)");
+    if (!c_.machine_parts.empty())
+      add("peak_part_speed", part_speed(c_), "m/s",
+          "upper bound of the speed of the parts in the jar, in their frame (kin.22)");
     const double pull =
         largest(motion, [&](double t) { return norm(motion.frame_motion(t).acceleration); });
     if (c_.gravity > 0)

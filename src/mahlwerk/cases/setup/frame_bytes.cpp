@@ -3,9 +3,12 @@
 #include <cmath>
 #include <variant>
 
+#include <algorithm>
+
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/solids.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -32,6 +35,16 @@ double triangles(const Round&) {
   return 2200;
 }
 
+double triangles_of_parts(const Case& c) {
+  double sum = 0;
+  for (const MachinePart& part : c.machine_parts)
+    if (const auto* mesh = std::get_if<geometry::MeshSolid>(&*part.body.solid))
+      sum += static_cast<double>(mesh->surface().triangles.size());
+    else
+      sum += 200;
+  return sum;
+}
+
 }  // namespace
 
 bool jar_mesh_is_static(const Case& c) {
@@ -40,7 +53,11 @@ bool jar_mesh_is_static(const Case& c) {
   const bool stirred = geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr;
   const bool along =
       geometry::axisymmetric(*c.jar.shape) && norm(cross(axis, c.mill.jar_axis)) < 1e-12;
-  return !stirred && (!turns || along);
+  const bool still_parts = std::ranges::all_of(c.machine_parts, [](const MachinePart& p) {
+    return !p.body.motion.moves() && !p.body.in_laboratory;
+  });
+  const bool round = c.machine_parts.empty() || !turns;  // parts turn with the jar
+  return !stirred && still_parts && round && (!turns || along);
 }
 
 double frame_bytes(const Case& c) {
@@ -51,7 +68,8 @@ double frame_bytes(const Case& c) {
   if (c.observe.frames_format == FramesFormat::xyz) return bytes;
   bytes += 2200 + (forces ? 160 : 128) * balls;
   if (!jar_mesh_is_static(c))  // half as many vertices as triangles, in base64
-    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, *c.jar.shape);
+    bytes += 1000 + 37.3 * std::visit([](const auto& s) { return triangles(s); }, *c.jar.shape) +
+             37.3 * triangles_of_parts(c);
   return bytes;
 }
 

@@ -27,7 +27,7 @@ FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& mil
   if (mill_case.observe.frames_format != FramesFormat::vtk)
     xyz_.emplace(with(".xyz"), *chamber_.shape);
   if (mill_case.observe.frames_format != FramesFormat::xyz)
-    vtk_.emplace(with(".pvd"), *chamber_.shape, cases::jar_mesh_is_static(mill_case));
+    vtk_.emplace(with(".pvd"), chamber_, cases::jar_mesh_is_static(mill_case));
 }
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,

@@ -94,6 +94,16 @@ Json table_of(const std::vector<PairSummary>& pairs) {
   return list;
 }
 
+Json parts_of(const std::vector<PartSummary>& parts) {
+  Json list = Json::array();
+  for (const PartSummary& part : parts) {
+    Json row = Json::object({{"name", part.name}});
+    for (const Quantity& q : part.quantities) row[q.name] = object(q);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
 Json states_of(const TwoStates& found) {
   Json states = Json::array();
   for (const State& state : found.states) {
@@ -172,6 +182,7 @@ Json summary_of(const Outcome& outcome, std::string_view version) {
   all["_groups"] = groups_of(summary.quantities);
   if (summary.sensitivity) all["_sensitivity"] = sensitivity_of(*summary.sensitivity);
   if (!summary.pairs.empty()) all["_pairs"] = table_of(summary.pairs);
+  if (!summary.parts.empty()) all["_parts"] = parts_of(summary.parts);
   if (!summary.motion_states.empty())
     all["_motion_states"] = motion_states_of(summary.motion_states);
   if (summary.two_states) all["_states"] = states_of(*summary.two_states);

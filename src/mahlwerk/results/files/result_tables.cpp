@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/part_loads.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
@@ -39,6 +40,9 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   if (!outcome.summary.pairs.empty())
     all.push_back({"collisions_by_pair", "quantities by kind of pair",
                    collisions_by_pair(outcome.summary.pairs)});
+  if (!outcome.summary.parts.empty())
+    all.push_back({"parts", "force, torque, power and hits of each part in the jar",
+                   parts_table(outcome.summary.parts)});
   const auto unless_empty = [&](std::string name, std::string about, Table table) {
     if (!table.rows.empty()) all.push_back({std::move(name), std::move(about), std::move(table)});
   };

@@ -100,12 +100,13 @@ std::string balls_text(const Frame& frame) {
 
 }  // namespace
 
-VtkFrames::VtkFrames(std::filesystem::path list, const geometry::AnyShape& shape, bool still)
+VtkFrames::VtkFrames(std::filesystem::path list, const scene::Chamber& mill, bool still)
     : path_(std::move(list)),
       folder_(std::filesystem::path(path_).replace_extension()),
-      shape_(shape),
+      mill_(mill),
       still_(still),
-      jar_(jar_surface(shape, still ? facets_still : facets_turning)) {
+      jar_(jar_surface(*mill.shape, still ? facets_still : facets_turning)),
+      parts_(part_surfaces(mill)) {
   std::error_code failed;
   std::filesystem::create_directory(folder_, failed);
   errno = failed.value();
@@ -132,14 +133,21 @@ std::string VtkFrames::jar_text(const Frame& frame) const {
   Doubles places;
   Integers corners, parts;
   std::int32_t part = 0;
-  for (const JarMesh& mesh : jar_) {
+  const auto put = [&](const JarMesh& mesh, const Rotation& turn, const Vec3& origin) {
     const auto first = static_cast<std::int32_t>(places.size() / 3);
-    const Rotation turn = mesh.rotor ? frame.turn * rotor_turn(*shape_, frame.time) : frame.turn;
-    for (const Vec3& p : mesh.vertices) results::add(places, turn * p);
+    for (const Vec3& p : mesh.vertices) results::add(places, origin + turn * p);
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t corner : triangle)
         corners.push_back(first + static_cast<std::int32_t>(corner));
     parts.insert(parts.end(), mesh.triangles.size(), part++);
+  };
+  for (const JarMesh& mesh : jar_)
+    put(mesh, mesh.rotor ? frame.turn * rotor_turn(*mill_.shape, frame.time) : frame.turn, {});
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const scene::PartPose pose =
+        scene::part_pose(mill_.parts[i].motion, mill_.parts[i].in_laboratory, *mill_.motion,
+                         mill_.mount, frame.time);
+    put(parts_[i], pose.axes, pose.origin);
   }
   return vtk_head("PolyData", "1.0") + "<PolyData>\n" +
          vtk_piece(places.size() / 3, 0, parts.size(),

@@ -19,7 +19,7 @@ namespace mahlwerk::results {
 class VtkFrames {
  public:
   /// `still`: the jar does not move in its frame and is written once.
-  VtkFrames(std::filesystem::path list, const geometry::AnyShape& shape, bool still);
+  VtkFrames(std::filesystem::path list, const scene::Chamber& mill, bool still);
   void add(const Frame& frame);
 
  private:
@@ -30,9 +30,9 @@ class VtkFrames {
   std::filesystem::path path_, folder_;
   OpenFile list_;
   long written_ = 0;  // bytes of the list without its end
-  Indirect<geometry::AnyShape> shape_;
+  scene::Chamber mill_;
   bool still_;
-  std::vector<JarMesh> jar_;
+  std::vector<JarMesh> jar_, parts_;
   std::size_t frames_ = 0;
 };
 

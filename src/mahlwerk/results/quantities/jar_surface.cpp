@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/solids.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -218,7 +219,39 @@ void add(JarMesh& mesh, const geometry::Mesh& jar, Index) {
     mesh.triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
 }
 
+void add(JarMesh& mesh, const geometry::PlaneSolid&, double reach, Index) {
+  const double w = 0.7 * reach;
+  mesh.vertices = {{-w, -w, 0}, {w, -w, 0}, {w, w, 0}, {-w, w, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+}
+template <class Round>
+requires requires(const Round s) { s.frustum(); }
+void add(JarMesh& mesh, const Round& solid, double, Index facets) {
+  const geometry::Frustum f = solid.frustum();
+  const double half = 0.5 * f.length;
+  add_revolved(mesh, {{0, -half}, {f.low_radius, -half}, {f.high_radius, half}, {0, half}}, facets);
+}
+void add(JarMesh& mesh, const geometry::BladeSolid& solid, double, Index) {
+  add_box(mesh, solid.length, solid.thickness, solid.height);
+}
+void add(JarMesh& mesh, const geometry::MeshSolid& solid, double, Index) {
+  mesh.vertices = solid.surface().points;
+  for (const auto& [a, b, c] : solid.surface().triangles)
+    mesh.triangles.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+}
+
 }  // namespace
+
+std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, Index facets) {
+  std::vector<JarMesh> made;
+  const double reach = geometry::reach(*mill.shape);
+  for (const scene::MachinePart& part : mill.parts) {
+    JarMesh& mesh = made.emplace_back(JarMesh{.name = "part", .vertices = {}, .triangles = {}});
+    std::visit([&](const auto& s) { add(mesh, s, reach, facets); }, *part.solid);
+    for (Vec3& p : mesh.vertices) p = part.position + part.axes * p;
+  }
+  return made;
+}
 
 std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, Index facets) {
   std::vector<JarMesh> made{{.name = "jar", .vertices = {}, .triangles = {}}};

@@ -11,6 +11,7 @@
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/part_loads.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 
 namespace mahlwerk::results {
@@ -26,7 +27,8 @@ Measures all_groups() {
   for (Measures (*group)() :
        {collision_rates, collision_rates_by_partner, collision_means, power_measures, loss_measures,
         contact_time_measures, mill_measures, energy_balance_measures, dose_measures,
-        regime_measures, motion_state_measures, motion_measures, bed_measures, tangential_measures})
+        regime_measures, motion_state_measures, motion_measures, bed_measures, part_measures,
+        tangential_measures})
     add(group);
   for (const cases::Part* part : cases::parts())
     if (part->quantities != nullptr) add(part->quantities);

@@ -12,6 +12,7 @@
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
+#include "mahlwerk/results/quantities/part_loads.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
 #include "mahlwerk/results/quantities/series.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
@@ -69,6 +70,7 @@ Summary summarise(const Outcome& outcome) {
     made.quantities.push_back({m.name, of_whole[i], undefined, m.unit, m.about});
   }
   made.pairs = by_pair(outcome);
+  made.parts = by_part(outcome);
   if (cases::distinct_replicates(outcome.mill_case) == 1)  // they differ by their starts only
     made.two_states = two_states(outcome, all, made.by_replicate);
   made.motion_states = motion_states(outcome);

@@ -97,6 +97,11 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
   flush_work(p, lane);
 }
 
+void FewBodySolver::add_wall_load(const DriveSample& drive, const MovingWall::WallForce& force) {
+  jar_->add_load(loads_, force, jar_->axes(mill_time(particles_.step)), drive,
+                 settings_.time_step);
+}
+
 void FewBodySolver::flush_work(PairPacket& p, std::size_t lane) {
   ContactWork& d = p.work;
   add_work(energy_balance_, d, lane);

@@ -9,8 +9,9 @@
 namespace mahlwerk::soft {
 
 bool ReplicateBatch::fits(std::span<FewBodySolver* const> solvers) {
-  return std::ranges::all_of(
-      solvers, [&](const FewBodySolver* one) { return one->now_ == solvers.front()->now_; });
+  return std::ranges::all_of(solvers, [&](const FewBodySolver* one) {
+    return one->now_ == solvers.front()->now_ && one->loads_.empty();  // loads need own packets
+  });
 }
 
 ReplicateBatch::ReplicateBatch(std::span<FewBodySolver* const> solvers)

@@ -17,7 +17,7 @@ namespace mahlwerk::soft {
 /// and records of a replicate are summed and listed in the order of its own lanes.
 class ReplicateBatch final : private StepCallbacks {
  public:
-  /// Whether all are at the same time.
+  /// Whether all are at the same time, in a jar without parts.
   static bool fits(std::span<FewBodySolver* const> solvers);
   /// The solvers are those of one case, all at the same time.
   explicit ReplicateBatch(std::span<FewBodySolver* const> solvers);

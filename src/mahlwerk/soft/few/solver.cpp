@@ -59,6 +59,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   }
   // A wall that moves towards the balls uses up a thin skin within some fifty steps.
   skin_ = (jar_->max_wall_speed() > 0 ? 0.1 : 0.03) * smallest;
+  loads_.resize(jar_->load_count());
   if (liquid_) start_in_liquid();
   build_gather_maps();  // of no packets
   rebuild_neighbour_list();
@@ -199,6 +200,7 @@ StepBlock FewBodySolver::step_block(std::vector<ParticleData*>& charges,
           .start = start_,
           .max_displacement = 0.5 * skin_,
           .step = particles_.step,
+          .loads = !loads_.empty(),
           .liquid = liquid_.has_value()};
 }
 

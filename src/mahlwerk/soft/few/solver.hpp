@@ -32,6 +32,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   void begin_counting() override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
+  std::vector<scene::WallLoad> wall_loads() const override { return loads_; }
   void serialize(Archive& archive) override;
 
  private:
@@ -103,6 +104,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   void record_onset(const PacketLanes& begun, const OnsetSpeeds& speeds) override;
   void end(const PacketLanes& ended) override;
   void forces_done() override;
+  void add_wall_load(const DriveSample& drive, const MovingWall::WallForce& force) override;
   void begin_lane(PairPacket& p, std::size_t lane);
   void record_onset(PairPacket& p, std::size_t lane, const OnsetSpeeds& speeds);
   void end_lane(PairPacket& p, std::size_t lane);
@@ -143,6 +145,7 @@ class FewBodySolver final : public scene::Engine, private StepCallbacks {
   double target_time_ = 0;  // [s] target of the last advance()
 
   scene::EnergyBalance energy_balance_;    // sums over contacts that have ended
+  std::vector<scene::WallLoad> loads_;     // of the jar and its parts; none without parts
   std::vector<std::int32_t> contacts_of_;  // number of contacts of each ball
   std::int64_t balls_in_contact_ = 0;      // balls with contacts
   std::int64_t contact_count_step_ = 0;

@@ -39,6 +39,7 @@ void FewBodySolver::serialize(Archive& archive) {
   archive(w.packets)(w.wall_neighbours)(contacts_of_)(listed_pairs_);
   archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(target_time_);
   rest_.serialize(archive);
+  if (!loads_.empty()) archive(loads_);
   if (w.bodies.size() <= blocks || w.balls.size() != blocks) throw Archive::broken();
   if (!archive.reading()) return;
   w.contacts = 0;

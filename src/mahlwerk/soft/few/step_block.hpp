@@ -35,6 +35,8 @@ class StepCallbacks {
   virtual void record_onset(const PacketLanes& begun, const OnsetSpeeds& speeds) = 0;
   /// Contacts end in this step; their last force is yet to be computed.
   virtual void end(const PacketLanes& ended) = 0;
+  /// Adds a force at the wall to the loads of the jar and its parts.
+  virtual void add_wall_load(const DriveSample& /*drive*/, const MovingWall::WallForce&) {}
   /// After the forces of a step in which contacts ended.
   virtual void forces_done() = 0;
   /// Adds the forces of the liquid to the balls of a charge, after those of the contacts.
@@ -57,6 +59,7 @@ struct alignas(64) StepBlock {
   double start = 0;                    ///< [s] the mill's clock at step 0
   double max_displacement = 0;         ///< [m] a larger one rebuilds the neighbour list
   std::int64_t step = 0;               ///< step of the charges
+  bool loads = false;                  ///< callbacks.add_wall_load() is called in each step
   bool liquid = false;                 ///< callbacks.add_liquid_forces() is called in each step
   std::int64_t pause = -1;             ///< step after which callbacks.pause() is called
 };

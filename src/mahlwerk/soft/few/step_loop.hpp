@@ -113,6 +113,21 @@ template <class Law, class V, class Put>
   return ended != 0;
 }
 
+/// Adds the forces of the wall contacts of a group to the loads of the jar and its parts.
+template <class V>
+inline void add_wall_loads(const StepBlock& s, const Bodies<V>& bodies, const PairPacket& p,
+                           const GatherMap& map, const LaneGroup<V>& group,
+                           const DriveSample& drive, const ContactForce<V>& force) {
+  const Vec<V> points = bodies.position(p.j, map.body_j, group);
+  for (int l = 0; l < width_of<V>; ++l) {
+    const auto lane = static_cast<std::size_t>(group.first + l);
+    const auto of = [&](const Vec<V>& a) { return Vec3{a.x[l], a.y[l], a.z[l]}; };
+    if (p.wall[lane] != 0 && p.touching[lane] != 0)
+      s.callbacks.add_wall_load(drive,
+                                {p.face[lane], of(points), of(force.force), of(force.torque_j)});
+  }
+}
+
 /// Updates the wall contact points of a charge.
 [[gnu::always_inline]] inline void update_wall_points(const StepBlock& s, ParticleData& w,
                                                       const DriveSample& drive) {
@@ -134,6 +149,7 @@ template <class Law, class V>
   for (std::size_t n = 0; n < s.packets.size(); ++n) {
     const auto put = [&](GatherMap & map, const LaneGroup<V>& group, const ContactForce<V>& found)
         __attribute__((always_inline)) {
+      if (s.loads) add_wall_loads<V>(s, bodies, s.packets[n], map, group, drive, found);
       if constexpr (can_permute<V>)
         if (in_registers) return gather_forces<V>(map, found, force, torque);
       put_forces<V>(map, group, found);

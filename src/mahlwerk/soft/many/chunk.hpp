@@ -131,6 +131,7 @@ struct Chunk {
   std::vector<std::int32_t> neighbour_chunks;  ///< chunks with balls near those of this chunk
   std::int32_t balls_in_contact = 0;           ///< balls with contacts
   ChunkSums sums;
+  std::vector<scene::WallLoad> loads;  ///< like `sums`; none without parts
   std::vector<FinishedCollision> finished;
   /// Of the lanes of `wall`, where the wall keeps them. They change no result and are not saved.
   std::vector<std::array<geometry::NearFacets, lanes>> near_facets;

@@ -26,6 +26,9 @@ class ManyContactCallbacks {
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// Tests wall pairs, and assigns a lane to those that begin to touch.
   virtual void test_walls(Chunk& chunk) = 0;
+  /// Adds a force at the wall to the loads of the jar and its parts.
+  virtual void add_wall_load(const ChunkStep& step, Chunk& chunk,
+                             const MovingWall::WallForce& force) = 0;
   /// Adds the forces of the liquid to those on the balls of a chunk.
   virtual void add_liquid_forces(const ChunkStep& step, Chunk& chunk, BallForces& forces) = 0;
 };
@@ -55,6 +58,7 @@ struct alignas(64) ChunkStep {
   bool large = false;             ///< the balls exceed the processor's cache
   bool turning = false;           ///< the jar has a rotor or parts
   bool liquid = false;            ///< there is a liquid
+  bool loads = false;             ///< callbacks->add_wall_load() is called for each wall contact
   bool has_history = false;       ///< the law or rolling model needs OptionalHistory
   StepConstants constants;
 };

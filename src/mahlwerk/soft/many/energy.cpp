@@ -141,7 +141,21 @@ void ManyBodySolver::flush_sums() {
   for (Chunk& chunk : chunks_) {
     add_sums(energy_balance_, chunk);
     chunk.sums = {};
+    add_loads(loads_, chunk.loads);
+    chunk.loads.clear();
   }
+}
+
+std::vector<scene::WallLoad> ManyBodySolver::wall_loads() const {
+  std::vector<scene::WallLoad> sum = loads_;
+  for (const Chunk& chunk : chunks_) add_loads(sum, chunk.loads);
+  return sum;
+}
+
+void ManyBodySolver::add_wall_load(const ChunkStep& step, Chunk& chunk,
+                                   const MovingWall::WallForce& force) {
+  chunk.loads.resize(loads_.size());
+  jar_->add_load(chunk.loads, force, step.wall_axes, step.drive, settings_.time_step);
 }
 
 void ManyBodySolver::add_sums(scene::EnergyBalance& a, const Chunk& chunk) const {

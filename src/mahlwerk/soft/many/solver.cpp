@@ -63,6 +63,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     pull_off_distance_ = std::max(pull_off_distance_, liquid_->gap_reach(pairs_.all()));
   }
   skin_ = 0.5 * classes.smallest;
+  loads_.resize(jar_->load_count());
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   wall_axes_ = jar_->axes(mill_time(0));
   initialize_rows(balls);
@@ -190,6 +191,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .large = large_,
               .turning = jar_->first_rotor_face() < jar_->faces(),
               .liquid = liquid_.has_value(),
+              .loads = !loads_.empty(),
               .has_history = has_history_,
               .constants = step_constants(settings_, jar_->periods())};
   s.constants.jar_velocity = drive.velocity;

@@ -37,6 +37,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void begin_counting() override;
   std::vector<scene::Ball> balls() const override;
   std::vector<Vec3> forces() const override;
+  std::vector<scene::WallLoad> wall_loads() const override;
   void serialize(Archive& archive) override;
   SolverState state() const;
 
@@ -141,6 +142,9 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void record(Chunk& chunk, const ContactPackets& list, std::size_t n, std::size_t lane);
   void change_contact_count(Chunk& chunk, std::int32_t ball, int more);
 
+  void add_wall_load(const ChunkStep& step, Chunk& chunk,
+                     const MovingWall::WallForce& force) override;
+
   // Liquid (liquid.cpp).
   void add_liquid_forces(const ChunkStep& step, Chunk& chunk, BallForces& forces) override;
 
@@ -186,6 +190,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   } tuning_;
 
   scene::EnergyBalance energy_balance_;
+  std::vector<scene::WallLoad> loads_;  // of the jar and its parts; none without parts
   EnergyWatch watch_;
   RestWatch rest_;
   std::int64_t rested_steps_ = 0;  // passed at once, at rest

@@ -88,6 +88,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   for (Chunk& c : chunks_) {
     archive(c.first)(c.last)(c.max_gap_decrease)(c.max_wall_gap_decrease)(c.balls_in_contact)(
         c.sums)(c.neighbour_chunks);
+    if (!loads_.empty()) archive(c.loads);
     for (ContactPackets* list : {&c.own, &c.halo, &c.wall}) {
       serialize_list(archive, list->packets);
       serialize_list(archive, list->onsets);
@@ -101,6 +102,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   }
   archive(energy_balance_)(watch_)(rested_steps_)(target_time_);
   rest_.serialize(archive);
+  if (!loads_.empty()) archive(loads_);
   if (!archive.reading()) return;
   wall_axes_ = jar_->axes(mill_time(step_));
   share_work();

@@ -108,6 +108,20 @@ inline geometry::NearFacets* near_facets(Chunk& chunk, std::size_t packet) {
   return chunk.near_facets[packet].data();
 }
 
+/// Adds the forces of the wall contacts of a group, the lanes in `touching`, to the loads.
+template <class V>
+inline void add_wall_loads(const ChunkStep& s, Chunk& chunk, const ContactPacket& g,
+                           const LaneGroup<V>& group, const Vec<Lanes>& points,
+                           const ContactForce<V>& force, std::uint32_t touching) {
+  for (int l = 0; l < width_of<V>; ++l) {
+    const auto lane = static_cast<std::size_t>(group.first + l);
+    if ((touching >> lane & 1) == 0) continue;
+    const auto of = [&](const Vec<V>& a) { return Vec3{a.x[l], a.y[l], a.z[l]}; };
+    s.callbacks->add_wall_load(
+        s, chunk, {g.j[lane], get_lane(points, lane), of(force.force), of(force.torque_j)});
+  }
+}
+
 /// Computes the contacts of a packet and adds their forces to the balls of the chunk: first those
 /// of balls i, then those of balls j, each in the order of the lanes.
 template <class Law, class V>
@@ -141,6 +155,8 @@ template <class Law, class V>
         g.touching & own & ~still, tensile, parameters, kind, sums);
     const ForceRows<V> on_i(force.force, force.torque_i);
     add_rows<V>(ball_forces, chunk.first, g.i.data() + f, on_i);
+    if (kind == ContactKind::wall && s.loads)
+      add_wall_loads<V>(s, chunk, g, group, points, force, g.touching & own);
     if (kind == ContactKind::own)
       on_j[f / width_of<V>] = on_i.opposite(force.force, force.torque_j);
   }

@@ -12,6 +12,7 @@
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
+#include "mahlwerk/scene/wall_load.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
 #include "mahlwerk/soft/kernel/body_blocks.hpp"
 #include "mahlwerk/soft/kernel/periodic.hpp"
@@ -102,6 +103,20 @@ class MovingWall {
     return {{}, face < first_rotor_face_ ? drive.spin : drive.rotor_spin};
   }
   virtual bool can_touch(int face, double radius) const = 0;
+
+  /// A contact force at a wall in one step.
+  struct WallForce {
+    int face = 0;
+    Vec3 point;   ///< [m] of contact
+    Vec3 force;   ///< [N] on the ball
+    Vec3 torque;  ///< [N m] on the wall, that of its zero radius aside
+  };
+  /// Number of bodies whose loads are summed: the jar and its parts; 0: none.
+  virtual std::size_t load_count() const { return 0; }
+  /// Adds a force that acts for `dt` [s] to the loads.
+  virtual void add_load(std::span<scene::WallLoad> /*loads*/, const WallForce& /*force*/,
+                        const WallAxes& /*axes*/, const DriveSample& /*drive*/,
+                        double /*dt*/) const {}
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }

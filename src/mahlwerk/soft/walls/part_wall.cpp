@@ -28,6 +28,8 @@ struct Part {
   std::size_t motion = 0;
   double reach = 0;    // [m] from its origin; infinite for a plane
   double opening = 0;  // [m]
+  // Of the torque of its load, in its frame before the motion: that of its motion, or its own.
+  Vec3 load_axis, load_centre;
 };
 
 /// Whether the geometry of a part stays as it is while it moves, because it turns about its own
@@ -57,8 +59,10 @@ class WallWithParts final : public MovingWall {
     first_part_face_ = jar_->faces();
     faces_ = first_part_face_;
     max_wall_speed_ = jar_->max_wall_speed();
-    stands_still_ = jar_->stands_still();
+    stands_still_ = false;  // the loads of parts grow even while all is at rest
     keeps_near_facets_ = jar_->keeps_near_facets();
+    const Vec3 turns = kinematics::fixed_axis(*motion_);
+    drive_axis_ = norm(turns) > 0 ? turns : mount_.ez;
     for (const scene::MachinePart& part : chamber.parts) add(part);
   }
 
@@ -181,6 +185,23 @@ class WallWithParts final : public MovingWall {
     if (face < first_part_face_) return jar_->to_face_point(p, t, face);
     return in_own_axes(of(face), p, pose(part_motion_of(face), t));
   }
+  std::size_t load_count() const override { return 1 + parts_.size(); }
+  void add_load(std::span<scene::WallLoad> loads, const WallForce& force, const WallAxes& axes,
+                const DriveSample& drive, double dt) const override {
+    const FaceMotion motion = face_motion(force.face, drive, axes);
+    const bool of_jar = force.face < first_part_face_;
+    const Part* part = of_jar ? nullptr : &parts_[of(force.face).part];
+    const Rotation frame = of_jar ? axes.own : axes.parts[part->motion].axes;
+    const Vec3 axis = of_jar ? drive_axis_ : frame * part->load_axis;
+    const Vec3 centre =
+        of_jar ? Vec3{} : axes.parts[part->motion].origin + frame * part->load_centre;
+    const Vec3 velocity = motion.velocity + cross(motion.spin, force.point) + drive.velocity;
+    scene::WallLoad& load = loads[of_jar ? 0 : 1 + of(force.face).part];
+    load.impulse += dt * frame.apply_inverse(force.force);
+    load.angular_impulse +=
+        dt * dot(axis, cross(force.point - centre, force.force) - force.torque);
+    load.work += dt * (dot(force.force, velocity) - dot(force.torque, motion.spin));
+  }
   bool can_touch(int face, double radius) const override {
     if (face < first_part_face_) return jar_->can_touch(face, radius);
     return 2 * radius >= parts_[of(face).part].opening;
@@ -207,7 +228,10 @@ class WallWithParts final : public MovingWall {
       motion_of_part_face_.push_back(index);
     }
     faces_ += faces;
-    parts_.push_back({*part.solid, part.axes, part.position, index, reach, part.opening});
+    const bool moves = part.motion.moves();
+    parts_.push_back({*part.solid, part.axes, part.position, index, reach, part.opening,
+                      moves ? part.motion.axis : part.axes.ez,
+                      moves ? part.motion.pivot : part.position});
     bound_speeds(part, reach);
   }
 
@@ -222,7 +246,6 @@ class WallWithParts final : public MovingWall {
     part_speed_ = std::max(part_speed_, own + carried);
     const bool still = keeps_its_place(part) && carried == 0;
     if (!still) max_wall_speed_ = std::max(max_wall_speed_, own + carried);
-    stands_still_ = stands_still_ && own + carried == 0;
     const double acceleration = norm(jar.acceleration) + norm(gravity_);
     max_pull_ = std::max(max_pull_, acceleration);
   }
@@ -265,6 +288,7 @@ class WallWithParts final : public MovingWall {
   std::vector<SharedMotion> motions_;
   std::vector<Part> parts_;
   std::vector<Face> faces_of_parts_;
+  Vec3 drive_axis_;      // of the torque of the jar's load
   double max_pull_ = 0;  // [m/s2] on a ball in flight, in the jar frame
 };
 

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Solids in a jar (geo.19): distances and normals from outside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/base/random.hpp"
+#include "mahlwerk/geometry/solids.hpp"
+#include "statement.hpp"
+#include "meshes.hpp"
+
+namespace mahlwerk::geometry::solid_test {
+namespace {
+
+using tests::stays_below;
+
+/// [m] Distance of p from the nearest of many points of the frustum's surface.
+double sampled_distance(const Frustum& f, const Vec3& p) {
+  // Of revolution: in the half plane of p, where the meridian is three segments.
+  const double r = std::hypot(p.x, p.y), half = 0.5 * f.length;
+  const double corners[4][2] = {
+      {0, -half}, {f.low_radius, -half}, {f.high_radius, half}, {0, half}};
+  double least = 1e9;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i <= 20000; ++i) {
+      const double s = i / 20000.0;
+      const double x = corners[k][0] + s * (corners[k + 1][0] - corners[k][0]);
+      const double z = corners[k][1] + s * (corners[k + 1][1] - corners[k][1]);
+      least = std::min(least, std::hypot(r - x, p.z - z));
+    }
+  return least;
+}
+
+TEST(Solid, of_revolution_is_as_far_as_the_nearest_point_of_its_surface) {
+  Random random(3, 0);
+  double worst = 0;
+  for (const Frustum& f : {Frustum{0.02, 0.02, 0.03}, Frustum{0.03, 0.01, 0.02},
+                           Frustum{0.01, 0.03, 0.02}, Frustum{0.02, 0, 0.03}})
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 p = 0.05 * random.uniform(0, 1) * random.direction();
+      const Gap gap = f.gap(p);
+      worst = std::max(worst, std::abs(std::abs(gap.distance) - sampled_distance(f, p)));
+    }
+  // The samples are 3e-6 m apart at most.
+  stays_below("error of the distance [m]", worst, 3e-6, "distance to the meridian");
+}
+
+template <class S>
+void expect_unit_gradient(const S& solid) {
+  Random random(4, 0);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = 0.05 * random.direction() * random.uniform(0.2, 1);
+    const Gap gap = solid.gap(0, p, never);
+    if (!(gap.distance > 1e-4)) continue;
+    constexpr double h = 1e-7;
+    const auto at = [&](const Vec3& d) { return solid.gap(0, p + h * d, never).distance; };
+    const Vec3 slope{(at({1, 0, 0}) - at({-1, 0, 0})) / (2 * h),
+                     (at({0, 1, 0}) - at({0, -1, 0})) / (2 * h),
+                     (at({0, 0, 1}) - at({0, 0, -1})) / (2 * h)};
+    EXPECT_LT(norm(slope - gap.inward), 1e-4) << S::name << " " << i;
+    EXPECT_NEAR(norm(gap.inward), 1, 1e-12);
+    EXPECT_EQ(solid.clearance(p), gap.distance);
+  }
+}
+
+TEST(Solid, has_the_gradient_of_its_distance_as_normal) {
+  ConeSolid cone;
+  cone.diameter = 0.05, cone.top_diameter = 0.02, cone.length = 0.03;
+  DiscSolid disc;
+  disc.diameter = 0.06, disc.thickness = 0.005;
+  CylinderSolid bar;
+  bar.diameter = 0.01, bar.length = 0.05;
+  expect_unit_gradient(cone);
+  expect_unit_gradient(disc);
+  expect_unit_gradient(bar);
+  expect_unit_gradient(BladeSolid{0.05, 0.004, 0.02});
+  expect_unit_gradient(PlaneSolid{});
+}
+
+TEST(Solid, of_triangles_is_the_blade_that_they_bound) {
+  const BladeSolid blade{0.03, 0.02, 0.01};
+  for (const bool inside_out : {false, true}) {
+    Surface surface = weld(tests::box(0.03, 0.02, 0.01));
+    if (inside_out)
+      for (auto& t : surface.triangles) std::swap(t[1], t[2]);
+    ASSERT_FALSE(flaw_of_part(surface).has_value());
+    const MeshSolid mesh(surface, 0.5);
+    EXPECT_EQ(mesh.faces, 6);
+    EXPECT_FALSE(mesh.is_sheet());
+    Random random(5, 0);
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 p = 0.03 * random.direction() * random.uniform(0.1, 1);
+      EXPECT_NEAR(mesh.clearance(p), blade.clearance(p), 1e-15);
+      if (!(blade.clearance(p) > 1e-6)) continue;
+      Gap nearest{never, {}, 0};
+      for (int face = 0; face < mesh.faces; ++face)
+        if (const Gap gap = mesh.gap(face, p, 1.0); gap.distance < nearest.distance) nearest = gap;
+      EXPECT_NEAR(nearest.distance, blade.clearance(p), 1e-15);
+      EXPECT_LT(norm(nearest.inward - blade.gap(0, p, never).inward), 1e-9);
+    }
+  }
+}
+
+TEST(Solid, that_is_open_is_touched_from_both_sides_and_at_its_rim) {
+  const double w = 0.02;
+  const std::vector<Corners> square{{Vec3{-w, -w, 0}, {w, -w, 0}, {w, w, 0}},
+                                    {Vec3{-w, -w, 0}, {w, w, 0}, {-w, w, 0}}};
+  const Surface surface = weld(square);
+  const MeshSolid sheet(surface, 0.5);
+  EXPECT_TRUE(sheet.is_sheet());
+  EXPECT_EQ(sheet.faces, 2);
+  const auto nearest = [&](const Vec3& p) {
+    Gap found{never, {}, 0};
+    for (int face = 0; face < sheet.faces; ++face)
+      if (const Gap gap = sheet.gap(face, p, 1.0); gap.distance < found.distance) found = gap;
+    return found;
+  };
+  for (const double z : {0.003, -0.003}) {
+    const Gap gap = nearest({0.001, 0.002, z});
+    EXPECT_NEAR(gap.distance, 0.003, 1e-15);
+    EXPECT_NEAR(gap.inward.z, z > 0 ? 1 : -1, 1e-12);
+  }
+  const Gap rim = nearest({w + 0.004, 0, 0.003});
+  EXPECT_NEAR(rim.distance, 0.005, 1e-15);
+  EXPECT_NEAR(rim.inward.x, 0.8, 1e-12);
+  EXPECT_NEAR(rim.inward.z, 0.6, 1e-12);
+  EXPECT_NEAR(nearest({w + 0.003, w + 0.004, 0}).distance, 0.005, 1e-15);
+}
+
+TEST(Solid, of_which_three_triangles_meet_at_an_edge_is_refused) {
+  const std::vector<Corners> fin{{Vec3{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                 {Vec3{1, 0, 0}, {0, 0, 0}, {0, 0, 1}},
+                                 {Vec3{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}};
+  const auto flaw = flaw_of_part(weld(fin));
+  ASSERT_TRUE(flaw.has_value());
+  EXPECT_EQ(flaw->kind, Flaw::Kind::non_manifold);
+}
+
+}  // namespace
+}  // namespace mahlwerk::geometry::solid_test
