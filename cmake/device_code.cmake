@@ -32,6 +32,7 @@ foreach(kind laws shapes)
     set(template law.cu.in)
   else()
     set(files attritor box capsule cylinder lifter_cylinder mesh periodic_box periodic_cylinder
+      periodic_lifter_cylinder
       rounded_cylinder sphere)
     set(template shape.cu.in)
   endif()

@@ -18,6 +18,14 @@ inline geometry::LifterCylinder lifters(int count = 8,
   jar.complete();
   return jar;
 }
+inline geometry::PeriodicLifterCylinder periodic_lifters() {
+  geometry::PeriodicLifterCylinder jar;
+  jar.diameter = 0.2, jar.length = 0.1;
+  jar.lifters = 8, jar.lifter_height = 0.012, jar.lifter_width = 0.02;
+  jar.lifter_face_angle = 70 * std::numbers::pi / 180;
+  jar.complete();
+  return jar;
+}
 inline geometry::Attritor stirrer() {
   geometry::Attritor jar;
   jar.diameter = 0.1, jar.height = 0.12, jar.shaft_diameter = 0.02, jar.shaft_clearance = 0.01;

@@ -29,6 +29,7 @@ using geometry::LifterCylinder;
 using geometry::Mesh;
 using geometry::PeriodicBox;
 using geometry::PeriodicCylinder;
+using geometry::PeriodicLifterCylinder;
 using geometry::RoundedCylinder;
 using geometry::Sphere;
 
@@ -67,6 +68,10 @@ PeriodicCylinder sample() {
 template <>
 LifterCylinder sample() {
   return lifters();
+}
+template <>
+PeriodicLifterCylinder sample() {
+  return periodic_lifters();
 }
 template <>
 Attritor sample() {

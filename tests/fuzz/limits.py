@@ -45,6 +45,7 @@ NEEDS = {**dict.fromkeys(GRINDING, GRINDING),
 KINDS = {
     ("jar.kind", "periodic-box"): {"mill": {"kind": "still"}, "": {"gravity": "0 m/s2"}},
     ("jar.kind", "periodic-cylinder"): {"mill": {"kind": "tumbling", "speed": "70 %"}},
+    ("jar.kind", "periodic-lifter-cylinder"): {"mill": {"kind": "tumbling", "speed": "70 %"}},
     ("liquid.kind", "flooded"): {"liquid": {"kind": "flooded", "viscosity": "1 mPa s",
                                             "density": "1 g/cm3"}},
     ("fragments.model", "t10"): {"fragments": {"model": "t10", "t10": "30 %"}},

@@ -62,6 +62,8 @@ struct Jar {
   Substance substance = hardened_steel;
   double density = hardened_steel_density;  ///< [kg/m3] of its wall
   double wall = default_wall_thickness;     ///< [m] thickness of its wall
+  /// [m] of the whole mill of which a jar that is periodic along its axis is a slice; none: unknown
+  std::optional<double> mill_length = std::nullopt;
   bool operator==(const Jar&) const = default;
 };
 

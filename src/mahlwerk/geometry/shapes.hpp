@@ -14,6 +14,7 @@
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/geometry/periodic_box.hpp"
 #include "mahlwerk/geometry/periodic_cylinder.hpp"
+#include "mahlwerk/geometry/periodic_lifter_cylinder.hpp"
 #include "mahlwerk/geometry/rounded_cylinder.hpp"
 #include "mahlwerk/geometry/sphere.hpp"
 
@@ -22,7 +23,8 @@ namespace mahlwerk::geometry {
 template <class... Formulas>
 struct Register {
   using Formula = std::variant<Formulas...>;
-  using Any = std::variant<Formulas..., PeriodicCylinder, LifterCylinder, Attritor, Mesh>;
+  using Any = std::variant<Formulas..., PeriodicCylinder, LifterCylinder, PeriodicLifterCylinder, Attritor,
+                           Mesh>;
 };
 /// The register of all jar shapes. To add one, write its file and add its name here.
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;

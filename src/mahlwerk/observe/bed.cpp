@@ -103,8 +103,8 @@ Walls walls_near(const S& jar, const Placed& b, double gap, double radius) {
 }
 
 double period_along_axis(const geometry::AnyShape& jar) {
-  const auto* endless = std::get_if<geometry::PeriodicCylinder>(&jar);
-  return endless != nullptr ? endless->length : 0;
+  const double period = geometry::periods(jar).z;
+  return std::isfinite(period) ? period : 0;
 }
 
 }  // namespace

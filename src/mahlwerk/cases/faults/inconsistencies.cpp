@@ -164,8 +164,8 @@ bool is_symmetric_along(const kinematics::AnyMotion& motion, const Vec3& axis) {
 
 /// Balls move freely along the axis of a periodic cylinder: nothing may pull them along it.
 void periodic_cylinder_in_a_mill(const Case& c, std::vector<Fault>& found) {
-  const auto* jar = geometry::as<geometry::PeriodicCylinder>(*c.jar.shape);
-  if (jar == nullptr) return;
+  const Vec3 periods = geometry::periods(*c.jar.shape);
+  if (std::isfinite(periods.x) || !std::isfinite(periods.z)) return;
   const auto fault = [&](const std::string& key, std::string what, const char* remedy) {
     found.push_back({location_of(c, key), std::move(what), remedy, "periodic-cylinder"});
   };
@@ -183,11 +183,11 @@ void periodic_cylinder_in_a_mill(const Case& c, std::vector<Fault>& found) {
           "take a mill that turns the jar about its own axis or moves it across, such as tumbling "
           "or planetary, or a jar with ends");
   const double widest = largest_ball(c.balls);
-  if (jar->length <= 2 * widest)
+  if (periods.z <= 2 * widest)
     fault("jar.length",
           fmt::format("the period ({}) is not more than two diameters of the largest ball ({}): it "
                       "would touch another ball and its periodic image at once",
-                      show(jar->length, "m"), show(widest, "m")),
+                      show(periods.z, "m"), show(widest, "m")),
           "give a longer period, or smaller balls");
 }
 

@@ -145,6 +145,12 @@ void describe(KeyVisitor& v, Jar& jar) {
   }
   if (std::holds_alternative<geometry::Mesh>(*jar.shape)) describe_mesh(v, jar);
   describe_shape(v, *jar.shape);
+  const Vec3 periods = geometry::periods(*jar.shape);
+  if (!std::isfinite(periods.x) && std::isfinite(periods.z))
+    v.optional_number(NumberSpec("mill_length", "m", positive,
+                                 "length of the whole mill of which the jar is a slice, for its "
+                                 "power; left out: not told"),
+                      jar.mill_length);
   if (v.reader() == nullptr) v.text(material, jar.material);
   describe_wall(v, jar);
 }

@@ -9,6 +9,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
@@ -110,6 +111,19 @@ class Derivation {
           "speed of the drum over the critical speed (kin.11)");
     add("expected_impact_energy", largest_.mass() * c_.gravity * 2 * arm_, "J",
         "energy of the largest ball falling through the drum's diameter less its own (kin.17)");
+    if (const auto mill = mill_numbers(c_)) powers(*mill);
+  }
+
+  void powers(const MillNumbers& mill) {
+    const MorrellCharge charge = morrell_charge(mill);
+    add("bond_power", bond_power(mill, balls_mass(c_.balls)), "W",
+        "power at the shell by Bond's formula (mil.1)");
+    add("hogg_fuerstenau_power", hogg_fuerstenau_power(mill, usual_lift_angle), "W",
+        "net power by Hogg and Fuerstenau, lift angle 35 degrees (mil.2)");
+    add("morrell_power", morrell_losses * charge.power, "W",
+        "power of the charge by Morrell's C model, times 1.26 (mil.7)");
+    add("morrell_no_load_power", morrell_no_load_power(mill), "W",
+        "power of the empty mill by Morrell (mil.8)");
   }
 
   void special(const Planetary& mill) {

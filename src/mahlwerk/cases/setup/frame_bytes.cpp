@@ -24,6 +24,9 @@ double triangles(const geometry::PeriodicBox&) {
 double triangles(const geometry::LifterCylinder& jar) {
   return 16 * jar.lifters + 200;
 }
+double triangles(const geometry::PeriodicLifterCylinder& jar) {
+  return 16 * jar.lifters + 200;
+}
 double triangles(const geometry::Attritor& jar) {
   return 160 * jar.arms + 400;
 }

@@ -310,7 +310,7 @@ std::string case_template(const CaseParts& parts, const cases::Catalogue& catalo
   put_defaults(out, "", {"title", falls ? "gravity" : ""});
   out.section("mill", "the mill and its motion");
   PartWriter mill_part(out, "mill", parts.mill_kind, mill, catalogue);
-  if (parts.jar_kind == "periodic-cylinder") mill_part.set("jar_axis", "horizontal");
+  if (parts.jar_kind.starts_with("periodic-") && !falls) mill_part.set("jar_axis", "horizontal");
   mill_part.write(parts.motion_file);
   out.section("jar", "inner shape and sizes of the jar");
   if (mill && mill->jars.size() > 1)

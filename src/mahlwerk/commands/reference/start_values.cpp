@@ -16,7 +16,7 @@ std::string_view start_jar(std::string_view mill_kind) {
 }
 
 StartBalls start_balls(std::string_view jar_kind) {
-  if (jar_kind == "periodic-cylinder" || jar_kind == "lifter-cylinder")
+  if (jar_kind == "periodic-cylinder" || jar_kind.ends_with("lifter-cylinder"))
     return {"20 mm", "filling", "15 %"};
   if (jar_kind == "attritor") return {"10 mm", "filling", "20 %"};
   return {"8 mm", "count", "10"};

@@ -29,6 +29,9 @@ Measures contact_time_measures();
 // milling.cpp
 /// Impacts per ball, power of all jars, torque.
 Measures mill_measures();
+/// Power of a tumbling mill per charge and length, and by the formulas of comminution
+/// (mill_power.cpp).
+Measures mill_power_measures();
 /// Dose and stress of the powder.
 Measures dose_measures();
 /// Dissipated power of finished collisions, and of sustained and unfinished contacts (obs.3).

@@ -210,6 +210,15 @@ void add(JarMesh& mesh, const geometry::PeriodicCylinder& jar, Index facets) {
 void add(JarMesh& mesh, const geometry::LifterCylinder& jar, Index facets) {
   add_lifters(mesh, jar, facets);
 }
+void add(JarMesh& mesh, const geometry::PeriodicLifterCylinder& jar, Index facets) {
+  const auto on_end = [&](const auto& triangle) {  // ends are triangles across the axis
+    const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]],
+               &c = mesh.vertices[triangle[2]];
+    return a.z == b.z && b.z == c.z;
+  };
+  add_lifters(mesh, jar.drum, facets);
+  std::erase_if(mesh.triangles, on_end);
+}
 void add(JarMesh& mesh, const geometry::Attritor& jar, Index facets) {
   add_revolved(mesh, profile_of(jar.diameter, jar.height), facets);
 }

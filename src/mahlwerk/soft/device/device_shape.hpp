@@ -8,6 +8,7 @@
 #include "mahlwerk/geometry/lifter_cylinder.hpp"
 #include "mahlwerk/geometry/mesh.hpp"
 #include "mahlwerk/geometry/mesh_wall.hpp"
+#include "mahlwerk/geometry/periodic_lifter_cylinder.hpp"
 
 // Shapes as kernels read them: values, or addresses of arrays in the memory of the device.
 namespace mahlwerk::soft {
@@ -35,6 +36,18 @@ struct DeviceShapeOf<geometry::LifterCylinder> {
   using Type = FlatLifterCylinder;
 };
 
+/// The same without ends.
+struct FlatPeriodicLifterCylinder {
+  FlatLifterCylinder drum;
+
+  geometry::Gap gap(int face, const Vec3& p) const { return drum.gap(face == 0 ? 0 : face + 2, p); }
+  bool can_touch(int, double) const { return true; }
+};
+template <>
+struct DeviceShapeOf<geometry::PeriodicLifterCylinder> {
+  using Type = FlatPeriodicLifterCylinder;
+};
+
 template <>
 struct DeviceShapeOf<geometry::Mesh> {
   using Type = geometry::MeshView;
@@ -48,6 +61,8 @@ template <class S, class Copy>
 DeviceShape<S> device_shape(const S& shape, const Copy& copy) {
   if constexpr (std::same_as<S, geometry::LifterCylinder>)
     return {shape.shell(), shape.section(), shape.lifters};
+  else if constexpr (std::same_as<S, geometry::PeriodicLifterCylinder>)
+    return {{shape.drum.shell(), shape.drum.section(), shape.lifters}};
   else if constexpr (std::same_as<S, geometry::Mesh>)
     return shape.wall() != nullptr ? shape.wall()->view(copy) : geometry::MeshView{};
   else

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Power of a tumbling mill beside the formulas of comminution, and scaled to its length.
+#include <numbers>
+
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/mill_power.hpp"
+#include "mahlwerk/results/quantities/groups.hpp"
+
+namespace mahlwerk::results {
+namespace {
+
+using cases::Case;
+using cases::MillNumbers;
+
+bool is_mill(const Case& c) {
+  return cases::mill_numbers(c).has_value();
+}
+MillNumbers numbers(const Case& c) {
+  return cases::mill_numbers(c).value_or(MillNumbers());
+}
+double drawn(const Replicate& r) {
+  return per_time(r, &scene::EnergyBalance::wall_work);
+}
+
+double bond(const Case& c) {
+  return cases::bond_power(numbers(c), cases::balls_mass(c.balls));
+}
+double hogg_fuerstenau(const Case& c) {
+  return cases::hogg_fuerstenau_power(numbers(c), cases::usual_lift_angle);
+}
+double morrell(const Case& c) {
+  return cases::morrell_losses * cases::morrell_charge(numbers(c)).power;
+}
+
+/// [deg] An angle of Morrell's, from 3 o'clock, as one from the lowest point.
+double from_lowest(double angle) {
+  return angle * 180 / std::numbers::pi + 90;
+}
+
+/// A power by a formula, and the simulated one over it.
+template <double (*formula)(const Case&)>
+Measures beside(const char* name, const char* about, const char* ratio, const char* about_ratio,
+                const char* equation) {
+  return {{name,
+           "W",
+           about,
+           [](const Case& c, const Replicate&) { return formula(c); },
+           {.equation = equation}},
+          {ratio,
+           "1",
+           about_ratio,
+           [](const Case& c, const Replicate& r) { return share(drawn(r), formula(c)); },
+           {.equation = equation}}};
+}
+
+}  // namespace
+
+Measures mill_power_measures() {
+  Measures all{
+      {"power_per_charge",
+       "kW/t",
+       "drawn power per mass of balls",
+       [](const Case& c, const Replicate& r) {
+         return share(drawn(r), cases::balls_mass(c.balls));
+       },
+       {.heading = "Power of the mill"}},
+      {"power_per_length",
+       "kW/m",
+       "drawn power per length of the drum",
+       [](const Case& c, const Replicate& r) { return share(drawn(r) / 1000, numbers(c).length); }},
+      {"power_of_whole_mill",
+       "W",
+       "drawn power times the length of the whole mill over that of the slice",
+       [](const Case& c, const Replicate& r) {
+         return drawn(r) * c.jar.mill_length.value_or(undefined) / numbers(c).length;
+       },
+       {.applies = [](const Case& c) { return c.jar.mill_length.has_value(); },
+        .only = "with `mill_length` in `[jar]`"}}};
+  const auto add = [&](Measures more) {
+    for (Measure& m : more) all.push_back(std::move(m));
+  };
+  add(beside<bond>("bond_power", "power at the shell by Bond's formula", "power_over_bond",
+                   "drawn power over that by Bond's formula", "mil.1"));
+  add(beside<hogg_fuerstenau>("hogg_fuerstenau_power",
+                              "net power by Hogg and Fuerstenau, lift angle 35 degrees",
+                              "power_over_hogg_fuerstenau",
+                              "drawn power over that by Hogg and Fuerstenau", "mil.2"));
+  add(beside<morrell>("morrell_power",
+                      "power of the charge by Morrell's C model, times 1.26 for losses",
+                      "power_over_morrell", "drawn power over that by Morrell's C model", "mil.7"));
+  all.push_back({"morrell_toe_angle",
+                 "deg",
+                 "toe of the charge by Morrell's C model, from the lowest point",
+                 [](const Case& c, const Replicate&) {
+                   return from_lowest(cases::morrell_charge(numbers(c)).toe) - 360;
+                 },
+                 {.range = any_value, .equation = "mil.3"}});
+  all.push_back({"morrell_shoulder_angle",
+                 "deg",
+                 "shoulder of the charge by Morrell's C model, from the lowest point",
+                 [](const Case& c, const Replicate&) {
+                   return from_lowest(cases::morrell_charge(numbers(c)).shoulder);
+                 },
+                 {.range = any_value, .equation = "mil.4"}});
+  return where(is_mill, "drums with balls that turn about a lying axis", all);
+}
+
+}  // namespace mahlwerk::results
