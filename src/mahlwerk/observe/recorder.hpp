@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
+#include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/energy_balance.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
@@ -26,6 +27,10 @@ class Recorder : public scene::Observer {
   virtual double next() const { return std::numeric_limits<double>::infinity(); }
   /// Called once the run is not before next().
   virtual void take(const scene::EnergyBalance& /*now*/) {}
+  /// Whether take_balls() is called instead, with the balls in the jar frame at `time` [s].
+  virtual bool wants_balls() const { return false; }
+  virtual void take_balls(const scene::EnergyBalance& /*now*/, double /*time*/,
+                          const std::vector<scene::Ball>& /*balls*/) {}
   virtual void serialize(Archive& archive) = 0;
 };
 

@@ -78,7 +78,12 @@ class RecorderSampler final : public Sampler {
   explicit RecorderSampler(observe::Recorder& recorder) : recorder_(&recorder) {}
   void begin(double time) override { recorder_->begin(time); }
   double next() const override { return recorder_->next(); }
-  void take(Moment& moment) override { recorder_->take(moment.now()); }
+  void take(Moment& moment) override {
+    if (recorder_->wants_balls())
+      recorder_->take_balls(moment.now(), moment.time_of_balls(), moment.balls());
+    else
+      recorder_->take(moment.now());
+  }
 
  private:
   observe::Recorder* recorder_;

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/parts/mixing/mixing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/file/key_visitor.hpp"
+#include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/parts/mixing/mixing_record.hpp"
+#include "mahlwerk/report/columns.hpp"
+#include "mahlwerk/report/page.hpp"
+#include "mahlwerk/results/files/result_tables.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
+
+namespace mahlwerk::parts::mixing {
+namespace {
+
+using cases::Case;
+using results::Outcome;
+using results::Replicate;
+using results::Table;
+
+constexpr double most_samples = 1000;
+
+const Mixing& section_of_case(const Case& c) {
+  return *c.parts.find<Mixing>();
+}
+
+void describe(cases::KeyVisitor& v, Mixing& mixing, const Case& c) {
+  const bool several = c.balls.size() > 1;
+  v.word({"colour",
+          {"sets", "across", "height", "axis", "radius"},
+          several || v.visits_all() ? "sets" : "height",
+          "the sets of the case; of one set its lower and upper half",
+          "which balls have the two colours when counting begins",
+          {"the first ball set and all others", "two halves side by side, level and across the axis",
+           "the lower and the upper half", "two halves along the jar's axis",
+           "the inner and the outer half"}},
+         mixing.colour);
+  v.number({"balls_per_cell",
+            "",
+            {.least = 2, .most = 1e6},
+            "balls in a full cell of Lacey's index",
+            Mixing().balls_per_cell,
+            "usual: 10 to 50"},
+           mixing.balls_per_cell);
+  v.optional_number(cases::NumberSpec("interval", "s", positive, "time between two samples")
+                        .with_default_text("a hundredth of the counted time"),
+                    mixing.interval);
+}
+
+double interval_of(const Case& c) {
+  const double counted = cases::counted_time(c);
+  return std::max(section_of_case(c).interval.value_or(counted / 100), counted / most_samples);
+}
+
+void check(const Case& c, std::vector<Fault>& found) {
+  const Mixing& m = section_of_case(c);
+  if (m.colour == Mixing::Colour::sets && c.balls.size() < 2)
+    found.push_back({cases::location_of(c, "mixing.colour"),
+                     "colour = \"sets\": the case has one ball set, of one colour",
+                     "give two ball sets, or colour = \"height\", \"across\", \"axis\" or \"radius\"",
+                     "one-colour"});
+  if (cases::balls_count(c.balls) < 2)
+    found.push_back({cases::location_of(c, "mixing.colour"),
+                     "one ball has no degree of mixing",
+                     "remove [mixing], or give more balls", "one-colour"});
+}
+
+std::unique_ptr<observe::Recorder> recorder(const Case& c) {
+  double volume = 0, count = 0;
+  for (const cases::BallSet& set : c.balls) {
+    volume += static_cast<double>(set.count) * cases::ball_volume(set);
+    count += static_cast<double>(set.count);
+  }
+  const double mean = volume / count, d = math::cbrt(6 * mean / std::numbers::pi);
+  constexpr double packing = 0.6, neighbours = 1.5;
+  return std::make_unique<MixingRecord>(
+      MixingSetup{.section = section_of_case(c),
+                  .mill = cases::chamber(c),
+                  .interval = interval_of(c),
+                  .cell = math::cbrt(section_of_case(c).balls_per_cell * mean / packing),
+                  .reach = neighbours * d,
+                  .diameter = d});
+}
+
+const std::vector<MixingSample>& samples_of(const Replicate& r) {
+  return r.recorders.find<MixingRecord>()->samples();
+}
+
+/// Mean of a member over the second half of the samples.
+double late(const Replicate& r, double MixingSample::*member) {
+  const auto& all = samples_of(r);
+  double sum = 0, count = 0;
+  for (std::size_t i = all.size() / 2; i < all.size(); ++i)
+    if (std::isfinite(all[i].*member)) sum += all[i].*member, ++count;
+  return results::share(sum, count);
+}
+
+/// [s] Until 1 - M has fallen to 1/e of its first value (mix.3); NaN if it does not.
+double mixing_time(const Replicate& r) {
+  const auto& all = samples_of(r);
+  if (all.empty()) return results::undefined;
+  const double first = 1 - all.front().neighbours, wanted = first / std::numbers::e;
+  if (!(first > 0)) return results::undefined;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const double a = 1 - all[i - 1].neighbours, b = 1 - all[i].neighbours;
+    if (!(b <= wanted)) continue;
+    return all[i - 1].time + (a - wanted) / (a - b) * (all[i].time - all[i - 1].time);
+  }
+  return results::undefined;
+}
+
+/// [m2/s] Half the slope of the mean square way along the axis, by the second half (mix.6).
+double axial_dispersion(const Replicate& r) {
+  const auto& all = samples_of(r);
+  const std::size_t from = all.size() / 2;
+  if (all.size() < 4) return results::undefined;
+  return 0.5 * (all.back().axial_spread - all[from].axial_spread) /
+         (all.back().time - all[from].time);
+}
+
+template <double MixingSample::*member>
+double late_mean(const Case&, const Replicate& r) {
+  return late(r, member);
+}
+
+results::Measures quantities() {
+  const auto present = [](const Case& c) { return c.parts.find<Mixing>() != nullptr; };
+  return results::where(
+      present, "with `[mixing]`",
+      {{"lacey_index",
+        "1",
+        "Lacey's mixing index of the second half of the counted time: 0 separated, 1 as at random",
+        late_mean<&MixingSample::lacey>,
+        {.range = results::any_value, .equation = "mix.1", .heading = "Mixing"}},
+       {"neighbour_mixing_index",
+        "1",
+        "share of neighbours of the other colour over that of a random mixture, likewise",
+        late_mean<&MixingSample::neighbours>,
+        {.equation = "mix.2"}},
+       {"mixing_time",
+        "s",
+        "until one minus the neighbour mixing index has fallen to 1/e of its first value",
+        [](const Case&, const Replicate& r) { return mixing_time(r); },
+        {.equation = "mix.3"}},
+       {"segregation_radial",
+        "1",
+        "how much farther from the axis the first colour is, over the spread of all balls",
+        late_mean<&MixingSample::radial>,
+        {.range = results::any_value, .equation = "mix.4"}},
+       {"segregation_vertical",
+        "1",
+        "how much higher the first colour is, over the spread of all balls",
+        late_mean<&MixingSample::vertical>,
+        {.range = results::any_value, .equation = "mix.4"}},
+       {"packing_fraction",
+        "1",
+        "packing fraction of the denser half of the charge",
+        late_mean<&MixingSample::packing>,
+        {.equation = "mix.5"}},
+       {"bed_porosity",
+        "1",
+        "one minus the packing fraction",
+        [](const Case&, const Replicate& r) { return 1 - late(r, &MixingSample::packing); },
+        {.range = results::any_value, .equation = "mix.5"}},
+       {"bed_height",
+        "m",
+        "height of all but the highest 2 % of the balls above the lowest",
+        late_mean<&MixingSample::bed_height>,
+        {}},
+       {"axial_dispersion",
+        "m2/s",
+        "half the growth of the mean square way of the balls along the jar's axis, per time",
+        [](const Case&, const Replicate& r) { return axial_dispersion(r); },
+        {.range = results::any_value, .equation = "mix.6"}}});
+}
+
+/// Means over the replicates at each time.
+Table series(const Outcome& outcome) {
+  Table table{{{"time", "s", "time since counting began"},
+               {"lacey_index", "1", "Lacey's mixing index"},
+               {"neighbour_mixing_index", "1", "share of neighbours of the other colour"},
+               {"segregation_radial", "1", "of the first colour, away from the axis"},
+               {"segregation_vertical", "1", "of the first colour, upwards"},
+               {"axial_spread", "m2", "mean square way of the balls along the axis"},
+               {"packing_fraction", "1", "of the denser half of the charge"},
+               {"bed_height", "m", "of all but the highest 2 % of the balls"}},
+              {}};
+  const auto chosen = results::averaged_replicates(outcome);
+  std::size_t least = chosen.empty() ? 0 : SIZE_MAX;
+  for (const Replicate* r : chosen) least = std::min(least, samples_of(*r).size());
+  for (std::size_t i = 0; i < least; ++i) {
+    const auto of = [&](double MixingSample::*member) {
+      return results::mean_over(chosen,
+                                [&](const Replicate& r) { return samples_of(r)[i].*member; });
+    };
+    table.rows.push_back({of(&MixingSample::time), of(&MixingSample::lacey),
+                          of(&MixingSample::neighbours), of(&MixingSample::radial),
+                          of(&MixingSample::vertical), of(&MixingSample::axial_spread),
+                          of(&MixingSample::packing), of(&MixingSample::bed_height)});
+  }
+  return table;
+}
+
+std::vector<results::NamedTable> tables(const Outcome& outcome) {
+  return {{"mixing", "mixing, segregation and packing of the charge over time", series(outcome)}};
+}
+
+Notices notices(const Outcome& outcome) {
+  const auto chosen = results::averaged_replicates(outcome);
+  if (chosen.empty() || std::ranges::all_of(chosen, [](const Replicate* r) {
+        return std::isfinite(mixing_time(*r));
+      }))
+    return {};
+  return {warning("not-mixed",
+                  "The charge did not mix within the counted time: its mixing time is longer, if it "
+                  "has one. mixing.csv has the index over time; a longer run.time tells.")};
+}
+
+std::string panel(const Outcome& outcome) {
+  const Table table = series(outcome);
+  const std::vector<double> time = report::column(table, "time");
+  return report::figure(
+      {.title = "Mixing",
+       .x = report::Axis{.label = "time (s)", .least = 0},
+       .y = report::Axis{.label = "mixing index", .least = 0},
+       .series = {{"Lacey", time, report::column(table, "lacey_index"), {}, report::Mark::line},
+                  {"neighbours",
+                   time,
+                   report::column(table, "neighbour_mixing_index"),
+                   {},
+                   report::Mark::line}},
+       .shape = 0.42},
+      "0: the two colours are apart, 1: as in a random mixture. mixing.csv has the numbers, and those "
+      "of segregation and packing.");
+}
+
+}  // namespace
+
+const cases::Part& part() {
+  static const cases::Part made{
+      .name = "mixing",
+      .sections = {cases::section_of<Mixing, describe>(
+          {"mixing", "", "how fast the charge mixes, and how it is packed; may be empty"})},
+      .check = check,
+      .recorder = recorder,
+      .quantities = quantities,
+      .tables = tables,
+      .notices = notices,
+      .heading = "Mixing",
+      .panel = panel};
+  return made;
+}
+
+}  // namespace mahlwerk::parts::mixing

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mahlwerk/observe/mixing.hpp"
+#include "mahlwerk/observe/recorder.hpp"
+#include "mahlwerk/parts/mixing/mixing.hpp"
+#include "mahlwerk/scene/chamber.hpp"
+
+namespace mahlwerk::parts::mixing {
+
+/// One sample of the charge.
+struct MixingSample {
+  double time = 0;                     ///< [s] since counting began
+  double lacey = 0, neighbours = 0;    ///< [1]
+  double radial = 0, vertical = 0;     ///< [1] segregation of the first colour (mix.4)
+  double axial_spread = 0;             ///< [m2] mean square axial displacement of the balls
+  double packing = 0, bed_height = 0;  ///< [1], [m]
+};
+
+/// What the recorder needs to know of a case.
+struct MixingSetup {
+  Mixing section;
+  scene::Chamber mill;
+  double interval = 0;   ///< [s]
+  double cell = 0;       ///< [m] side of the cubes of Lacey's index
+  double reach = 0;      ///< [m] of neighbours
+  double diameter = 0;   ///< [m] of a ball of mean volume
+};
+
+/// Follows the mixing of the charge at equal intervals.
+class MixingRecord final : public observe::Recorder {
+ public:
+  explicit MixingRecord(MixingSetup setup) : setup_(std::move(setup)) {}
+
+  std::unique_ptr<observe::Recorder> copy() const override {
+    return std::make_unique<MixingRecord>(*this);
+  }
+  void begin(double time) override { begin_ = time; }
+  double next() const override {
+    return begin_ + setup_.interval * static_cast<double>(samples_.size());
+  }
+  bool wants_balls() const override { return true; }
+  void take_balls(const scene::EnergyBalance& now, double time_of_balls,
+                  const std::vector<scene::Ball>& balls) override;
+  void serialize(Archive& archive) override {
+    archive(begin_)(samples_)(colours_)(axial_)(moved_);
+  }
+
+  const std::vector<MixingSample>& samples() const { return samples_; }
+
+ private:
+  void colour(const std::vector<scene::Ball>& balls, double time);
+  void follow(const std::vector<scene::Ball>& balls, double time);
+  double packing(const std::vector<scene::Ball>& balls, double time) const;
+
+  MixingSetup setup_;
+  double begin_ = std::numeric_limits<double>::infinity();
+  std::vector<MixingSample> samples_;
+  std::vector<std::uint8_t> colours_;     // of the balls
+  std::vector<double> axial_, moved_;     // [m] along the jar's axis: place, and way since the start
+};
+
+}  // namespace mahlwerk::parts::mixing
