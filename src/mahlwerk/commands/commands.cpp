@@ -4,7 +4,7 @@
 
 namespace mahlwerk::commands {
 
-Command run_command(), estimate_command(), measure_command(), sweep_command(), compare_command(),
+Command run_command(), bond_test_command(), estimate_command(), measure_command(), sweep_command(), compare_command(),
     fit_command(), optimise_command(), match_command(), surrogate_command(), ask_command(),
     papers_command(), report_command(), cite_command(), export_command(), check_command(),
     new_command(), list_command(), describe_command(), completion_command(), manual_command();
@@ -12,6 +12,7 @@ Command run_command(), estimate_command(), measure_command(), sweep_command(), c
 std::vector<Command> all_commands() {
   return {run_command(),       estimate_command(), measure_command(),    sweep_command(),
           compare_command(),   fit_command(),      optimise_command(),   match_command(),
+          bond_test_command(),
           surrogate_command(), ask_command(),      papers_command(),     report_command(),
           cite_command(),      export_command(),   check_command(),      new_command(),
           list_command(),      describe_command(), completion_command(), manual_command()};
