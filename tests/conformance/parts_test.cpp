@@ -190,8 +190,9 @@ void feed(observe::Recorder& recorder, const std::vector<scene::Collision>& all,
       recorder.take(now);
       const double x = 0.01 * (all[i].approach - 0.4);
       if (recorder.wants_balls())
-        recorder.take_balls(now, now.time, {{0.006, 7850, {x, 0, x}, {}, {}},
-                                            {0.006, 7850, {0, 0.01, -x}, {}, {}}});
+        recorder.take_balls(
+            now, now.time,
+            {{0.006, 7850, {x, 0, x}, {}, {}}, {0.006, 7850, {0, 0.01, -x}, {}, {}}});
     }
     recorder.collisions({&all[i], 1});
   }

@@ -117,7 +117,8 @@ enum class SustainedContactModel {
 };
 
 /// A contact rule for the pairs that two names select: ball sets ("balls.2", "balls"), faces of the
-/// jar ("jar.side", "jar"), parts ("parts.stirrer", "parts"), or all bodies of a material ("steel").
+/// jar ("jar.side", "jar"), parts ("parts.stirrer", "parts"), or all bodies of a material
+/// ("steel").
 struct PairRule {
   std::array<std::string, 2> between;
   contact::BounceRule rule;

@@ -62,10 +62,10 @@ const KeyInfo* find_key(std::string_view dotted);
 
 /// The keys of a section, or those that only one of its kinds has.
 struct KeySection {
-  std::string section;  ///< "mill", "contact.pairs"; empty for the keys outside sections
-  std::string kind;     ///< "planetary", "hertz-mindlin"; empty for the keys of every kind
-  std::string choice;   ///< the key that chooses the kind: "mill.kind"; empty without kinds
-  std::string about;    ///< description, one sentence
+  std::string section;   ///< "mill", "contact.pairs"; empty for the keys outside sections
+  std::string kind;      ///< "planetary", "hertz-mindlin"; empty for the keys of every kind
+  std::string choice;    ///< the key that chooses the kind: "mill.kind"; empty without kinds
+  std::string about;     ///< description, one sentence
   bool several = false;  ///< whether a case may have several such sections
   std::vector<KeyInfo> keys;
 };

@@ -41,8 +41,8 @@ double bond_power(const MillNumbers& m, double mass) {
 }
 
 double hogg_fuerstenau_power(const MillNumbers& m, double lift_angle) {
-  constexpr double feet = 1 / 0.3048;
-  return kilowatt * 0.238 * math::pow(feet * m.diameter, 2.5) * feet * m.length * m.speed *
+  constexpr double in_ft = 1 / 0.3048;
+  return kilowatt * 0.238 * math::pow(in_ft * m.diameter, 2.5) * in_ft * m.length * m.speed *
          (m.density / tonne) * m.filling * (1 - 1.065 * m.filling) * math::sin(lift_angle);
 }
 
@@ -52,8 +52,7 @@ MorrellCharge morrell_charge(const MillNumbers& m) {
   const double critical = std::max(phi, 0.35 * (3.364 - j));
   MorrellCharge c;
   c.toe = 2.5307 * (1.2796 - j) * (1 - math::exp(-19.42 * (critical - phi))) + 0.5 * pi;
-  c.shoulder =
-      0.5 * pi - (c.toe - 0.5 * pi) * (0.3386 + 0.1041 * phi + (1.54 - 2.5673 * phi) * j);
+  c.shoulder = 0.5 * pi - (c.toe - 0.5 * pi) * (0.3386 + 0.1041 * phi + (1.54 - 2.5673 * phi) * j);
   const double arc = 2 * pi + c.shoulder - c.toe, lift = math::sin(c.shoulder) - math::sin(c.toe);
   const double mean_radius = 0.5 * rm * (1 + std::sqrt(std::max(0.0, 1 - 2 * pi * j / arc)));
   const double in_charge = arc / (2 * pi * 0.5 * turns);

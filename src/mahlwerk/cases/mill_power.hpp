@@ -6,7 +6,8 @@
 
 #include "mahlwerk/cases/case.hpp"
 
-// What the formulas of comminution give for the power of a tumbling mill (docs/theory/mill-power.md).
+// What the formulas of comminution give for the power of a tumbling mill
+// (docs/theory/mill-power.md).
 namespace mahlwerk::cases {
 
 /// A tumbling mill as the formulas know it.

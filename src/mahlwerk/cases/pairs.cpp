@@ -94,9 +94,9 @@ PairSelector pair_selector(std::string_view name, const Case& c) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const bool jar = i < of_jar;
     const std::string& material =
-        jar ? c.jar.material : c.machine_parts[static_cast<std::size_t>(parts[i - of_jar])].material;
-    if (name == (jar ? "jar" : "parts") || name == faces[i] ||
-        (!name.empty() && name == material))
+        jar ? c.jar.material
+            : c.machine_parts[static_cast<std::size_t>(parts[i - of_jar])].material;
+    if (name == (jar ? "jar" : "parts") || name == faces[i] || (!name.empty() && name == material))
       found.faces.push_back(static_cast<int>(i));
   }
   return found;

@@ -25,8 +25,7 @@ Case reversed(const Case& c) {
   Case made = c;
   for (double* speed : {speed_of(*made.mill.motion), speed_of_stirrer(*made.jar.shape)})
     if (speed != nullptr) *speed = -*speed;
-  for (MachinePart& part : made.machine_parts)
-    part.body.motion.speed = -part.body.motion.speed;
+  for (MachinePart& part : made.machine_parts) part.body.motion.speed = -part.body.motion.speed;
   made.milling->reverse = false;
   return made;
 }

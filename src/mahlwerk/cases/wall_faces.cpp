@@ -49,8 +49,7 @@ double part_speed(const Case& c) {
   for (const MachinePart& part : c.machine_parts) {
     const kinematics::PartMotion& m = part.body.motion;
     const double own = std::visit([](const auto& s) { return s.reach(); }, *part.body.solid);
-    const double lever =
-        std::min(norm(part.body.position - m.pivot) + own, reach + norm(m.pivot));
+    const double lever = std::min(norm(part.body.position - m.pivot) + own, reach + norm(m.pivot));
     most = std::max(most, m.speed_bound() + m.spin_bound() * lever);
   }
   return most;

@@ -43,8 +43,8 @@ struct MeshSolid {
   double clearance(const Vec3& p) const;
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
   double reach() const { return reach_; }
-  bool is_sheet() const { return sheet_; }                ///< the surface is open
-  const Surface& surface() const { return *surface_; }    ///< as read, normals outwards
+  bool is_sheet() const { return sheet_; }              ///< the surface is open
+  const Surface& surface() const { return *surface_; }  ///< as read, normals outwards
   bool operator==(const MeshSolid& o) const;
 
  private:

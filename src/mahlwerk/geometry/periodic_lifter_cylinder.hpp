@@ -28,17 +28,17 @@ struct PeriodicLifterCylinder {
     using P = PeriodicLifterCylinder;
     constexpr auto of = LifterCylinder::fields();
     const auto field = [&](std::size_t k, double P::*member) {
-      return Field<P>{of[k].key,   of[k].unit,     member,           of[k].range,       of[k].about,
-                      of[k].standard, of[k].source, of[k].presentation, of[k].plausible};
+      return Field<P>{of[k].key,    of[k].unit,         member,
+                      of[k].range,  of[k].about,        of[k].standard,
+                      of[k].source, of[k].presentation, of[k].plausible};
     };
-    return std::array{
-        field(0, &P::diameter),
-        Field<P>{"length", "m", &P::length, positive, "period along the axis"}.with(
-            {.start = "100 mm"}),
-        field(2, &P::lifters),
-        field(3, &P::lifter_height),
-        field(4, &P::lifter_width),
-        field(5, &P::lifter_face_angle)};
+    return std::array{field(0, &P::diameter),
+                      Field<P>{"length", "m", &P::length, positive, "period along the axis"}.with(
+                          {.start = "100 mm"}),
+                      field(2, &P::lifters),
+                      field(3, &P::lifter_height),
+                      field(4, &P::lifter_width),
+                      field(5, &P::lifter_face_angle)};
   }
   /// Computes the members that follow from the fields.
   void complete() {

@@ -23,8 +23,8 @@ namespace mahlwerk::geometry {
 template <class... Formulas>
 struct Register {
   using Formula = std::variant<Formulas...>;
-  using Any = std::variant<Formulas..., PeriodicCylinder, LifterCylinder, PeriodicLifterCylinder, Attritor,
-                           Mesh>;
+  using Any = std::variant<Formulas..., PeriodicCylinder, LifterCylinder, PeriodicLifterCylinder,
+                           Attritor, Mesh>;
 };
 /// The register of all jar shapes. To add one, write its file and add its name here.
 using Shapes = Register<Capsule, Cylinder, RoundedCylinder, Sphere, Box, PeriodicBox>;

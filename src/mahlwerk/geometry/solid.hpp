@@ -39,9 +39,9 @@ struct Frustum {
 
   /// Where a point lies in the half plane of radius and height.
   struct Nearest {
-    double distance = 0;          ///< [m] < 0 inside
-    double out = 0, up = 1;       ///< components of the unit normal
-    bool on_side = false;         ///< the nearest point is on the cone, not on an edge or end
+    double distance = 0;     ///< [m] < 0 inside
+    double out = 0, up = 1;  ///< components of the unit normal
+    bool on_side = false;    ///< the nearest point is on the cone, not on an edge or end
   };
   Nearest nearest(double r, double z) const {
     const double half = 0.5 * length, slant = math::hypot(high_radius - low_radius, length);
@@ -160,7 +160,8 @@ struct BladeSolid {
                           {.start = "20 mm", .usual = part_sizes})};
   }
   Gap gap(int, const Vec3& p, double) const {
-    const std::array<double, 3> at{p.x, p.y, p.z}, half{0.5 * length, 0.5 * thickness, 0.5 * height};
+    const std::array<double, 3> at{p.x, p.y, p.z},
+        half{0.5 * length, 0.5 * thickness, 0.5 * height};
     std::array<double, 3> beyond{}, n{};
     double squares = 0;
     std::size_t nearest = 0;

@@ -5,3 +5,11 @@
 #include "mahlwerk/base/indirect_members.hpp"
 
 template class mahlwerk::Indirect<mahlwerk::geometry::AnySolid>;
+
+namespace mahlwerk::geometry {
+
+std::string_view name_of(const AnySolid& solid) {
+  return std::visit([](const auto& s) -> std::string_view { return s.name; }, solid);
+}
+
+}  // namespace mahlwerk::geometry

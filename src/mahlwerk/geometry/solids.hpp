@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string_view>
 #include <variant>
 
 #include "mahlwerk/geometry/mesh_solid.hpp"
@@ -12,9 +13,12 @@ namespace mahlwerk::geometry {
 /// The register of solids: what a part in a jar may be.
 struct AnySolid
     : std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid> {
-  using Models = std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid>;
+  using Models =
+      std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid>;
   using Models::Models;
   bool operator==(const AnySolid&) const = default;
 };
+
+std::string_view name_of(const AnySolid& solid);  ///< "disc"
 
 }  // namespace mahlwerk::geometry

@@ -30,10 +30,10 @@ struct PartMotion {
     tabulated     ///< measured: three coordinates and three angles
   };
   Kind kind = Kind::fixed;
-  Vec3 pivot;            ///< [m] a point of the axis; of a tabulated motion, the point that the table
-                         ///< moves
-  Vec3 axis{0, 0, 1};    ///< unit vector: of the rotation, or the direction of the oscillation
-  double speed = 0;      ///< [rad/s] of a turning part
+  Vec3 pivot;          ///< [m] a point of the axis; of a tabulated motion, the point that the table
+                       ///< moves
+  Vec3 axis{0, 0, 1};  ///< unit vector: of the rotation, or the direction of the oscillation
+  double speed = 0;    ///< [rad/s] of a turning part
   double frequency = 0;  ///< [Hz] of an oscillating or swinging part
   double amplitude = 0;  ///< [m] half the stroke
   double swing = 0;      ///< [rad] largest angle to either side
@@ -86,8 +86,7 @@ struct PartMotion {
   /// Rotated about x, then y, then z, by the angles of the table (kin.23).
   Displacement measured(double t) const {
     const FrameMotion place = path.frame_motion(t), angles = lean.frame_motion(t);
-    const Rotation about_z = path.rotation(t),
-                   about_y = rotation_about({0, 1, 0}, angles.centre.y),
+    const Rotation about_z = path.rotation(t), about_y = rotation_about({0, 1, 0}, angles.centre.y),
                    about_x = rotation_about({1, 0, 0}, angles.centre.x);
     const Vec3 spin = path.spin(t) + about_z * Vec3{0, angles.velocity.y, 0} +
                       about_z * (about_y * Vec3{angles.velocity.x, 0, 0});

@@ -38,9 +38,8 @@ const cases::Part& part();
 
 std::span<const mahlwerk::cases::Part* const> mahlwerk::cases::parts() {
   using namespace mahlwerk::parts;
-  static const std::array all{&wear::part(),        &heat::part(),       &grinding::part(),
-                              &kinetics::part(),    &mixing::part(),     &power_meter::part(),
-                              &microphone::part(),  &accelerometer::part(),
-                              &thermocouple::part()};
+  static const std::array all{&wear::part(),       &heat::part(),          &grinding::part(),
+                              &kinetics::part(),   &mixing::part(),        &power_meter::part(),
+                              &microphone::part(), &accelerometer::part(), &thermocouple::part()};
   return all;
 }

@@ -97,10 +97,10 @@ double bond_work_index(double closing_size, double grams_per_turn, double f80, d
 
 double bond_ball_size(double f80, double work_index, double density, double speed,
                       double diameter) {
-  constexpr double wet_overflow = 350, short_ton = 0.90718474, feet = 1 / 0.3048;
+  constexpr double wet_overflow = 350, short_ton = 0.90718474, in_ft = 1 / 0.3048;
   return 0.0254 * std::sqrt(1e6 * f80 / wet_overflow) *
          math::cbrt(density / 1000 * work_index * short_ton /
-                    (100 * speed * std::sqrt(feet * diameter)));
+                    (100 * speed * std::sqrt(in_ft * diameter)));
 }
 
 double azzaroni_ball_size(double f80, double work_index, double density, double speed,

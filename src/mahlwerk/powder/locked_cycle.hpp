@@ -14,21 +14,21 @@ namespace mahlwerk::powder {
 
 /// Rules of the test.
 struct LockedCycleRules {
-  double closing_size = 150e-6;    ///< [m] opening of the screen
-  double circulating_load = 2.5;   ///< [1] mass on the screen over mass through it
-  double first_turns = 100;        ///< turns of the mill in the first cycle
+  double closing_size = 150e-6;   ///< [m] opening of the screen
+  double circulating_load = 2.5;  ///< [1] mass on the screen over mass through it
+  double first_turns = 100;       ///< turns of the mill in the first cycle
   int most_cycles = 30;
-  double agreement = 0.03;         ///< [1] spread of the last three cycles when the test ends
+  double agreement = 0.03;  ///< [1] spread of the last three cycles when the test ends
 };
 
 /// One cycle; masses over that of the charge.
 struct Cycle {
   double turns = 0;
-  double fed = 0;           ///< fresh feed, with its own undersize
-  double undersize_fed = 0; ///< undersize in the fresh feed
-  double product = 0;       ///< undersize after grinding, screened off
-  double per_turn = 0;      ///< net undersize made per turn
-  double p80 = 0;           ///< [m] size that 80 % of the product is finer than
+  double fed = 0;               ///< fresh feed, with its own undersize
+  double undersize_fed = 0;     ///< undersize in the fresh feed
+  double product = 0;           ///< undersize after grinding, screened off
+  double per_turn = 0;          ///< net undersize made per turn
+  double p80 = 0;               ///< [m] size that 80 % of the product is finer than
   double circulating_load = 0;  ///< [1] of this cycle
 };
 
@@ -46,8 +46,8 @@ using GrindTurns =
     std::function<std::vector<double>(const std::vector<double>& shares, double turns)>;
 
 /// Runs the test on a charge of constant mass. `feed`: shares of the classes of `grid` in the fresh
-/// feed. Throws std::invalid_argument with a sentence if the feed passes the screen by more than the
-/// ideal product (bnd.2), or if grinding makes no undersize.
+/// feed. Throws std::invalid_argument with a sentence if the feed passes the screen by more than
+/// the ideal product (bnd.2), or if grinding makes no undersize.
 LockedCycleTest locked_cycle_test(const SizeGrid& grid, const std::vector<double>& feed,
                                   const LockedCycleRules& rules, const GrindTurns& grind);
 

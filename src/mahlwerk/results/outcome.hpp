@@ -94,8 +94,8 @@ struct Replicate {
   std::optional<GrindingOutcome>
       grinding;  ///< with [capture] or [kinetics], once the run has ended
   std::vector<Window> windows;
-  scene::EnergyBalance energy_balance;     ///< at the end
-  scene::EnergyBalance at_settled;         ///< when counting began
+  scene::EnergyBalance energy_balance;  ///< at the end
+  scene::EnergyBalance at_settled;      ///< when counting began
   /// Loads of the jar and its parts, at the end and when counting began; none without parts.
   std::vector<scene::WallLoad> loads = {}, loads_at_settled = {};
   bool settled = true;                     ///< false if run.settle = "auto" found a trend

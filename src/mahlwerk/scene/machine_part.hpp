@@ -19,8 +19,8 @@ namespace mahlwerk::scene {
 /// of the jar's own axes, or the laboratory.
 struct MachinePart {
   Indirect<geometry::AnySolid> solid;
-  Rotation axes;   ///< from its own axes to those of its frame, before it moves
-  Vec3 position;   ///< [m] of its origin in its frame, before it moves
+  Rotation axes;  ///< from its own axes to those of its frame, before it moves
+  Vec3 position;  ///< [m] of its origin in its frame, before it moves
   kinematics::PartMotion motion;
   bool in_laboratory = false;  ///< whether its frame is the laboratory
   /// [m] balls below this diameter pass through it, as through a grate; 0: none

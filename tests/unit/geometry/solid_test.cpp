@@ -10,8 +10,8 @@
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/geometry/solids.hpp"
-#include "statement.hpp"
 #include "meshes.hpp"
+#include "statement.hpp"
 
 namespace mahlwerk::geometry::solid_test {
 namespace {

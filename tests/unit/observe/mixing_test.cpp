@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Degrees of mixing and packing (mix.1, mix.2, mix.5) against closed forms.
+#include "mahlwerk/observe/mixing.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/observe/mixing.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::observe::mixing_test {
@@ -22,8 +23,7 @@ std::vector<scene::Ball> lattice(int side) {
   std::vector<scene::Ball> balls;
   for (int x = 0; x < side; ++x)
     for (int y = 0; y < side; ++y)
-      for (int z = 0; z < side; ++z)
-        balls.push_back({0.5, 1, {x + 0.5, y + 0.5, z + 0.5}, {}, {}});
+      for (int z = 0; z < side; ++z) balls.push_back({0.5, 1, {x + 0.5, y + 0.5, z + 0.5}, {}, {}});
   return balls;
 }
 

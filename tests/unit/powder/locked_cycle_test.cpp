@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Bond's test in locked cycles (bnd.1 to bnd.3) against a mill that breaks at first order.
+#include "mahlwerk/powder/locked_cycle.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "mahlwerk/powder/locked_cycle.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::powder::locked_cycle_test_ {

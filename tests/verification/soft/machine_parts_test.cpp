@@ -95,9 +95,8 @@ TEST(MachineParts, move_the_points_of_their_faces_with_their_material) {
   swing.frequency = 7, swing.swing = 0.4, swing.phase = 0.3;
   const kinematics::Planetary planet{0.07, 40, -2};
   for (const bool laboratory : {false, true})
-    for (const PartMotion& motion :
-         {turning(30, Vec3{2, -1, 2} / 3.0, {0.002, 0, 0.001}), swing,
-          oscillating(0.003, 11, Vec3{0, 0.6, 0.8})}) {
+    for (const PartMotion& motion : {turning(30, Vec3{2, -1, 2} / 3.0, {0.002, 0, 0.001}), swing,
+                                     oscillating(0.003, 11, Vec3{0, 0.6, 0.8})}) {
       const scene::Chamber mill{geometry::Cylinder{0.06, 0.05}, planet, {}, {}};
       constexpr double t = 0.0123, h = 1e-7;
       const auto pose = [&](double at) {
@@ -145,7 +144,8 @@ TEST(MachineParts, that_rise_and_fall_do_to_balls_what_a_shaken_box_does) {
   // The same phase as the box: compared at two instants.
   const double z0 = kinematics::frame_motion(*shaken_box.motion, 0).centre.z;
   motion.phase = std::asin(std::clamp(z0 / amplitude, -1.0, 1.0));
-  if (kinematics::frame_motion(*shaken_box.motion, 0).velocity.z < 0) motion.phase = pi - motion.phase;
+  if (kinematics::frame_motion(*shaken_box.motion, 0).velocity.z < 0)
+    motion.phase = pi - motion.phase;
   still.parts.push_back(part_of(PlaneSolid{}, {0, 0, -0.015}, motion));
   scene::MachinePart lid = part_of(PlaneSolid{}, {0, 0, 0.015}, motion);
   lid.axes = scene::mounted_along({0, 0, -1});
@@ -216,7 +216,8 @@ TEST(MachineParts, and_the_jar_together_change_the_momentum_of_the_charge) {
 }
 
 TEST(MachineParts, that_are_a_floor_bear_the_weight_of_the_charge) {
-  scene::Chamber mill{geometry::Box{0.0195, 0.0195, 0.08}, kinematics::Still{}, {}, {0, 0, -gravity}};
+  scene::Chamber mill{
+      geometry::Box{0.0195, 0.0195, 0.08}, kinematics::Still{}, {}, {0, 0, -gravity}};
   mill.parts.push_back(part_of(PlaneSolid{}, {0, 0, -0.02}, {}));
   contact::Pair smooth = some_pair();  // so that the walls bear nothing
   smooth.friction = 0, smooth.rolling_friction = 0, smooth.restitution = 0.2;
@@ -227,8 +228,9 @@ TEST(MachineParts, that_are_a_floor_bear_the_weight_of_the_charge) {
     Recorder none;
     engine->advance(0.6, none);
     const double before = engine->wall_loads()[1].impulse.z;
-    const double weight = gravity * std::accumulate(balls.begin(), balls.end(), 0.0,
-                                                    [](double m, const auto& b) { return m + b.mass(); });
+    const double weight =
+        gravity * std::accumulate(balls.begin(), balls.end(), 0.0,
+                                  [](double m, const auto& b) { return m + b.mass(); });
     double momentum = 0, later = 0;
     for (const scene::Ball& b : engine->balls()) momentum += b.mass() * b.velocity.z;
     engine->advance(0.8, none);
@@ -269,10 +271,12 @@ TEST(MachineParts, give_the_same_bits_on_any_number_of_threads_and_any_cut) {
 }
 
 TEST(MachineParts, in_a_turning_jar_that_are_fixed_to_it_are_its_wall) {
-  // A blade along the shell of a drum turns with it: the torque on the jar and that on the blade are
-  // the drum's together, and its work is theirs.
-  scene::Chamber drum{geometry::Cylinder{0.05, 0.03}, kinematics::Tumbling{10},
-                      scene::mounted_along({1, 0, 0}), {0, 0, -gravity}};
+  // A blade along the shell of a drum turns with it: the torque on the jar and that on the blade
+  // are the drum's together, and its work is theirs.
+  scene::Chamber drum{geometry::Cylinder{0.05, 0.03},
+                      kinematics::Tumbling{10},
+                      scene::mounted_along({1, 0, 0}),
+                      {0, 0, -gravity}};
   drum.parts.push_back(part_of(BladeSolid{0.008, 0.002, 0.03}, {0.021, 0, 0}, {}));
   for (const std::size_t few : {128, 0}) {
     const auto engine = engine_of(drum, lattice_of(40, 0.0048, {0.002}, 0.1), few);

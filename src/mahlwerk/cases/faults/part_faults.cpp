@@ -29,7 +29,8 @@ class PartCheck {
       in_a_periodic_jar(i);
     }
     if (c_.liquid)
-      fault(0, "kind", "parts in a jar with a liquid are not computed", "remove [liquid] or the parts");
+      fault(0, "kind", "parts in a jar with a liquid are not computed",
+            "remove [liquid] or the parts");
     if (c_.run.device == DeviceName::gpu)
       fault(0, "kind", "parts in the jar are computed on the processor only",
             "write device = \"cpu\", or leave it out");
@@ -50,9 +51,10 @@ class PartCheck {
       if (std::ranges::find(different, one) == different.end()) different.push_back(one);
     }
     if (different.size() > most)
-      fault(0, "motion",
-            fmt::format("the parts have {} different motions, more than {}", different.size(), most),
-            "give parts that move together the same axis, pivot and speed");
+      fault(
+          0, "motion",
+          fmt::format("the parts have {} different motions, more than {}", different.size(), most),
+          "give parts that move together the same axis, pivot and speed");
   }
 
   /// A part that the jar does not reach at any time touches nothing.
@@ -63,9 +65,10 @@ class PartCheck {
     if (body.in_laboratory || !std::isfinite(own) || !std::isfinite(jar)) return;
     const kinematics::PartMotion& m = body.motion;
     double path = m.kind == kinematics::PartMotion::Kind::oscillating ? m.amplitude : 0;
-    if (m.kind == kinematics::PartMotion::Kind::tabulated) path = m.path.bounds().speed * m.period();
-    const double away = m.moves() ? std::abs(norm(m.pivot) - norm(body.position - m.pivot))
-                                  : norm(body.position);
+    if (m.kind == kinematics::PartMotion::Kind::tabulated)
+      path = m.path.bounds().speed * m.period();
+    const double away =
+        m.moves() ? std::abs(norm(m.pivot) - norm(body.position - m.pivot)) : norm(body.position);
     if (away - own - path <= jar) return;
     fault(i, "position",
           fmt::format("the part {} is outside the jar: {} from its middle, which reaches {} far",

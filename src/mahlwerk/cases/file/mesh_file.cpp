@@ -47,8 +47,7 @@ void PolygonList::add_polygon(const std::vector<std::int64_t>& corners, const st
   for (std::size_t k = 1; k + 1 < corners.size(); ++k)
     triangles_.push_back({at(0), at(k), at(k + 1)});
   if (triangles_.size() > max_triangles)
-    throw MeshFileError(
-        fmt::format("it has more triangles than the limit of {}", max_triangles));
+    throw MeshFileError(fmt::format("it has more triangles than the limit of {}", max_triangles));
 }
 
 std::vector<geometry::Corners> read_mesh_file(std::string_view bytes, std::string_view name,

@@ -23,8 +23,8 @@ struct ScalarType {
   char kind;         // 'i' signed, 'u' unsigned, 'f' floating point
 };
 constexpr ScalarType scalar_types[] = {
-    {{"char", "int8"}, 1, 'i'},    {{"uchar", "uint8"}, 1, 'u'},    {{"short", "int16"}, 2, 'i'},
-    {{"ushort", "uint16"}, 2, 'u'}, {{"int", "int32"}, 4, 'i'},      {{"uint", "uint32"}, 4, 'u'},
+    {{"char", "int8"}, 1, 'i'},     {{"uchar", "uint8"}, 1, 'u'},   {{"short", "int16"}, 2, 'i'},
+    {{"ushort", "uint16"}, 2, 'u'}, {{"int", "int32"}, 4, 'i'},     {{"uint", "uint32"}, 4, 'u'},
     {{"float", "float32"}, 4, 'f'}, {{"double", "float64"}, 8, 'f'}};
 
 struct Property {
@@ -69,8 +69,8 @@ class PlyData {
     double value = 0;
     const auto [stop, error] = std::from_chars(bytes_.data() + from, bytes_.data() + end, value);
     if (error != std::errc{} || stop != bytes_.data() + end)
-      throw MeshFileError(fmt::format(
-          "\"{}\" is not a number", bytes_.substr(from, std::min<std::size_t>(end - from, 40))));
+      throw MeshFileError(fmt::format("\"{}\" is not a number",
+                                      bytes_.substr(from, std::min<std::size_t>(end - from, 40))));
     return value;
   }
   double binary(const ScalarType& type, Encoding encoding) {
@@ -82,8 +82,9 @@ class PlyData {
     }
     at_ += type.size;
     if (type.kind == 'f')
-      return type.size == 4 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
-                            : std::bit_cast<double>(bits);
+      return type.size == 4
+                 ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
+                 : std::bit_cast<double>(bits);
     const std::uint64_t sign = std::uint64_t{1} << (8 * type.size - 1);
     if (type.kind == 'i' && (bits & sign) != 0)
       return -static_cast<double>((~bits + 1) & ((sign << 1) - 1));
@@ -129,12 +130,12 @@ PlyHeader read_header(PlyData& data) {
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") return header;
     if (words[0] == "format" && words.size() > 1) {
-      header.encoding = words[1] == "ascii"                  ? Encoding::ascii
-                        : words[1] == "binary_little_endian" ? Encoding::little
-                        : words[1] == "binary_big_endian"
-                            ? Encoding::big
-                            : throw MeshFileError(fmt::format("its format is \"{}\"",
-                                                              words[1].substr(0, 40)));
+      header.encoding =
+          words[1] == "ascii"                  ? Encoding::ascii
+          : words[1] == "binary_little_endian" ? Encoding::little
+          : words[1] == "binary_big_endian"
+              ? Encoding::big
+              : throw MeshFileError(fmt::format("its format is \"{}\"", words[1].substr(0, 40)));
     } else if (words[0] == "element" && words.size() == 3) {
       std::size_t count = 0;
       const auto [end, error] =
@@ -182,8 +183,8 @@ void read_vertex(PlyData& data, const Element& element, Encoding encoding, Polyg
   }
   if (given != 3) throw MeshFileError("its vertices have no x, y and z");
   if (!std::isfinite(p.x + p.y + p.z))
-    throw MeshFileError(fmt::format("vertex {} has a coordinate that is not a number",
-                                    polygons.vertices() + 1));
+    throw MeshFileError(
+        fmt::format("vertex {} has a coordinate that is not a number", polygons.vertices() + 1));
   polygons.add_vertex(p.x, p.y, p.z);
 }
 

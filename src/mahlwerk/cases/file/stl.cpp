@@ -42,7 +42,8 @@ std::vector<geometry::Corners> read_binary(std::string_view bytes, double scale)
       const double x = std::bit_cast<float>(number_at(bytes, at));
       at += 4;
       if (!std::isfinite(x))
-        throw MeshFileError(fmt::format("triangle {} has a coordinate that is not a number", i + 1));
+        throw MeshFileError(
+            fmt::format("triangle {} has a coordinate that is not a number", i + 1));
       return x * scale;
     };
     for (Vec3& corner : all[i]) {
@@ -73,8 +74,8 @@ class StlTokens {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !std::isfinite(value))
       throw MeshFileError(said.empty() ? fmt::format("it is cut off in line {}", line_)
-                                  : fmt::format("\"{}\" in line {} is not a number",
-                                                said.substr(0, 40), line_));
+                                       : fmt::format("\"{}\" in line {} is not a number",
+                                                     said.substr(0, 40), line_));
     return value;
   }
   std::size_t line() const { return line_; }
@@ -141,7 +142,7 @@ std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
     all = read_as_text(bytes, scale);
   else if (whole > bytes.size())
     throw MeshFileError(fmt::format("its header gives {} triangles, and it ends in triangle {}",
-                               number_at(bytes, 80), (bytes.size() - head) / record + 1));
+                                    number_at(bytes, 80), (bytes.size() - head) / record + 1));
   else
     throw MeshFileError(
         "it is not an STL file: neither the length of a binary one nor the words of an ASCII one "

@@ -19,8 +19,8 @@ constexpr std::array first_sections{
     SectionSpec{"mill", "kind", "the mill and its motion"},
     SectionSpec{"jar", "kind", "the jar: inner shape, sizes and material of the wall"},
     SectionSpec{"parts", "kind",
-                "a part of the mill in the jar, at rest or moving; one section for each part", false,
-                true},
+                "a part of the mill in the jar, at rest or moving; one section for each part",
+                false, true},
     SectionSpec{"balls", "", "a ball set: size, number and material; one section for each set",
                 false, true},
     SectionSpec{"powder", "", "the powder: amount, sizes and material"},
@@ -212,8 +212,8 @@ void add_section(std::vector<KeySection>& all, const SectionSpec& spec) {
   const KeyInfo chosen = *std::ranges::find(keys, choice, &KeyInfo::key);
   std::vector<KeySection> kinds;
   for (std::size_t i = 0; i < chosen.words.size(); ++i)
-    kinds.push_back(
-        {name, chosen.words[i], choice, chosen.meanings[i], spec.several, KeySearch(spec, {{choice, i}}).keys()});
+    kinds.push_back({name, chosen.words[i], choice, chosen.meanings[i], spec.several,
+                     KeySearch(spec, {{choice, i}}).keys()});
   const std::vector<KeyInfo> common = common_keys(kinds);
   all.push_back({name, "", choice, std::string(spec.about), spec.several, common});
   for (KeySection& kind : kinds) {

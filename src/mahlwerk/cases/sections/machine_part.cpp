@@ -57,17 +57,30 @@ Rotation placed_along(const Vec3& axis, double angle) {
 /// The place of a part in its frame. Writers give axis and angle again.
 void describe_place(KeyVisitor& v, scene::MachinePart& body) {
   constexpr std::string_view standard = "along the axis of the jar";
-  describe(v, {{"position", "m", any_number, "of the part's middle in its frame; of a plane, a "
-                "point of it"}, {}, "the middle of the jar"}, body.position);
+  describe(v,
+           {{"position", "m", any_number,
+             "of the part's middle in its frame; of a plane, a "
+             "point of it"},
+            {},
+            "the middle of the jar"},
+           body.position);
   Vec3 axis = body.axes.ez;
-  describe(v, {{"axis", "", any_number, "direction of the part's own axis in its frame"},
-               {0, 0, 1}, standard, true}, axis);
+  describe(v,
+           {{"axis", "", any_number, "direction of the part's own axis in its frame"},
+            {0, 0, 1},
+            standard,
+            true},
+           axis);
   const Vec3 x = scene::mounted_along(axis).apply_inverse(body.axes.ex);
   double angle = math::atan2(x.y, x.x);
   v.number({"angle", "rad", any_number, "by which the part is turned about its own axis", 0.0,
-            "its own x as near as possible to that of its frame"}, angle);
+            "its own x as near as possible to that of its frame"},
+           angle);
   if (v.reader() != nullptr) body.axes = placed_along(axis, angle);
-  v.word({"frame", {"jar", "laboratory"}, "jar", "a part that is fixed to the jar",
+  v.word({"frame",
+          {"jar", "laboratory"},
+          "jar",
+          "a part that is fixed to the jar",
           "frame of position, axes and motion",
           {"the jar's own axes: the part moves with the jar",
            "the laboratory, from the mill's origin: the jar moves past the part"}},
@@ -76,25 +89,37 @@ void describe_place(KeyVisitor& v, scene::MachinePart& body) {
 
 void describe_shaking(KeyVisitor& v, PartMotion& m) {
   v.number(NumberSpec("frequency", "Hz", positive, "oscillations per second")
-               .with({.start = "10 Hz", .usual = kinematics::frequencies}), m.frequency);
+               .with({.start = "10 Hz", .usual = kinematics::frequencies}),
+           m.frequency);
   v.number({"phase", "rad", any_number, "of the sine at time 0", 0.0,
-            "the middle of the stroke at time 0"}, m.phase);
+            "the middle of the stroke at time 0"},
+           m.phase);
 }
 
 void describe_axis_of_motion(KeyVisitor& v, const scene::MachinePart& body, PartMotion& m,
                              bool with_pivot) {
-  describe(v, {{"motion_axis", "", any_number,
-                with_pivot ? "axis about which the part turns" : "direction in which it moves"},
-               body.axes.ez, "the part's own axis", true}, m.axis);
+  describe(v,
+           {{"motion_axis", "", any_number,
+             with_pivot ? "axis about which the part turns" : "direction in which it moves"},
+            body.axes.ez,
+            "the part's own axis",
+            true},
+           m.axis);
   if (with_pivot)
-    describe(v, {{"pivot", "m", any_number, "a point of the axis about which it turns"},
-                 body.position, "the position of the part"}, m.pivot);
+    describe(v,
+             {{"pivot", "m", any_number, "a point of the axis about which it turns"},
+              body.position,
+              "the position of the part"},
+             m.pivot);
 }
 
 void describe_motion(KeyVisitor& v, MachinePart& part) {
   PartMotion& m = part.body.motion;
-  if (!v.word({"motion", {"fixed", "turning", "oscillating", "swinging", "tabulated"}, "fixed",
-               "a part that does not move in its frame", "motion of the part in its frame",
+  if (!v.word({"motion",
+               {"fixed", "turning", "oscillating", "swinging", "tabulated"},
+               "fixed",
+               "a part that does not move in its frame",
+               "motion of the part in its frame",
                {"at rest", "about an axis, at constant speed", "to and fro along a line",
                 "to and fro about an axis", "measured, from a table"}},
               m.kind))
@@ -104,16 +129,20 @@ void describe_motion(KeyVisitor& v, MachinePart& part) {
     case Kind::turning:
       v.number(NumberSpec("speed", "rad/s", any_number, "of the part about its axis, in its frame")
                    .plausible_within("", "10000 rpm")
-                   .with({.label = "speed of the part", .start = "300 rpm"}), m.speed);
+                   .with({.label = "speed of the part", .start = "300 rpm"}),
+               m.speed);
       return describe_axis_of_motion(v, part.body, m, true);
     case Kind::oscillating:
-      v.number(NumberSpec("amplitude", "m", not_negative, "half the stroke")
-                   .with({.start = "5 mm"}), m.amplitude);
+      v.number(
+          NumberSpec("amplitude", "m", not_negative, "half the stroke").with({.start = "5 mm"}),
+          m.amplitude);
       describe_shaking(v, m);
       return describe_axis_of_motion(v, part.body, m, false);
     case Kind::swinging:
       v.number(NumberSpec("swing", "rad", {.least = 0, .most = std::numbers::pi},
-                          "largest angle to either side").with({.start = "30 deg"}), m.swing);
+                          "largest angle to either side")
+                   .with({.start = "30 deg"}),
+               m.swing);
       describe_shaking(v, m);
       return describe_axis_of_motion(v, part.body, m, true);
     case Kind::tabulated:
@@ -124,8 +153,11 @@ void describe_motion(KeyVisitor& v, MachinePart& part) {
 }
 
 void describe_surface(KeyVisitor& v, MachinePart& part) {
-  v.number({"opening", "m", not_negative, "balls below this diameter pass through, as through a "
-            "grate", 0.0, "no ball passes"}, part.body.opening);
+  v.number({"opening", "m", not_negative,
+            "balls below this diameter pass through, as through a "
+            "grate",
+            0.0, "no ball passes"},
+           part.body.opening);
   constexpr TextSpec material{
       .key = "material",
       .about = "material of the part, by its name in the catalogue; gives the properties below",
@@ -138,7 +170,8 @@ void describe_surface(KeyVisitor& v, MachinePart& part) {
            part.density);
   v.optional_number(NumberSpec("friction", "", not_negative,
                                "Coulomb friction with all balls; left out: that of [contact]")
-                        .plausible_within("0.001", "10"), part.friction);
+                        .plausible_within("0.001", "10"),
+                    part.friction);
   v.optional_number(NumberSpec("restitution", "", restitution_range,
                                "restitution with all balls; left out: that of [contact]"),
                     part.restitution);

@@ -19,9 +19,9 @@ namespace {
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 constexpr std::string_view header_with_angle = "time_s,x_m,y_m,z_m,angle_rad";
 constexpr std::string_view header_of_six = "time_s,x_m,y_m,z_m,roll_rad,pitch_rad,yaw_rad";
-constexpr FileColumn motion_columns[] = {{"time_s", "s"},     {"x_m", "m"},         {"y_m", "m"},
-                                         {"z_m", "m"},        {"angle_rad", "rad"}, {"angle_rad", "rad"},
-                                         {"angle_rad", "rad"}};
+constexpr FileColumn motion_columns[] = {
+    {"time_s", "s"},      {"x_m", "m"},         {"y_m", "m"},        {"z_m", "m"},
+    {"angle_rad", "rad"}, {"angle_rad", "rad"}, {"angle_rad", "rad"}};
 constexpr std::size_t max_faults = 10;  // one wrong column would give a fault for every row
 
 /// The numbers of a row; no value if a cell is not a finite number.

@@ -24,7 +24,8 @@ constexpr double widest = 100, narrowest = 1e-4;  // [m] plausible widths of a p
 /// Whether the size of the mesh is plausible; a fault otherwise.
 bool plausible(SectionReader& in, const MeshTriangles& found) {
   std::vector<Vec3> points;
-  for (const geometry::Corners& c : found.triangles) points.insert(points.end(), c.begin(), c.end());
+  for (const geometry::Corners& c : found.triangles)
+    points.insert(points.end(), c.begin(), c.end());
   const Vec3 sides = geometry::extent_of(points).size();
   const double size = std::max({sides.x, sides.y, sides.z});
   if (size <= widest && size >= narrowest) return true;
@@ -75,9 +76,9 @@ void read_part_mesh(SectionReader& in, MachinePart& part) {
 void describe_part_motion_file(KeyVisitor& v, MachinePart& part) {
   SectionReader* in = v.reader();
   if (in == nullptr)
-    return v.text({"motion_file", "table of the measured motion (CSV), relative to the case file",
-                   true},
-                  part.motion_file);
+    return v.text(
+        {"motion_file", "table of the measured motion (CSV), relative to the case file", true},
+        part.motion_file);
   const auto file = in->text("motion_file");
   if (!file) {
     if (!in->gives("motion_file"))

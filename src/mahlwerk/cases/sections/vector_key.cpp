@@ -25,8 +25,7 @@ std::string text_of(const VectorKey& key, const Vec3& a) {
 void read(SectionReader& in, const VectorKey& key, Vec3& value) {
   value = key.standard;
   const Node* at = in.find(key.component.key);
-  if (at == nullptr)
-    return in.record_default(key.component.key, text_of(key, value), key.source);
+  if (at == nullptr) return in.record_default(key.component.key, text_of(key, value), key.source);
   std::array<double, 3> x{};
   const bool three = at->kind == Node::Kind::list && at->items.size() == x.size();
   for (std::size_t i = 0; three && i < x.size(); ++i)

@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/file/key_visitor.hpp"
 
 namespace mahlwerk::cases {
 
@@ -13,8 +13,8 @@ namespace mahlwerk::cases {
 struct VectorKey {
   NumberSpec component;  ///< key, unit and description
   Vec3 standard;
-  std::string_view source;     ///< of the default
-  bool direction = false;      ///< scaled to a length of 1
+  std::string_view source;  ///< of the default
+  bool direction = false;   ///< scaled to a length of 1
 };
 
 /// Visits the key; a reader sets `value`, to the default if the section does not give it.

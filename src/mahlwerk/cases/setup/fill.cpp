@@ -235,8 +235,8 @@ class ChargeFiller {
   bool try_push_apart(double smaller) {
     if (moves_left_ <= 0) return false;
     const std::int64_t enough = sweeps(10'000, 0);  // converging charges need far fewer
-    const PushApartResult end =
-        push_apart(placed_, shape_, domain_, smaller, std::min(moves_left_, enough), stop_, obstacles_);
+    const PushApartResult end = push_apart(placed_, shape_, domain_, smaller,
+                                           std::min(moves_left_, enough), stop_, obstacles_);
     moves_left_ -= end.moves;
     largest_ = std::max(largest_, end.largest);
     typical_ = std::max(typical_, end.typical);

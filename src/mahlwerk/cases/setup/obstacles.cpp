@@ -18,10 +18,10 @@ Obstacles::Obstacles(const Case& c) : periods_(geometry::periods(*c.jar.shape)) 
         scene::part_pose(part.body.motion, part.body.in_laboratory, *mill.motion, mill.mount, 0);
     const Rotation axes = pose.axes * part.body.axes;
     const Vec3 position = pose.origin + pose.axes * part.body.position;
-    parts_.push_back({&part,
-                      {jar.apply_inverse(axes.ex), jar.apply_inverse(axes.ey),
-                       jar.apply_inverse(axes.ez)},
-                      jar.apply_inverse(position)});
+    parts_.push_back(
+        {&part,
+         {jar.apply_inverse(axes.ex), jar.apply_inverse(axes.ey), jar.apply_inverse(axes.ez)},
+         jar.apply_inverse(position)});
   }
 }
 
@@ -30,8 +30,8 @@ double Obstacles::clearance(const Vec3& p, double radius) const {
   for (const Placed& one : parts_) {
     if (2 * radius < one.part->body.opening) continue;
     const Vec3 own = in_own_axes(one, p);
-    least = std::min(least, std::visit([&](const auto& s) { return s.clearance(own); },
-                                       *one.part->body.solid));
+    least = std::min(
+        least, std::visit([&](const auto& s) { return s.clearance(own); }, *one.part->body.solid));
   }
   return least;
 }

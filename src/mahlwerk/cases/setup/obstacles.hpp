@@ -29,8 +29,8 @@ class Obstacles {
  private:
   struct Placed {
     const MachinePart* part;
-    Rotation axes;    // from the part's own axes to the jar's
-    Vec3 position;    // [m] of its origin
+    Rotation axes;  // from the part's own axes to the jar's
+    Vec3 position;  // [m] of its origin
   };
   /// A position in the own axes of a part, in a periodic jar that of the nearest image.
   Vec3 in_own_axes(const Placed& one, const Vec3& p) const;

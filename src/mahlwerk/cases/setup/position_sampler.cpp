@@ -65,7 +65,10 @@ void PositionSampler::measure(const S& shape) {
 
 PositionSampler::PositionSampler(const geometry::AnyShape& shape, double radius,
                                  const Obstacles* obstacles)
-    : shape_(&shape), obstacles_(obstacles), radius_(radius), needed_(radius + wall_clearance(shape, radius, 1e-3)) {
+    : shape_(&shape),
+      obstacles_(obstacles),
+      radius_(radius),
+      needed_(radius + wall_clearance(shape, radius, 1e-3)) {
   std::visit([&](const auto& s) { measure(s); }, shape);
 }
 
@@ -85,10 +88,11 @@ Vec3 PositionSampler::draw(Random& random) const {
       if (std::visit([&](const auto& s) { return free(s, p); }, *shape_) && clear_of_parts(p))
         return p;
     }
-  throw InputError(Fault{"jar", "no position was found for a ball in the jar",
-                         "give a smaller ball; a mesh must not intersect itself, and parts must leave "
-                         "room",
-                         "does-not-fit"});
+  throw InputError(
+      Fault{"jar", "no position was found for a ball in the jar",
+            "give a smaller ball; a mesh must not intersect itself, and parts must leave "
+            "room",
+            "does-not-fit"});
 }
 
 }  // namespace mahlwerk::cases

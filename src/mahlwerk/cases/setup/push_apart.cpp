@@ -173,7 +173,7 @@ class OverlapRelaxation {
   const Domain& domain_;
   double gap_, smallest_ = 0, skin_ = 0;
   const Obstacles* obstacles_;  // null: none
-  bool many_sizes_ = false;  // a grid for each size would be mostly empty
+  bool many_sizes_ = false;     // a grid for each size would be mostly empty
   std::vector<std::pair<int, int>> pairs_;
   std::vector<Vec3> listed_positions_, force_, velocity_;  // positions when pairs_ was built
   std::vector<double> mass_, margin_;

@@ -45,10 +45,10 @@ double bond_quantity(const std::string& text, std::string_view unit, const char*
     if (value > 0 && std::isfinite(value)) return value;
   } catch (const UnitError&) {
   }
-  throw InputError(Fault{option, fmt::format("\"{}\" is no {} above 0", text,
-                                             unit == "m" ? "length" : "number"),
-                         unit == "m" ? "write for instance 150um or 4m" : "write for instance 250%",
-                         "bad-command-line"});
+  throw InputError(
+      Fault{option, fmt::format("\"{}\" is no {} above 0", text, unit == "m" ? "length" : "number"),
+            unit == "m" ? "write for instance 150um or 4m" : "write for instance 250%",
+            "bad-command-line"});
 }
 
 cases::Case read_bond_case(const BondArguments& given) {
@@ -68,8 +68,8 @@ cases::Case read_bond_case(const BondArguments& given) {
 
 /// The test of the spectra of these replicates.
 powder::LockedCycleTest locked_cycles(const results::Outcome& outcome,
-                                const std::vector<const results::Replicate*>& of,
-                                const powder::LockedCycleRules& rules) {
+                                      const std::vector<const results::Replicate*>& of,
+                                      const powder::LockedCycleRules& rules) {
   const cases::Case& c = outcome.mill_case;
   const powder::StressSpectrum stresses = results::stress_spectrum(c, of);
   const powder::SizeGrid grid = results::size_grid(c);
@@ -92,14 +92,14 @@ powder::LockedCycleTest locked_cycles(const results::Outcome& outcome,
 }
 
 BondNumbers bond_numbers(const cases::Case& c, const powder::LockedCycleTest& test,
-                       const powder::LockedCycleRules& rules) {
+                         const powder::LockedCycleRules& rules) {
   BondNumbers n{1000 * c.powder->mass * test.per_turn, test.f80, test.p80, 0};
   n.work_index = powder::bond_work_index(rules.closing_size, n.per_turn, n.f80, n.p80);
   return n;
 }
 
 results::Json test_json(const powder::LockedCycleTest& test, const BondNumbers& n, double ci95,
-                      double mass) {
+                        double mass) {
   using results::Json;
   Json cycles = Json::array();
   for (const powder::Cycle& k : test.cycles)
@@ -110,21 +110,20 @@ results::Json test_json(const powder::LockedCycleTest& test, const BondNumbers& 
                                    {"g_per_turn", 1000 * mass * k.per_turn},
                                    {"circulating_load", k.circulating_load},
                                    {"p80_m", k.p80}}));
-  return Json::object({{"study", "bond-test"},
-                       {"mahlwerk", version()},
-                       {"work_index", Json::object({{"value", n.work_index},
-                                                    {"ci95", ci95},
-                                                    {"unit", "kWh/t"}})},
-                       {"g_per_turn", n.per_turn},
-                       {"f80_m", n.f80},
-                       {"p80_m", n.p80},
-                       {"steady", test.steady},
-                       {"mass_error", test.mass_error},
-                       {"cycles", std::move(cycles)}});
+  return Json::object(
+      {{"study", "bond-test"},
+       {"mahlwerk", version()},
+       {"work_index", Json::object({{"value", n.work_index}, {"ci95", ci95}, {"unit", "kWh/t"}})},
+       {"g_per_turn", n.per_turn},
+       {"f80_m", n.f80},
+       {"p80_m", n.p80},
+       {"steady", test.steady},
+       {"mass_error", test.mass_error},
+       {"cycles", std::move(cycles)}});
 }
 
 std::string test_words(const powder::LockedCycleTest& test, const BondNumbers& n, double ci95,
-                  double mass, const powder::LockedCycleRules& rules) {
+                       double mass, const powder::LockedCycleRules& rules) {
   std::string text = fmt::format(
       "Bond's test, closing screen {}, circulating load {:.0f} %\n\n"
       "{:>5}  {:>7}  {:>9}  {:>10}  {:>9}  {:>10}  {:>8}\n",
@@ -132,21 +131,23 @@ std::string test_words(const powder::LockedCycleTest& test, const BondNumbers& n
       "feed (g)", "product (g)", "g/turn", "load (%)", "P80");
   int number = 0;
   for (const powder::Cycle& k : test.cycles)
-    text += fmt::format("{:>5}  {:>7.0f}  {:>9.1f}  {:>11.1f}  {:>9.3f}  {:>9.0f}  {:>8}\n",
-                        ++number, k.turns, 1000 * mass * k.fed, 1000 * mass * k.product,
-                        1000 * mass * k.per_turn, 100 * k.circulating_load,
-                        show_rounded(k.p80, "m"));
+    text +=
+        fmt::format("{:>5}  {:>7.0f}  {:>9.1f}  {:>11.1f}  {:>9.3f}  {:>9.0f}  {:>8}\n", ++number,
+                    k.turns, 1000 * mass * k.fed, 1000 * mass * k.product, 1000 * mass * k.per_turn,
+                    100 * k.circulating_load, show_rounded(k.p80, "m"));
   text += fmt::format(
       "\nF80 {}, P80 {}, {:.3f} g of undersize per turn (mean of the last three cycles)\n"
       "work index  {:.2f}{} kWh/t  ({:.2f} kWh per short ton) (bnd.3)\n",
       show_rounded(n.f80, "m"), show_rounded(n.p80, "m"), n.per_turn, n.work_index,
       std::isfinite(ci95) ? fmt::format(" ± {:.2f}", ci95) : "", 0.90718474 * n.work_index);
   if (!test.steady)
-    text += fmt::format("\nWarning: after {} cycles the grams per turn still differ by more than "
-                        "{:.0f} %: the test has no steady state.\n",
-                        test.cycles.size(), 100 * rules.agreement);
-  text += "\nThe rock breaks as [capture], [breakage] and [fragments] of the case say; grains of a new "
-          "cycle have no damage. ± is chance over replicates alone.\n";
+    text += fmt::format(
+        "\nWarning: after {} cycles the grams per turn still differ by more than "
+        "{:.0f} %: the test has no steady state.\n",
+        test.cycles.size(), 100 * rules.agreement);
+  text +=
+      "\nThe rock breaks as [capture], [breakage] and [fragments] of the case say; grains of a new "
+      "cycle have no damage. ± is chance over replicates alone.\n";
   return text;
 }
 
@@ -196,26 +197,25 @@ int bond_test(const BondArguments& given) {
 
 Command bond_test_command() {
   const auto given = std::make_shared<BondArguments>();
-  return {"bond-test",
-          "Bond's grindability test in locked cycles: work index, grams per turn, P80",
-          joined({{one_case(given->of.target)},
-                  options_of(given->of.changes),
-                  {{.name = "--screen",
-                    .target = &given->screen,
-                    .about = "opening of the closing screen (default 150 um)"},
-                   {.name = "--load",
-                    .target = &given->load,
-                    .about = "circulating load (default 250 %)"},
-                   {.name = "--mill-diameter",
-                    .target = &given->full_scale,
-                    .about = "of a full-scale mill, 4m: its largest ball by Bond and by Azzaroni"},
-                   {.name = "--mill-speed",
-                    .target = &given->full_speed,
-                    .about = "of that mill, share of its critical speed (default 72 %)"},
-                   threads(given->of.running.threads),
-                   quiet(given->of.running.quiet),
-                   json(given->of.running.json)}}),
-          [given] { return bond_test(*given); }};
+  return {
+      "bond-test", "Bond's grindability test in locked cycles: work index, grams per turn, P80",
+      joined(
+          {{one_case(given->of.target)},
+           options_of(given->of.changes),
+           {{.name = "--screen",
+             .target = &given->screen,
+             .about = "opening of the closing screen (default 150 um)"},
+            {.name = "--load", .target = &given->load, .about = "circulating load (default 250 %)"},
+            {.name = "--mill-diameter",
+             .target = &given->full_scale,
+             .about = "of a full-scale mill, 4m: its largest ball by Bond and by Azzaroni"},
+            {.name = "--mill-speed",
+             .target = &given->full_speed,
+             .about = "of that mill, share of its critical speed (default 72 %)"},
+            threads(given->of.running.threads),
+            quiet(given->of.running.quiet),
+            json(given->of.running.json)}}),
+      [given] { return bond_test(*given); }};
 }
 
 }  // namespace mahlwerk::commands

@@ -42,9 +42,9 @@ void describe(cases::KeyVisitor& v, Mixing& mixing, const Case& c) {
           several || v.visits_all() ? "sets" : "height",
           "the sets of the case; of one set its lower and upper half",
           "which balls have the two colours when counting begins",
-          {"the first ball set and all others", "two halves side by side, level and across the axis",
-           "the lower and the upper half", "two halves along the jar's axis",
-           "the inner and the outer half"}},
+          {"the first ball set and all others",
+           "two halves side by side, level and across the axis", "the lower and the upper half",
+           "two halves along the jar's axis", "the inner and the outer half"}},
          mixing.colour);
   v.number({"balls_per_cell",
             "",
@@ -66,13 +66,13 @@ double interval_of(const Case& c) {
 void check(const Case& c, std::vector<Fault>& found) {
   const Mixing& m = section_of_case(c);
   if (m.colour == Mixing::Colour::sets && c.balls.size() < 2)
-    found.push_back({cases::location_of(c, "mixing.colour"),
-                     "colour = \"sets\": the case has one ball set, of one colour",
-                     "give two ball sets, or colour = \"height\", \"across\", \"axis\" or \"radius\"",
-                     "one-colour"});
+    found.push_back(
+        {cases::location_of(c, "mixing.colour"),
+         "colour = \"sets\": the case has one ball set, of one colour",
+         "give two ball sets, or colour = \"height\", \"across\", \"axis\" or \"radius\"",
+         "one-colour"});
   if (cases::balls_count(c.balls) < 2)
-    found.push_back({cases::location_of(c, "mixing.colour"),
-                     "one ball has no degree of mixing",
+    found.push_back({cases::location_of(c, "mixing.colour"), "one ball has no degree of mixing",
                      "remove [mixing], or give more balls", "one-colour"});
 }
 
@@ -222,9 +222,10 @@ Notices notices(const Outcome& outcome) {
         return std::isfinite(mixing_time(*r));
       }))
     return {};
-  return {warning("not-mixed",
-                  "The charge did not mix within the counted time: its mixing time is longer, if it "
-                  "has one. mixing.csv has the index over time; a longer run.time tells.")};
+  return {
+      warning("not-mixed",
+              "The charge did not mix within the counted time: its mixing time is longer, if it "
+              "has one. mixing.csv has the index over time; a longer run.time tells.")};
 }
 
 std::string panel(const Outcome& outcome) {
@@ -241,7 +242,8 @@ std::string panel(const Outcome& outcome) {
                    {},
                    report::Mark::line}},
        .shape = 0.42},
-      "0: the two colours are apart, 1: as in a random mixture. mixing.csv has the numbers, and those "
+      "0: the two colours are apart, 1: as in a random mixture. mixing.csv has the numbers, and "
+      "those "
       "of segregation and packing.");
 }
 

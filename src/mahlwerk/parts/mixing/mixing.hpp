@@ -11,7 +11,7 @@ struct Mixing {
   /// Which balls have the two colours, decided when counting begins.
   enum class Colour { sets, across, height, axis, radius };
   Colour colour = Colour::sets;
-  double balls_per_cell = 20;              ///< [1] about, of a full cell of Lacey's index
+  double balls_per_cell = 20;                     ///< [1] about, of a full cell of Lacey's index
   std::optional<double> interval = std::nullopt;  ///< [s] between samples; none: a hundredth
   bool operator==(const Mixing&) const = default;
 };

@@ -43,11 +43,16 @@ void MixingRecord::colour(const std::vector<scene::Ball>& balls, double time) {
   const auto place = [&](const scene::Ball& b) {
     const Vec3& p = b.position;
     switch (setup_.section.colour) {
-      case Colour::across: return dot(p, d.across);
-      case Colour::height: return dot(p, d.up);
-      case Colour::axis: return dot(p, d.axis);
-      case Colour::radius: return norm(p - dot(p, d.axis) * d.axis);
-      case Colour::sets: break;
+      case Colour::across:
+        return dot(p, d.across);
+      case Colour::height:
+        return dot(p, d.up);
+      case Colour::axis:
+        return dot(p, d.axis);
+      case Colour::radius:
+        return norm(p - dot(p, d.axis) * d.axis);
+      case Colour::sets:
+        break;
     }
     return 0.0;
   };
@@ -113,7 +118,8 @@ void MixingRecord::take_balls(const scene::EnergyBalance& now, double time_of_ba
         observe::mixing_index(balls, colours_, setup_.cell, setup_.reach);
     s.lacey = index.lacey, s.neighbours = index.neighbours;
     const Directions d = directions(setup_.mill, time);
-    double all = 0, marked = 0, r = 0, r_marked = 0, h = 0, h_marked = 0, spread = 0, r2 = 0, h2 = 0;
+    double all = 0, marked = 0, r = 0, r_marked = 0, h = 0, h_marked = 0, spread = 0, r2 = 0,
+           h2 = 0;
     std::vector<double> heights;
     for (std::size_t i = 0; i < balls.size(); ++i) {
       const Vec3& p = balls[i].position;

@@ -26,10 +26,10 @@ struct MixingSample {
 struct MixingSetup {
   Mixing section;
   scene::Chamber mill;
-  double interval = 0;   ///< [s]
-  double cell = 0;       ///< [m] side of the cubes of Lacey's index
-  double reach = 0;      ///< [m] of neighbours
-  double diameter = 0;   ///< [m] of a ball of mean volume
+  double interval = 0;  ///< [s]
+  double cell = 0;      ///< [m] side of the cubes of Lacey's index
+  double reach = 0;     ///< [m] of neighbours
+  double diameter = 0;  ///< [m] of a ball of mean volume
 };
 
 /// Follows the mixing of the charge at equal intervals.
@@ -47,9 +47,7 @@ class MixingRecord final : public observe::Recorder {
   bool wants_balls() const override { return true; }
   void take_balls(const scene::EnergyBalance& now, double time_of_balls,
                   const std::vector<scene::Ball>& balls) override;
-  void serialize(Archive& archive) override {
-    archive(begin_)(samples_)(colours_)(axial_)(moved_);
-  }
+  void serialize(Archive& archive) override { archive(begin_)(samples_)(colours_)(axial_)(moved_); }
 
   const std::vector<MixingSample>& samples() const { return samples_; }
 
@@ -61,8 +59,8 @@ class MixingRecord final : public observe::Recorder {
   MixingSetup setup_;
   double begin_ = std::numeric_limits<double>::infinity();
   std::vector<MixingSample> samples_;
-  std::vector<std::uint8_t> colours_;     // of the balls
-  std::vector<double> axial_, moved_;     // [m] along the jar's axis: place, and way since the start
+  std::vector<std::uint8_t> colours_;  // of the balls
+  std::vector<double> axial_, moved_;  // [m] along the jar's axis: place, and way since the start
 };
 
 }  // namespace mahlwerk::parts::mixing

@@ -115,34 +115,34 @@ double parts_wear(const Case& c, const Replicate& r) {
 
 results::Measures quantities() {
   const auto weighed_powder = [](const Case& c) { return c.powder && c.powder->mass > 0; };
-  return results::where(wears, "with `[wear]`",
-                        {{"wear_rate_balls",
-                          "kg/s",
-                          "mass worn off all balls per second",
-                          balls_wear,
-                          {.label = "wear rate of the balls", .heading = "Wear"}},
-                         {"wear_rate_jar",
-                          "kg/s",
-                          "mass worn off the jar per second",
-                          jar_wear,
-                          {.label = "wear rate of the jar"}},
-                         {"wear_rate_parts",
-                          "kg/s",
-                          "mass worn off the parts in the jar per second",
-                          parts_wear,
-                          {.label = "wear rate of the parts",
-                           .applies = [](const Case& c) { return !c.machine_parts.empty(); },
-                           .only = "with `[[parts]]`"}},
-                         {"contamination_rate",
-                          "ug/g/h",
-                          "worn mass of balls, jar and parts per mass of powder and hour of milling",
-                          [](const Case& c, const Replicate& r) {
-                            constexpr double hour = 3600;
-                            return 1e6 * hour *
-                                   (balls_wear(c, r) + jar_wear(c, r) + parts_wear(c, r)) /
-                                   c.powder->mass;
-                          },
-                          {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}}});
+  return results::where(
+      wears, "with `[wear]`",
+      {{"wear_rate_balls",
+        "kg/s",
+        "mass worn off all balls per second",
+        balls_wear,
+        {.label = "wear rate of the balls", .heading = "Wear"}},
+       {"wear_rate_jar",
+        "kg/s",
+        "mass worn off the jar per second",
+        jar_wear,
+        {.label = "wear rate of the jar"}},
+       {"wear_rate_parts",
+        "kg/s",
+        "mass worn off the parts in the jar per second",
+        parts_wear,
+        {.label = "wear rate of the parts",
+         .applies = [](const Case& c) { return !c.machine_parts.empty(); },
+         .only = "with `[[parts]]`"}},
+       {"contamination_rate",
+        "ug/g/h",
+        "worn mass of balls, jar and parts per mass of powder and hour of milling",
+        [](const Case& c, const Replicate& r) {
+          constexpr double hour = 3600;
+          return 1e6 * hour * (balls_wear(c, r) + jar_wear(c, r) + parts_wear(c, r)) /
+                 c.powder->mass;
+        },
+        {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}}});
 }
 
 /// A row for each ball set, each face of the jar and each part.

@@ -234,7 +234,9 @@ void add(JarMesh& mesh, const geometry::PlaneSolid&, double reach, Index) {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
 }
 template <class Round>
-requires requires(const Round s) { s.frustum(); }
+requires requires(const Round s) {
+  s.frustum();
+}
 void add(JarMesh& mesh, const Round& solid, double, Index facets) {
   const geometry::Frustum f = solid.frustum();
   const double half = 0.5 * f.length;

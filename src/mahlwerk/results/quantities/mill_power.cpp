@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Power of a tumbling mill beside the formulas of comminution, and scaled to its length.
+#include "mahlwerk/cases/mill_power.hpp"
+
 #include <numbers>
 
 #include "mahlwerk/cases/derived.hpp"
-#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 
 namespace mahlwerk::results {
@@ -66,9 +67,7 @@ Measures mill_power_measures() {
          return share(drawn(r), cases::balls_mass(c.balls));
        },
        {.heading = "Power of the mill"}},
-      {"power_per_length",
-       "kW/m",
-       "drawn power per length of the drum",
+      {"power_per_length", "kW/m", "drawn power per length of the drum",
        [](const Case& c, const Replicate& r) { return share(drawn(r) / 1000, numbers(c).length); }},
       {"power_of_whole_mill",
        "W",
@@ -83,10 +82,9 @@ Measures mill_power_measures() {
   };
   add(beside<bond>("bond_power", "power at the shell by Bond's formula", "power_over_bond",
                    "drawn power over that by Bond's formula", "mil.1"));
-  add(beside<hogg_fuerstenau>("hogg_fuerstenau_power",
-                              "net power by Hogg and Fuerstenau, lift angle 35 degrees",
-                              "power_over_hogg_fuerstenau",
-                              "drawn power over that by Hogg and Fuerstenau", "mil.2"));
+  add(beside<hogg_fuerstenau>(
+      "hogg_fuerstenau_power", "net power by Hogg and Fuerstenau, lift angle 35 degrees",
+      "power_over_hogg_fuerstenau", "drawn power over that by Hogg and Fuerstenau", "mil.2"));
   add(beside<morrell>("morrell_power",
                       "power of the charge by Morrell's C model, times 1.26 for losses",
                       "power_over_morrell", "drawn power over that by Morrell's C model", "mil.7"));

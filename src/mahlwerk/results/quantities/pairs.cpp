@@ -43,10 +43,10 @@ std::vector<PairKind> kinds_of_pairs(const cases::Case& mill_case, const Statist
       continue;
     }
     list.push_back({one,
-                    part != nullptr    ? "parts." + part->name
-                    : kinds.with_jar() ? std::string(jar)
-                                       : cases::set_name(mill_case,
-                                                         static_cast<std::size_t>(kinds.other)),
+                    part != nullptr ? "parts." + part->name
+                    : kinds.with_jar()
+                        ? std::string(jar)
+                        : cases::set_name(mill_case, static_cast<std::size_t>(kinds.other)),
                     {pair}});
   }
   return list;
@@ -95,8 +95,7 @@ int distinguished_jar_faces(const cases::Case& mill_case, const StatisticsByPair
 const cases::MachinePart* part_of(const cases::Case& mill_case, const StatisticsByPair& pairs,
                                   int face) {
   const int first = distinguished_jar_faces(mill_case, pairs);
-  return face < first ? nullptr
-                      : &mill_case.machine_parts[static_cast<std::size_t>(face - first)];
+  return face < first ? nullptr : &mill_case.machine_parts[static_cast<std::size_t>(face - first)];
 }
 
 std::vector<Column> pair_columns() {

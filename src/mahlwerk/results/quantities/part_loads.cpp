@@ -61,9 +61,10 @@ const PartMotion* shaft(const Case& c) {
 
 /// [W] What all parts together do to the balls.
 double parts_power(const Case& c, const Replicate& r) {
-  return share(sum_over(c, [](const auto&) { return true; },
-                        [&](std::size_t i) { return load_of(r, i).work; }),
-               r.time());
+  return share(
+      sum_over(
+          c, [](const auto&) { return true; }, [&](std::size_t i) { return load_of(r, i).work; }),
+      r.time());
 }
 double shaft_torque(const Case& c, const Replicate& r) {
   return share(sum_over(c, on_shaft, [&](std::size_t i) { return load_of(r, i).angular_impulse; }),
@@ -81,7 +82,8 @@ struct PartMeasure {
 constexpr PartMeasure part_list[] = {
     {"power", "W", "work of the part on the balls per time",
      [](const WallLoad& l, const PairSums&, double t) { return share(l.work, t); }},
-    {"torque", "N m", "mean torque of the part on the balls, about its axis of motion or, of a part "
+    {"torque", "N m",
+     "mean torque of the part on the balls, about its axis of motion or, of a part "
      "at rest, its own",
      [](const WallLoad& l, const PairSums&, double t) { return share(l.angular_impulse, t); }},
     {"force_x", "N", "mean force of the part on the balls, along x of its frame",
@@ -114,22 +116,21 @@ PairSums hits_on(const Case& c, const Replicate& r, std::size_t index) {
 }  // namespace
 
 Measures part_measures() {
-  return where(
-      has_parts, "with `[[parts]]`",
-      {{"parts_power",
-        "W",
-        "work of all parts in the jar on the balls per time",
-        parts_power,
-        {.range = any_value, .label = "power of the parts", .equation = "obs.22"}},
-       {"parts_torque",
-        "N m",
-        "mean torque of all turning parts on the balls, about their axis",
-        shaft_torque,
-        {.range = any_value,
-         .label = "torque of the turning parts",
-         .equation = "obs.22",
-         .applies = [](const Case& c) { return shaft(c) != nullptr; },
-         .only = "if all turning parts have one axis and speed"}}});
+  return where(has_parts, "with `[[parts]]`",
+               {{"parts_power",
+                 "W",
+                 "work of all parts in the jar on the balls per time",
+                 parts_power,
+                 {.range = any_value, .label = "power of the parts", .equation = "obs.22"}},
+                {"parts_torque",
+                 "N m",
+                 "mean torque of all turning parts on the balls, about their axis",
+                 shaft_torque,
+                 {.range = any_value,
+                  .label = "torque of the turning parts",
+                  .equation = "obs.22",
+                  .applies = [](const Case& c) { return shaft(c) != nullptr; },
+                  .only = "if all turning parts have one axis and speed"}}});
 }
 
 std::vector<PartSummary> by_part(const Outcome& outcome) {

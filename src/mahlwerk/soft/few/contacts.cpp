@@ -98,8 +98,7 @@ void FewBodySolver::end_lane(PairPacket& p, std::size_t lane) {
 }
 
 void FewBodySolver::add_wall_load(const DriveSample& drive, const MovingWall::WallForce& force) {
-  jar_->add_load(loads_, force, jar_->axes(mill_time(particles_.step)), drive,
-                 settings_.time_step);
+  jar_->add_load(loads_, force, jar_->axes(mill_time(particles_.step)), drive, settings_.time_step);
 }
 
 void FewBodySolver::flush_work(PairPacket& p, std::size_t lane) {

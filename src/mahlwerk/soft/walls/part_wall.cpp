@@ -23,8 +23,8 @@ struct SharedMotion {
 /// A part as its faces need it.
 struct Part {
   geometry::AnySolid solid;
-  Rotation axes;     // from its own axes to those of its frame before the motion
-  Vec3 position;     // [m] of its origin there
+  Rotation axes;  // from its own axes to those of its frame before the motion
+  Vec3 position;  // [m] of its origin there
   std::size_t motion = 0;
   double reach = 0;    // [m] from its origin; infinite for a plane
   double opening = 0;  // [m]
@@ -40,7 +40,12 @@ bool keeps_its_place(const scene::MachinePart& part) {
   const bool turns = m.kind == kinematics::PartMotion::Kind::turning ||
                      m.kind == kinematics::PartMotion::Kind::swinging;
   const bool round = std::visit(
-      []<class S>(const S&) { return requires(const S s) { s.frustum(); }; }, *part.solid);
+      []<class S>(const S&) {
+        return requires(const S s) {
+          s.frustum();
+        };
+      },
+      *part.solid);
   const bool flat = std::holds_alternative<geometry::PlaneSolid>(*part.solid);
   constexpr double rounding = 1e-12;
   if (!turns || !(round || flat) || norm(cross(part.axes.ez, m.axis)) > rounding) return false;
@@ -90,8 +95,7 @@ class WallWithParts final : public MovingWall {
   }
   void distances(const Vec3& position, const WallAxes& axes, double within,
                  std::span<double> out) const override {
-    jar_->distances(position, axes, within,
-                    out.first(static_cast<std::size_t>(first_part_face_)));
+    jar_->distances(position, axes, within, out.first(static_cast<std::size_t>(first_part_face_)));
     for (int face = first_part_face_; face < faces_; ++face)
       out[static_cast<std::size_t>(face)] = distance(face, position, axes, within);
   }
@@ -143,9 +147,8 @@ class WallWithParts final : public MovingWall {
       if (faces[k] < first_part_face_ || (touching >> k & 1) == 0) continue;
       const BallRecord& ball = rows[balls[k]];
       const Vec3 position = ball.position();
-      const geometry::Gap gap =
-          part_gap(faces[k], position, axes.parts[part_motion_of(faces[k])],
-                   (1 + past_touch) * ball.radius + beyond);
+      const geometry::Gap gap = part_gap(faces[k], position, axes.parts[part_motion_of(faces[k])],
+                                         (1 + past_touch) * ball.radius + beyond);
       set_lane(points, k, position - gap.distance * gap.inward);
     }
   }
@@ -157,8 +160,8 @@ class WallWithParts final : public MovingWall {
     for (int face = first_part_face_; face < faces_; ++face) {
       if (!can_touch(face, radius)) continue;
       const double gap = distance(face, position, at, geometry::not_near) - radius;
-      least = std::min(least, geometry::plane_safe_time(gap, norm(velocity) + max_wall_speed_,
-                                                        max_pull_));
+      least = std::min(least,
+                       geometry::plane_safe_time(gap, norm(velocity) + max_wall_speed_, max_pull_));
     }
     return least;
   }
@@ -198,8 +201,7 @@ class WallWithParts final : public MovingWall {
     const Vec3 velocity = motion.velocity + cross(motion.spin, force.point) + drive.velocity;
     scene::WallLoad& load = loads[of_jar ? 0 : 1 + of(force.face).part];
     load.impulse += dt * frame.apply_inverse(force.force);
-    load.angular_impulse +=
-        dt * dot(axis, cross(force.point - centre, force.force) - force.torque);
+    load.angular_impulse += dt * dot(axis, cross(force.point - centre, force.force) - force.torque);
     load.work += dt * (dot(force.force, velocity) - dot(force.torque, motion.spin));
   }
   bool can_touch(int face, double radius) const override {
