@@ -7,6 +7,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/file/mesh_file.hpp"
+#include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
