@@ -203,6 +203,66 @@ DRUM = {
     "flight_share": lambda run: 1 - run["contact_time_share"],
 }
 PROOFS.update({name: ("drum", of, EXACT) for name, of in DRUM.items()})
+
+
+def bulk_of_slice():
+    """Mass [kg] and bulk density [kg/m3] of the balls, and their bulk volume over that of the slice."""
+    mass = 120 * 7850 * math.pi / 6 * 0.2**3
+    # A bar is a rectangle on the chord between its feet, with the segment of the circle under it (geo.14).
+    chord = math.sqrt(1.2**2 - 0.1**2)
+    bar = 0.2 * (chord - 1.1) + 1.2**2 * math.asin(0.1 / 1.2) - 0.1 * chord
+    area = math.pi * 1.2**2 - 12 * bar
+    return mass, 0.6 * 7850, mass / 7850 / 0.6 / (area * 0.6)
+
+
+SLICE_SPEED = 20 / 60 / (math.sqrt(2 * GRAVITY / 2.4) / (2 * math.pi))  # over the critical speed of Bond
+
+
+def bond():
+    mass, _, filling = bulk_of_slice()
+    return mass * 4.879 * 2.4**0.3 * (3.2 - 3 * filling) * SLICE_SPEED * (1 - 0.1 / 2**(9 - 10 * SLICE_SPEED))
+
+
+def hogg_fuerstenau():
+    _, density, filling = bulk_of_slice()
+    return (238 * (2.4 / 0.3048)**2.5 * 0.6 / 0.3048 * SLICE_SPEED * density / 1000 * filling
+            * (1 - 1.065 * filling) * math.sin(math.radians(35)))
+
+
+def morrell():
+    """Power [W], toe and shoulder [deg from the lowest point]: the layers of the charge are lifted from toe to
+    shoulder and leave with their kinetic energy, summed over the radius (Morrell 1993)."""
+    _, density, j = bulk_of_slice()
+    top, turns, phi = 1.2, 1 / 3, SLICE_SPEED
+    late = max(phi, 0.35 * (3.364 - j))
+    toe = math.pi / 2 + 2.5307 * (1.2796 - j) * (1 - math.exp(-19.42 * (late - phi)))
+    shoulder = math.pi / 2 - (toe - math.pi / 2) * (0.3386 + 0.1041 * phi + (1.54 - 2.5673 * phi) * j)
+    arc, lift = 2 * math.pi + shoulder - toe, math.sin(shoulder) - math.sin(toe)
+    in_bed = arc / (math.pi * turns)
+    flying = math.sqrt(top * (1 + math.sqrt(1 - 2 * math.pi * j / arc)) * lift / GRAVITY)
+    inner = top * math.sqrt(1 - 2 * math.pi * j / arc * in_bed / (in_bed + flying))
+    still = (1 - j)**0.4532 * inner  # radius at which the charge would not turn
+    edges = np.linspace(inner, top, 20001)
+    r = (edges[1:] + edges[:-1]) / 2
+    speed = 2 * math.pi * turns * top * (r - still) / (top - still)
+    layers = density * 0.6 * (GRAVITY * r * speed * lift + speed**3 / 2)
+    return 1.26 * layers.sum() * (top - inner) / 20000, math.degrees(toe) - 270, math.degrees(shoulder) + 90
+
+
+SLICE = {
+    "power_per_charge": lambda run: run["drawn_power"] / bulk_of_slice()[0],
+    "power_per_length": lambda run: run["drawn_power"] / 1000 / 0.6,
+    "power_of_whole_mill": lambda run: 6 * run["drawn_power"],
+    "bond_power": lambda run: bond(),
+    "power_over_bond": lambda run: run["drawn_power"] / bond(),
+    "hogg_fuerstenau_power": lambda run: hogg_fuerstenau(),
+    "power_over_hogg_fuerstenau": lambda run: run["drawn_power"] / hogg_fuerstenau(),
+    "morrell_power": lambda run: morrell()[0],
+    "power_over_morrell": lambda run: run["drawn_power"] / morrell()[0],
+    "morrell_toe_angle": lambda run: morrell()[1],
+    "morrell_shoulder_angle": lambda run: morrell()[2],
+}
+PROOFS.update({name: ("slice", of, EXACT) for name, of in SLICE.items()})
 PROOFS["pinning_ratio"] = ("planetary", lambda run: (1 - 2)**2 * (0.02 - 0.004) / 0.07, EXACT)
 PROOFS["rotor_torque"] = ("stirred", lambda run: run["drawn_power"] / (300 * math.pi / 30), EXACT)
 PROOFS["power_number"] = ("stirred", lambda run: run["drawn_power"] / (7850 * 0.6 * 5**3 * 0.08**5), EXACT)

@@ -39,5 +39,5 @@ paper.figure("3", "power over that by Morrell's C model",
 
 paper.check("1", "power at the shell of eleven industrial mills, to 15 %",
             mills.agrees_with(measured, "power_of_whole_mill", against="jar.mill_length"),
-            why="ten of eleven agree to 10 % but for Clarabelle, which every formula puts 15 to 31 % too low; the "
-                "ball mill overflows: a pool of slurry at its toe takes power away, and the charge may hold less slurry")
+            why="nine of eleven are within 10 %; Clarabelle is 17 % low, where every formula is 15 to 31 % low; the ball "
+                "mill overflows: a pool of slurry at its toe takes power away, and the charge may hold less slurry")

@@ -154,5 +154,59 @@ TEST(PeriodicCylinder, is_refused_where_something_pulls_along_its_axis_or_it_is_
       << "moves along the axis";
 }
 
+std::string slice_of(const std::string& jar_keys) {
+  std::string text(open_drum);
+  text.replace(text.find("periodic-cylinder"), std::string("periodic-cylinder").size(),
+               "periodic-lifter-cylinder");
+  return text.insert(
+      text.find("[[balls]]"),
+      "lifters = 6\nlifter_height = \"10 mm\"\nlifter_width = \"20 mm\"\n" + jar_keys);
+}
+
+TEST(PeriodicLifterCylinder, has_the_walls_of_the_drum_without_its_ends) {
+  const Case c = read_sample(slice_of("lifter_face_angle = \"70 deg\"\n"));
+  const auto& jar = std::get<geometry::PeriodicLifterCylinder>(*c.jar.shape);
+  geometry::LifterCylinder drum_with_ends{.diameter = 0.2,
+                                          .height = 0.05,
+                                          .lifters = 6,
+                                          .lifter_height = 0.01,
+                                          .lifter_width = 0.02,
+                                          .lifter_face_angle = jar.lifter_face_angle,
+                                          .bars = {}};
+  drum_with_ends.complete();
+  EXPECT_EQ(geometry::face_names(*c.jar.shape),
+            (std::vector<std::string>{"side", "lifter1", "lifter2", "lifter3", "lifter4", "lifter5",
+                                      "lifter6"}));
+  EXPECT_EQ(jar.volume(), drum_with_ends.volume());
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 p{0.09 * std::cos(0.1 * i), 0.09 * std::sin(0.1 * i), 0.024};
+    for (int face = 0; face < jar.faces; ++face) {
+      const geometry::Gap expected = drum_with_ends.gap(face == 0 ? 0 : face + 2, p);
+      EXPECT_EQ(jar.gap(face, p).distance, expected.distance);
+      EXPECT_EQ(jar.gap(face, p).inward, expected.inward);
+    }
+  }
+}
+
+TEST(PeriodicLifterCylinder, is_refused_as_a_slice_without_lifters_is) {
+  const auto codes = [](const std::vector<Override>& set) {
+    std::string all;
+    for (const Fault& f : faults_of(slice_of(""), set)) all += f.where + " " + f.code + "\n";
+    return all;
+  };
+  EXPECT_EQ(codes({{"jar.length", "20 mm"}}), "--set jar.length periodic-cylinder\n");
+  EXPECT_EQ(codes({{"jar.lifter_height", "100 mm"}}).find("periodic-cylinder"), std::string::npos);
+  EXPECT_NE(codes({{"jar.lifter_height", "100 mm"}}), "") << "the bars reach the middle";
+  EXPECT_NE(codes({{"mill.jar_axis", "vertical"}}).find("periodic-cylinder"), std::string::npos);
+}
+
+TEST(PeriodicLifterCylinder, alone_with_the_smooth_slice_has_a_length_of_the_whole_mill) {
+  EXPECT_EQ(read_sample(slice_of("mill_length = \"3 m\"\n")).jar.mill_length, 3.0);
+  EXPECT_EQ(read_sample(std::string(open_drum), {{"jar.mill_length", "2 m"}}).jar.mill_length, 2.0);
+  EXPECT_FALSE(read_sample(slice_of("")).jar.mill_length.has_value());
+  const auto faults = faults_of(std::string(drum), {{"jar.mill_length", "3 m"}});
+  EXPECT_EQ(faults.size(), 1U) << "a drum with ends is the whole mill";
+}
+
 }  // namespace
 }  // namespace mahlwerk::cases::parts_test
