@@ -45,6 +45,20 @@ Surface with_back(const Surface& s) {
   return both;
 }
 
+/// Within a thousandth of its size; file formats round.
+bool in_one_plane(const Surface& s, double size) {
+  Vec3 normal;  // of the largest triangle
+  Vec3 at;
+  for (const auto& t : s.triangles) {
+    const Vec3 a = s.points[as_index(t[0])];
+    const Vec3 n = cross(s.points[as_index(t[1])] - a, s.points[as_index(t[2])] - a);
+    if (norm(n) > norm(normal)) normal = n, at = a;
+  }
+  return std::ranges::all_of(s.points, [&](const Vec3& p) {
+    return std::abs(dot(normal, p - at)) <= 1e-3 * size * norm(normal);
+  });
+}
+
 }  // namespace
 
 std::optional<Flaw> flaw_of_part(const Surface& surface) {
@@ -69,6 +83,7 @@ MeshSolid::MeshSolid(Surface surface, double angle) : crease_angle(angle) {
   sheet_ = is_open(surface);
   if (!sheet_ && volume_of(surface) < 0) turn_inside_out(surface);
   for (const Vec3& p : surface.points) reach_ = std::max(reach_, norm(p));
+  flat_ = in_one_plane(surface, reach_);
   // The wall of a MeshWall faces the inside of its surface; balls are outside of this one.
   Surface seen = surface;
   turn_inside_out(seen);

@@ -44,6 +44,7 @@ struct MeshSolid {
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
   double reach() const { return reach_; }
   bool is_sheet() const { return sheet_; }              ///< the surface is open
+  bool is_flat() const { return flat_; }                ///< all its points are in one plane
   const Surface& surface() const { return *surface_; }  ///< as read, normals outwards
   bool operator==(const MeshSolid& o) const;
 
@@ -52,6 +53,7 @@ struct MeshSolid {
   std::shared_ptr<const MeshWall> wall_;
   double reach_ = 0;
   bool sheet_ = false;
+  bool flat_ = false;
 };
 
 /// Why triangles are neither solids nor sheets: more than two meet at an edge, or neighbours

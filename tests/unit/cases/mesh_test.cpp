@@ -139,11 +139,11 @@ TEST(MeshFile, crease_angle_divides_the_wall) {
 
 TEST(MeshFile, what_is_missing_is_asked_for) {
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "unit", "")),
-            "[jar] lacks `unit`: the unit of the file's numbers, as an STL file has none|write "
+            "[jar] lacks `unit`: the unit of the file's numbers, as mesh files have none|write "
             "for instance unit = \"mm\"|missing-value");
   EXPECT_EQ(fault_with(binary_stl(brick), with(meshed, "file", "")),
             "[jar] lacks `file`: the jar's inner surface|write for instance file = "
-            "\"my-jar.stl\"|missing-value");
+            "\"my-mesh.stl\"|missing-value");
   EXPECT_EQ(
       fault_with(binary_stl(brick), with(meshed, "file", "file = \"no.stl\"")),
       "the mesh file no.stl cannot be read|give its path relative to the case file|no-such-file");
@@ -161,13 +161,15 @@ TEST(MeshFile, files_that_are_no_stl_say_why) {
   EXPECT_EQ(fault_with(""), "jar.stl: it is empty" + remedy);
   EXPECT_EQ(fault_with("hello"),
             "jar.stl: it is not an STL file: neither the length of a binary one nor "
-            "the words of an ASCII one" +
+            "the words of an ASCII one (OBJ files are known by their ending .obj, PLY files by their "
+            "first word)" +
                 remedy);
   EXPECT_EQ(fault_with(binary.substr(0, binary.size() - 60)),
             "jar.stl: its header gives 16 triangles, and it ends in triangle 15" + remedy);
   EXPECT_EQ(fault_with(binary + "more"),
             "jar.stl: it is not an STL file: neither the length of a binary one "
-            "nor the words of an ASCII one" +
+            "nor the words of an ASCII one (OBJ files are known by their ending .obj, PLY files by "
+            "their first word)" +
                 remedy);
   const std::string text = as_text(brick);
   EXPECT_EQ(fault_with(text.substr(0, text.size() / 2)).substr(0, 22), "jar.stl: it is cut off");

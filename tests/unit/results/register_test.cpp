@@ -34,6 +34,15 @@ TEST(Ranges, of_all_quantities_begin_at_zero_but_those_of_signed_ones) {
       "surface_shear_rate",
       "charge_height",
       "charge_rise",
+      "morrell_toe_angle",
+      "morrell_shoulder_angle",
+      "parts_power",  // a part that the balls drive has a negative one
+      "parts_torque",
+      "lacey_index",  // of a charge less mixed than a segregated one
+      "segregation_radial",
+      "segregation_vertical",
+      "bed_porosity",
+      "axial_dispersion",
       "dissipated_power_of_lasting_contacts"};  // a difference of two powers
   EXPECT_GT(all_measures().size(), 120U);
   for (const Measure& m : all_measures()) {

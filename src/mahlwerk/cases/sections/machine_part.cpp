@@ -124,7 +124,8 @@ void describe_motion(KeyVisitor& v, MachinePart& part) {
                 "to and fro about an axis", "measured, from a table"}},
               m.kind))
     return v.ignore_unknown_keys();
-  if (v.reader() != nullptr) m.pivot = part.body.position;
+  const bool pivots = m.kind == Kind::turning || m.kind == Kind::swinging || m.kind == Kind::tabulated;
+  if (v.reader() != nullptr && pivots) m.pivot = part.body.position;
   switch (m.kind) {
     case Kind::turning:
       v.number(NumberSpec("speed", "rad/s", any_number, "of the part about its axis, in its frame")

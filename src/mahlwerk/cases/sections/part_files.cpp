@@ -59,11 +59,21 @@ void read_part_mesh(SectionReader& in, MachinePart& part) {
   part.file = found->file, part.unit = found->unit;
   if (!plausible(in, *found)) return;
   geometry::Surface surface = geometry::weld(found->triangles);
+  if (surface.triangles.empty())
+    return in.fault(*in.find("file"),
+                    fmt::format("{}: none of its triangles has an area", found->path),
+                    "export the surface again", "bad-mesh-file");
   if (const auto flaw = geometry::flaw_of_part(surface)) {
     const Fault f = mesh_fault(*flaw, found->path);
     return in.fault(*in.find("file"), f.what, f.remedy, f.code);
   }
   MeshSolid solid(std::move(surface), angle);
+  if (solid.is_sheet() && !solid.is_flat())
+    return in.fault(*in.find("file"),
+                    fmt::format("{}: the surface is open and not flat: balls at the edges of a curved "
+                                "sheet without thickness would gain energy",
+                                found->path),
+                    "close the surface, with a thickness of for instance 2 mm", "bad-mesh-file");
   if (solid.is_sheet())
     in.findings().remarks.push_back(
         note("part-is-a-sheet",

@@ -60,6 +60,8 @@ cases::Case read_bond_case(const BondArguments& given) {
   need(c.sweep.empty(), "the case has a [sweep]", "give a case of one run");
   need(cases::drum_motion(c) != nullptr, "Bond's test needs a mill that turns: a drum",
        "write kind = \"tumbling\", or model = \"Bond mill\"");
+  need(cases::shaft_speed(c).has_value(), "the mill does not turn: its speed is 0",
+       "give [mill] speed, for instance 70 rpm, that of Bond's mill");
   need(c.grinding.has_value() && c.powder.has_value(), "the case has no rock that breaks",
        "add [powder], [capture], [breakage], [fragments] and [grinding] (docs/howto/bond.md)");
   if (std::vector<Fault> wrong = campaign::run_faults(c); !wrong.empty()) throw InputError(wrong);
@@ -74,7 +76,7 @@ powder::LockedCycleTest locked_cycles(const results::Outcome& outcome,
   const powder::StressSpectrum stresses = results::stress_spectrum(c, of);
   const powder::SizeGrid grid = results::size_grid(c);
   const powder::CaptureTable beds = results::beds(c, stresses);
-  const double turn = 2 * std::numbers::pi / *cases::shaft_speed(c);
+  const double turn = 2 * std::numbers::pi / cases::shaft_speed(c).value();
   const bool mixed = c.grinding->bed == powder::Bed::mixed;
   const auto grind = [&](const std::vector<double>& shares, double turns) {
     powder::PopulationBalance balance(cases::process(c), stresses, grid, shares,

@@ -230,10 +230,10 @@ class WallWithParts final : public MovingWall {
       motion_of_part_face_.push_back(index);
     }
     faces_ += faces;
-    const bool moves = part.motion.moves();
+    const bool turns = part.motion.spin_bound() > 0;
     parts_.push_back({*part.solid, part.axes, part.position, index, reach, part.opening,
-                      moves ? part.motion.axis : part.axes.ez,
-                      moves ? part.motion.pivot : part.position});
+                      turns ? part.motion.axis : part.axes.ez,
+                      turns ? part.motion.pivot : part.position});
     bound_speeds(part, reach);
   }
 
