@@ -155,7 +155,7 @@ TEST(MeshFile, what_is_missing_is_asked_for) {
 
 TEST(MeshFile, files_that_are_no_stl_say_why) {
   const std::string remedy =
-      "|export the surface again as STL, binary or ASCII, with fewer triangles if they are too "
+      "|export the surface again as STL, OBJ or PLY, with fewer triangles if they are too "
       "many|bad-mesh-file";
   const std::string binary = binary_stl(brick);
   EXPECT_EQ(fault_with(""), "jar.stl: it is empty" + remedy);
