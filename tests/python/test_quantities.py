@@ -344,6 +344,39 @@ PROOFS.update({name: ("grains", lambda run, v=value: v, 1e-9) for name, value in
     "grain_count": round(GRAINS), "coarse_graining_ratio": 4, "particles_per_grain": 64}.items()})
 
 
+
+def late(column):
+    """The mean of the samples of the second half of the counted time (mix.3)."""
+    def of(run):
+        table = run.result.table("mixing")
+        times = table["time_s"]
+        return float(np.mean(table[column][times >= times[-1] / 2 - 1e-9]))
+    return of
+
+
+def dispersion(table):
+    """[m2/s] Half the slope of the mean square way, by its ends in the second half of the samples (mix.6)."""
+    times, way = table["time_s"], table["axial_spread_m2"]
+    half = len(times) // 2
+    return 0.5 * float((way[-1] - way[half]) / (times[-1] - times[half]))
+
+
+BLADES = {
+    "parts_power": (lambda run: run["parts_torque"] * 300 * 2 * math.pi / 60, 1e-9),
+    "parts_torque": (lambda run: run.result.table("parts")["torque_N_m"].sum(), 1e-9),
+    "lacey_index": (late("lacey_index"), 1e-6),
+    "neighbour_mixing_index": (late("neighbour_mixing_index"), 1e-6),
+    "segregation_radial": (late("segregation_radial"), 1e-6),
+    "segregation_vertical": (late("segregation_vertical"), 1e-6),
+    "packing_fraction": (late("packing_fraction"), 1e-6),
+    "bed_porosity": (lambda run: 1 - late("packing_fraction")(run), 1e-6),
+    "bed_height": (late("bed_height_m"), 1e-6),
+    "axial_dispersion": (lambda run: dispersion(run.result.table("mixing")), 1e-6),
+    "wear_rate_parts": (lambda run: run["contamination_rate"] * 2 / 3600e9 - run["wear_rate_balls"]
+                        - run["wear_rate_jar"], 1e-6),
+}
+PROOFS.update({name: ("blades", of, tolerance) for name, (of, tolerance) in BLADES.items()})
+
 # The tables of the sensors hold the readings of the first replicate.
 READINGS = {
     "motor_power_scatter": (lambda run: run.result.table("power_meter")["motor_power_W"].std(ddof=1), EXACT),

@@ -159,11 +159,12 @@ TEST(MeshFile, files_that_are_no_stl_say_why) {
       "many|bad-mesh-file";
   const std::string binary = binary_stl(brick);
   EXPECT_EQ(fault_with(""), "jar.stl: it is empty" + remedy);
-  EXPECT_EQ(fault_with("hello"),
-            "jar.stl: it is not an STL file: neither the length of a binary one nor "
-            "the words of an ASCII one (OBJ files are known by their ending .obj, PLY files by their "
-            "first word)" +
-                remedy);
+  EXPECT_EQ(
+      fault_with("hello"),
+      "jar.stl: it is not an STL file: neither the length of a binary one nor "
+      "the words of an ASCII one (OBJ files are known by their ending .obj, PLY files by their "
+      "first word)" +
+          remedy);
   EXPECT_EQ(fault_with(binary.substr(0, binary.size() - 60)),
             "jar.stl: its header gives 16 triangles, and it ends in triangle 15" + remedy);
   EXPECT_EQ(fault_with(binary + "more"),

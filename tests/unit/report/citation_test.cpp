@@ -62,7 +62,8 @@ TEST(Citation, every_model_of_every_register_has_references_or_needs_none) {
 
 TEST(Citation, every_key_that_chooses_a_model_is_known) {
   const std::set<std::string> names{"kind", "model", "law"};
-  const std::set<std::string_view> no_models{"jar.kind", "parts.kind", "kinetics.law"};  // shapes, forms
+  const std::set<std::string_view> no_models{"jar.kind", "parts.kind",
+                                             "kinetics.law"};  // shapes, forms
   for (const cases::KeyInfo& key : cases::all_keys()) {
     if (!names.contains(std::string(key.name())) || key.words.empty()) continue;
     EXPECT_TRUE(choices.contains(key.key) || no_models.contains(key.key))

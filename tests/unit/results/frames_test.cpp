@@ -194,7 +194,8 @@ TEST_F(FramesTest, say_when_they_cannot_be_written) {
   const Frame frame{0, balls, none, {}, {}};
   XyzFrames full("/dev/full", geometry::Sphere{0.02});
   EXPECT_THROW(full.add(frame), InputError);
-  VtkFrames gone(scratch() / "gone.pvd", {geometry::Sphere{0.02}, kinematics::Still{}, {}, {}}, true);
+  VtkFrames gone(scratch() / "gone.pvd", {geometry::Sphere{0.02}, kinematics::Still{}, {}, {}},
+                 true);
   fs::remove(scratch() / "gone");
   EXPECT_THROW(gone.add(frame), InputError);
 }

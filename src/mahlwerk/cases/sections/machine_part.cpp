@@ -124,7 +124,8 @@ void describe_motion(KeyVisitor& v, MachinePart& part) {
                 "to and fro about an axis", "measured, from a table"}},
               m.kind))
     return v.ignore_unknown_keys();
-  const bool pivots = m.kind == Kind::turning || m.kind == Kind::swinging || m.kind == Kind::tabulated;
+  const bool pivots =
+      m.kind == Kind::turning || m.kind == Kind::swinging || m.kind == Kind::tabulated;
   if (v.reader() != nullptr && pivots) m.pivot = part.body.position;
   switch (m.kind) {
     case Kind::turning:

@@ -69,11 +69,12 @@ void read_part_mesh(SectionReader& in, MachinePart& part) {
   }
   MeshSolid solid(std::move(surface), angle);
   if (solid.is_sheet() && !solid.is_flat())
-    return in.fault(*in.find("file"),
-                    fmt::format("{}: the surface is open and not flat: balls at the edges of a curved "
-                                "sheet without thickness would gain energy",
-                                found->path),
-                    "close the surface, with a thickness of for instance 2 mm", "bad-mesh-file");
+    return in.fault(
+        *in.find("file"),
+        fmt::format("{}: the surface is open and not flat: balls at the edges of a curved "
+                    "sheet without thickness would gain energy",
+                    found->path),
+        "close the surface, with a thickness of for instance 2 mm", "bad-mesh-file");
   if (solid.is_sheet())
     in.findings().remarks.push_back(
         note("part-is-a-sheet",
