@@ -65,7 +65,7 @@ CASES = {
               "run": {"engine": "soft", "time": "0.5 s", "settle": "0.5 s"}},
     "blades": {"mill": {"kind": "still"}, "jar": {**JAR, "diameter": "60 mm", "hardness": 600}, "powder": POWDER,
                "balls": [{**BALLS, "count": 40, "hardness": 600}, {**BALLS, "count": 40, "hardness": 600}],
-               "contact": {"restitution": 0.5, "friction": 0.4}, "mixing": {"colour": "sets", "interval": "10 ms"},
+               "contact": {"restitution": 0.5, "friction": 0.4}, "mixing": {"colour": "across", "interval": "10 ms"},
                "parts": [{"name": "paddle", "kind": "blade", "length": "40 mm", "height": "20 mm", "thickness": "4 mm",
                           "position": ["0 mm", "0 mm", "-8 mm"], "motion": "turning", "speed": "300 rpm",
                           "hardness": 600}],

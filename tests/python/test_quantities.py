@@ -361,6 +361,14 @@ def dispersion(table):
     return 0.5 * float((way[-1] - way[half]) / (times[-1] - times[half]))
 
 
+def mixing_time(table):
+    """[s] Until one minus the neighbour mixing index has fallen to 1/e of its first value (mix.3)."""
+    times, apart = table["time_s"], 1 - table["neighbour_mixing_index"]
+    wanted = apart[0] / math.e
+    at = int(np.argmax(apart <= wanted))
+    return times[at - 1] + (apart[at - 1] - wanted) / (apart[at - 1] - apart[at]) * (times[at] - times[at - 1])
+
+
 BLADES = {
     "parts_power": (lambda run: run["parts_torque"] * 300 * 2 * math.pi / 60, 1e-9),
     "parts_torque": (lambda run: run.result.table("parts")["torque_N_m"].sum(), 1e-9),
@@ -371,6 +379,7 @@ BLADES = {
     "packing_fraction": (late("packing_fraction"), 1e-6),
     "bed_porosity": (lambda run: 1 - late("packing_fraction")(run), 1e-6),
     "bed_height": (late("bed_height_m"), 1e-6),
+    "mixing_time": (lambda run: mixing_time(run.result.table("mixing")), 1e-6),
     "axial_dispersion": (lambda run: dispersion(run.result.table("mixing")), 1e-6),
     "wear_rate_parts": (lambda run: run["contamination_rate"] * 2 / 3600e9 - run["wear_rate_balls"]
                         - run["wear_rate_jar"], 1e-6),
