@@ -8,19 +8,19 @@
 namespace mahlwerk::geometry {
 namespace {
 
-constexpr float far = std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity();
 
 float below(double x) {
-  return std::nextafter(static_cast<float>(x), -far);
+  return std::nextafter(static_cast<float>(x), -infinite);
 }
 float above(double x) {
-  return std::nextafter(static_cast<float>(x), far);
+  return std::nextafter(static_cast<float>(x), infinite);
 }
 
 }  // namespace
 
 BoxTree::Box BoxTree::Box::empty() {
-  const Four most{far, far, far, far};
+  const Four most{infinite, infinite, infinite, infinite};
   Box box;
   box.low = most, box.high = -most;
   return box;

@@ -27,7 +27,9 @@ class SortedByCell {
   SortedByCell(std::span<const scene::Ball> balls, double side) : side_(side) {
     for (std::size_t i = 0; i < balls.size(); ++i)
       all_.push_back({cell_of(balls[i].position, side), i});
-    std::ranges::sort(all_);
+    std::ranges::sort(all_, [](const Entry& a, const Entry& b) {
+      return a.cell != b.cell ? a.cell < b.cell : a.ball < b.ball;
+    });
   }
   /// Calls `f(first, last)` for the balls of each cell that is not empty.
   template <class F>
@@ -53,7 +55,6 @@ class SortedByCell {
   struct Entry {
     Cell cell;
     std::size_t ball;
-    auto operator<=>(const Entry&) const = default;
   };
   double side_;
   std::vector<Entry> all_;
