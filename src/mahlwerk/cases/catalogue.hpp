@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // The catalogue of mills, jars, materials and ball sets: one TOML file each, every value with its
@@ -33,6 +34,14 @@ struct CatalogueCheck {
   std::string source;
 };
 
+/// A [[parts]] of a mill: its keys as a case would give them, with one source for all.
+struct CataloguePart {
+  std::vector<std::pair<std::string, std::string>> keys;  ///< each with its value as TOML
+  std::string source;                                     ///< citation, never empty
+  bool unverified = false, assumed = false;               ///< as of a CatalogueValue
+  bool operator==(const CataloguePart&) const = default;
+};
+
 struct CatalogueEntry {
   std::string category;            ///< "mills", "jars", "materials" or "media"
   std::string name;                ///< the file's stem; a case uses this name
@@ -41,7 +50,8 @@ struct CatalogueEntry {
   std::string kind;                ///< motion of a mill, shape of a jar; empty otherwise
   std::string about;               ///< description, one sentence
   std::map<std::string, CatalogueValue> values;
-  std::vector<std::string> jars;  ///< of a mill: names of the catalogue's jars that fit it
+  std::vector<std::string> jars;     ///< of a mill: names of the catalogue's jars that fit it
+  std::vector<CataloguePart> parts;  ///< of a mill: its parts in the jar
   std::vector<CatalogueCheck> checks;
   std::string file;
 };

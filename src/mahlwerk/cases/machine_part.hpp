@@ -16,6 +16,7 @@ struct MachinePart {
   scene::MachinePart body;  ///< its shape, place and motion
   std::string file, unit;   ///< of a mesh, as written; the file is relative to the case file
   std::string motion_file;  ///< of a tabulated motion, as written
+  std::string moves_with;   ///< name of the part whose motion it shares, or empty
   std::string material;     ///< name in the catalogue, or empty
   contact::ElasticConstants elastic = steel;
   Substance substance = hardened_steel;

@@ -22,6 +22,7 @@ struct Extra {
 
 constexpr Extra extras[] = {
     {"mills", "", "jars_carried", "", positive, "number of jars that the mill moves at once"},
+    {"mills", "", "jar_axis", an_axis, any_number, "direction of the axis of the mounted jar"},
     {"mills", "", "power", "W", positive, "power of the motor"},
     {"mills", "arc-shaker", "arc_amplitude", "m", positive,
      "half the length of the arc: arm times swing"},

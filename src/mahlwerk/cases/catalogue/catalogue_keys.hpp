@@ -13,11 +13,16 @@ namespace mahlwerk::cases {
 
 /// Stands for the unit of a value that is not a number but the name of an entry in materials.
 constexpr std::string_view a_material = "name of a material";
+/// Stands for the unit of a value that is one of the words of jar_axis.
+constexpr std::string_view an_axis = "\"vertical\" or \"horizontal\"";
+constexpr bool is_number(std::string_view unit) {
+  return unit != a_material && unit != an_axis;
+}
 
 /// A value that a file of some category and kind may give.
 struct CatalogueKey {
   std::string key;
-  std::string_view unit;  ///< as in Field, or `a_material`
+  std::string_view unit;  ///< as in Field, or `a_material` or `an_axis`
   Range range;            ///< in `unit`
   std::string about;
 };
@@ -32,7 +37,7 @@ std::vector<std::string> catalogue_kinds(std::string_view category);
 std::vector<CatalogueKey> catalogue_keys(std::string_view category, std::string_view kind);
 
 /// The number in a value's text, in the key's unit; "1:-2" of a speed ratio is -2. Throws
-/// UnitError. Not for names of materials.
+/// UnitError. Not for words.
 double number_of(std::string_view text, const CatalogueKey& key);
 
 }  // namespace mahlwerk::cases

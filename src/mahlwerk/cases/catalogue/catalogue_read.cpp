@@ -8,15 +8,29 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/catalogue/catalogue_keys.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {
 
 constexpr std::string_view bad_file = "bad-catalogue-file";
+
+/// A value as TOML.
+std::string as_written(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return in_quotes(*text);
+  std::ostringstream out;
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& item : *list)
+      out << (&item == list->get(0) ? "[" : ", ") << as_written(item);
+  else
+    node.visit([&](const auto& value) { out << value; });
+  return out.str() + (node.is_array() ? "]" : "");
+}
 
 class EntryReader {
  public:
@@ -28,7 +42,7 @@ class EntryReader {
     read_kind(top);
     const auto keys = catalogue_keys(entry_.category, entry_.kind);
     for (const auto& [key, node] : top) read_top(key.str(), node, keys);
-    if (entry_.values.empty() && faults_.empty())
+    if (entry_.values.empty() && entry_.parts.empty() && faults_.empty())
       fault(top, "the file gives no value", "add at least one value with its source");
     if (!faults_.empty()) throw InputError(std::move(faults_));
   }
@@ -72,6 +86,7 @@ class EntryReader {
     if (key == "names") return read_list(node, "names", entry_.names);
     if (key == "kind" && !catalogue_kinds(entry_.category).empty()) return;
     if (key == "jars" && entry_.category == "mills") return read_list(node, "jars", entry_.jars);
+    if (key == "parts" && entry_.category == "mills") return read_parts(node);
     if (key == "check") return read_checks(node);
     const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
     if (known != keys.end()) return read_value(*known, node);
@@ -108,7 +123,7 @@ class EntryReader {
   void read_range(const CatalogueKey& key, const toml::table& table, bool ranged,
                   CatalogueValue& value) {
     const bool given = table.contains("from") || table.contains("to");
-    const bool wanted = ranged && key.unit != a_material;
+    const bool wanted = ranged && is_number(key.unit);
     if (given != wanted)
       return fault(
           table,
@@ -124,7 +139,10 @@ class EntryReader {
   }
 
   void check_number(const CatalogueKey& key, const std::string& written, const toml::node& node) {
-    if (key.unit == a_material) return;
+    if (key.unit == an_axis && written != "vertical" && written != "horizontal")
+      fault(node, fmt::format("{} = \"{}\" is not a direction", key.key, written),
+            fmt::format("write {}", an_axis));
+    if (!is_number(key.unit)) return;
     try {
       const double number = number_of(written, key);
       if (!std::isfinite(number) || !key.range.holds(number))
@@ -147,6 +165,32 @@ class EntryReader {
       else
         no_list(name);
     }
+  }
+
+  /// The keys of a part are those of a case, and are checked when a case reads them.
+  void read_parts(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (!list || !list->is_array_of_tables())
+      return fault(node, "parts must be a list of tables", "write [[parts]]");
+    for (const toml::node& part : *list) read_part(*part.as_table());
+  }
+
+  void read_part(const toml::table& table) {
+    CataloguePart part{.keys = {}, .source = text(table, "source")};
+    text(table, "name");
+    if (table.contains("confidence")) {
+      const std::string word = text(table, "confidence");
+      part.unverified = word == "unverified";
+      part.assumed = word == "assumed";
+      if (!part.unverified && !part.assumed)
+        fault(*table.get("confidence"),
+              "confidence of a part can only be \"unverified\" or \"assumed\"",
+              "leave it out if the source can be looked up");
+    }
+    for (const auto& [key, node] : table)
+      if (key != "source" && key != "confidence")
+        part.keys.emplace_back(key.str(), as_written(node));
+    entry_.parts.push_back(std::move(part));
   }
 
   void read_checks(const toml::node& node) {

@@ -21,6 +21,15 @@ std::string list(std::string_view key, const std::vector<std::string>& texts) {
   return fmt::format("{} = [\n{}]\n", key, items);
 }
 
+std::string part_table(const CataloguePart& part) {
+  std::string text = "\n[[parts]]\n";
+  for (const auto& [key, value] : part.keys) text += fmt::format("{} = {}\n", key, value);
+  text += line("source", part.source);
+  if (part.unverified || part.assumed)
+    text += line("confidence", part.assumed ? "assumed" : "unverified");
+  return text;
+}
+
 std::string value_table(const std::string& key, const CatalogueValue& value) {
   std::string text = fmt::format("\n[{}]\n", key) + line("value", value.text);
   const bool ranged = !value.range[0].empty();
@@ -38,6 +47,7 @@ std::string entry_text(const CatalogueEntry& entry) {
   if (!entry.kind.empty()) text += line("kind", entry.kind);
   text += line("about", entry.about) + list("jars", entry.jars);
   for (const auto& [key, value] : entry.values) text += value_table(key, value);
+  for (const CataloguePart& part : entry.parts) text += part_table(part);
   for (const CatalogueCheck& check : entry.checks)
     text += "\n[[check]]\n" + line("quantity", check.quantity) +
             fmt::format("equals = {}\n", shortest(check.expected)) +

@@ -27,6 +27,7 @@ class CaseReader final : public SectionTables {
 
   Case read(const std::vector<Override>& overrides) {
     c_.file = tree_.file().generic_string();
+    tree_.add_parts_of_mill(overrides);
     const DottedLists fit = read_many_runs(tree_, overrides, c_);
     read_top();
     read_sections();

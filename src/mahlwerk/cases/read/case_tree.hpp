@@ -21,6 +21,9 @@ class CaseTree {
  public:
   CaseTree(Node root, std::filesystem::path file, const Catalogue& catalogue);
 
+  /// Puts the parts of a mill of the catalogue before those of the case. A part of the case that
+  /// has the name of one of them gives only the keys that differ.
+  void add_parts_of_mill(const std::vector<Override>& overrides);
   /// Puts the overrides of one source in their places.
   void apply(const std::vector<Override>& overrides, ValueSource source);
   /// A key without a value in the case gets the first value of its sweep. `locations`: of the keys

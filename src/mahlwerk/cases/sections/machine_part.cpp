@@ -113,7 +113,21 @@ void describe_axis_of_motion(KeyVisitor& v, const scene::MachinePart& body, Part
              m.pivot);
 }
 
+/// Whether the part shares the motion of another, and so has none of its own.
+bool describe_shared_motion(KeyVisitor& v, MachinePart& part) {
+  v.text({"moves_with",
+          "name of the part with which this one moves, about the same axis and pivot; instead of a "
+          "motion of its own"},
+         part.moves_with);
+  if (part.moves_with.empty() || v.visits_all()) return false;
+  v.refuse({"motion", "speed", "motion_axis", "pivot", "amplitude", "frequency", "phase", "swing",
+            "motion_file"},
+           "of a part that moves with another", "remove it, or remove `moves_with`");
+  return true;
+}
+
 void describe_motion(KeyVisitor& v, MachinePart& part) {
+  if (describe_shared_motion(v, part)) return;
   PartMotion& m = part.body.motion;
   if (!v.word({"motion",
                {"fixed", "turning", "oscillating", "swinging", "tabulated"},
@@ -179,6 +193,29 @@ void describe_surface(KeyVisitor& v, MachinePart& part) {
                     part.restitution);
 }
 
+/// Gives the parts that move with another its motion.
+void share_motions(std::vector<MachinePart>& parts, const Node& list, Findings& findings) {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    MachinePart& part = parts[i];
+    if (part.moves_with.empty()) continue;
+    const auto other = std::ranges::find(parts, part.moves_with, &MachinePart::name);
+    std::string remedy;
+    if (other == parts.end())
+      remedy = "give the name of another part";
+    else if (!other->moves_with.empty())
+      remedy = "name the part that has the motion";
+    else if (other->body.in_laboratory != part.body.in_laboratory)
+      remedy = "give both parts the same frame";
+    if (remedy.empty())
+      part.body.motion = other->body.motion;
+    else
+      findings.faults.push_back(
+          {list.items[i].find("moves_with")->where,
+           fmt::format("the part {} cannot move with \"{}\"", part.name, part.moves_with),
+           std::move(remedy), "bad-part"});
+  }
+}
+
 }  // namespace
 
 void describe(KeyVisitor& v, MachinePart& part) {
@@ -212,6 +249,7 @@ std::vector<MachinePart> read_machine_parts(const Node* list, Findings& findings
       in.fault(*in.find("name"), fmt::format("two parts have the name \"{}\"", name),
                "give each part a name of its own", "wrong-type");
   }
+  share_motions(parts, *list, findings);
   return parts;
 }
 

@@ -93,6 +93,8 @@ int list(const CatalogueArguments& given) {
       const cases::CatalogueEntry entry = all.find(category, name);
       const bool weak = std::any_of(entry.values.begin(), entry.values.end(), [](const auto& v) {
         return v.second.unverified || v.second.assumed;
+      }) || std::ranges::any_of(entry.parts, [](const cases::CataloguePart& part) {
+        return part.unverified || part.assumed;
       });
       if (given.json)
         json.push_back(Json::object(
@@ -116,6 +118,21 @@ std::string_view confidence(const cases::CatalogueValue& value) {
   return value.unverified ? "UNVERIFIED: " : "";
 }
 
+/// The keys of a part of a mill, its name first, and their source.
+std::string part_lines(const cases::CataloguePart& part) {
+  std::string name, others;
+  for (const auto& [key, value] : part.keys)
+    if (key == "name")
+      name = value;
+    else
+      others += fmt::format(", {} = {}", key, value);
+  return fmt::format("  [[parts]] name = {}{}\n      {}{}\n", name, others,
+                     part.assumed      ? "ASSUMED: "
+                     : part.unverified ? "UNVERIFIED: "
+                                       : "",
+                     part.source);
+}
+
 void print(const cases::CatalogueEntry& entry) {
   to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.category, entry.name));
   if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
@@ -125,6 +142,7 @@ void print(const cases::CatalogueEntry& entry) {
         "  {:<20} {:<14} {}{}{}\n", key, value.text, confidence(value),
         value.range[0].empty() ? "" : fmt::format("{} to {}; ", value.range[0], value.range[1]),
         value.source));
+  for (const cases::CataloguePart& part : entry.parts) to_stdout(part_lines(part));
   if (!entry.names.empty())
     to_stdout(fmt::format("\nother names: {}\n", fmt::join(entry.names, ", ")));
   if (!entry.jars.empty()) to_stdout(fmt::format("\njars: {}\n", fmt::join(entry.jars, ", ")));
