@@ -89,7 +89,7 @@ async function filesOfExample(native, name, out) {
 async function results_of_all_examples_are_shown({ page, url, folder, native }) {
   if (!native || !existsSync(native)) throw new Skip("no program is named by --native");
   const names = readdirSync(examples).filter((name) => /^\d\d-/.test(name));
-  expect("examples", names.length, 12);
+  expect("examples", names.length, 13);
   await open(page, url);
   for (const name of names) {
     const files = await filesOfExample(native, name, `${folder}/${name}`);

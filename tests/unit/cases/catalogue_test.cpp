@@ -57,6 +57,7 @@ TEST(Catalogue, every_value_has_a_source_and_is_a_quantity_of_its_keys_unit) {
       EXPECT_FALSE(value.source.empty());
       const auto known = std::ranges::find(keys, key, &CatalogueKey::key);
       ASSERT_NE(known, keys.end());
+      if (known->unit == an_axis) continue;
       if (known->unit == a_material) {
         EXPECT_TRUE(has(shipped().names("materials"), value.text));
         continue;

@@ -68,8 +68,8 @@ void CaseTree::add_parts_of_mill(const std::vector<Override>& overrides) {
   if (own == nullptr) return root_.members.push_back({"parts", std::move(list)});
   if (own->kind != Node::Kind::list) return;  // a fault of [[parts]]
   for (Node& part : own->items) {
-    const auto known = std::ranges::find_if(
-        list.items, [&](const Node& other) { return same_name(part, other); });
+    const auto known =
+        std::ranges::find_if(list.items, [&](const Node& other) { return same_name(part, other); });
     if (known != list.items.end())
       overlay(*known, part);
     else

@@ -91,11 +91,12 @@ int list(const CatalogueArguments& given) {
     if (!given.json) fmt::print("{}\n", category);
     for (const std::string& name : all.names(category)) {
       const cases::CatalogueEntry entry = all.find(category, name);
-      const bool weak = std::any_of(entry.values.begin(), entry.values.end(), [](const auto& v) {
-        return v.second.unverified || v.second.assumed;
-      }) || std::ranges::any_of(entry.parts, [](const cases::CataloguePart& part) {
-        return part.unverified || part.assumed;
-      });
+      const bool weak =
+          std::any_of(entry.values.begin(), entry.values.end(),
+                      [](const auto& v) { return v.second.unverified || v.second.assumed; }) ||
+          std::ranges::any_of(entry.parts, [](const cases::CataloguePart& part) {
+            return part.unverified || part.assumed;
+          });
       if (given.json)
         json.push_back(Json::object(
             {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));

@@ -26,9 +26,8 @@ results::Json entry_json(const cases::CatalogueEntry& entry) {
   if (entry.parts.empty()) return made;
   results::Json parts = results::Json::array();
   for (const cases::CataloguePart& part : entry.parts) {
-    results::Json one = results::Json::object({{"source", part.source},
-                                               {"unverified", part.unverified},
-                                               {"assumed", part.assumed}});
+    results::Json one = results::Json::object(
+        {{"source", part.source}, {"unverified", part.unverified}, {"assumed", part.assumed}});
     for (const auto& [key, value] : part.keys) one[key] = value;
     parts.push_back(one);
   }
