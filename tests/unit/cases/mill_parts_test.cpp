@@ -162,7 +162,7 @@ TEST(MovesWith, refuses_what_cannot_be) {
                 .find("give both parts the same frame"),
             std::string::npos);
   EXPECT_NE(complaint(vessel("moves_with = \"shaft\"\nspeed = \"10 rpm\"\n"))
-                .find("speed has no meaning of a part that moves with another"),
+                .find("speed has no meaning for a part that moves with another"),
             std::string::npos);
 }
 

@@ -122,7 +122,7 @@ bool describe_shared_motion(KeyVisitor& v, MachinePart& part) {
   if (part.moves_with.empty() || v.visits_all()) return false;
   v.refuse({"motion", "speed", "motion_axis", "pivot", "amplitude", "frequency", "phase", "swing",
             "motion_file"},
-           "of a part that moves with another", "remove it, or remove `moves_with`");
+           "for a part that moves with another", "remove it, or remove `moves_with`");
   return true;
 }
 
