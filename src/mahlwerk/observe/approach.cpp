@@ -18,7 +18,6 @@ constexpr std::size_t least_samples = 5;
 /// How many times the variance of the residuals, for each parameter more, a model must remove to be
 /// preferred: Fisher's F of two parameters at 1e-4 and 100 samples.
 constexpr double clear = 10;
-
 struct Sample {
   double time, value;  // time since the first sample
 };
@@ -109,21 +108,22 @@ Approach fit_approach(std::span<const double> times, std::span<const double> val
   const double rounding = 1e-13 * largest;
   const auto n = static_cast<double>(all.size());
   const double squares = std::max(fit.squares, n * rounding * rounding);
-  const double unit = squares / (n - 3) / independent_share(all, fit, time);
-  // `more`: parameters that the exponential has more than the other model.
-  const auto is_better_than = [&](const Line& other, double more) {
-    return other.squares - squares > clear * more * unit;
+  // How much less the sum of squares is, in variances of the residuals.
+  const auto gain = [&](const Line& other) {
+    return (other.squares - squares) / squares * (n - 3);
   };
+  const Line constant = line(all, [](const Sample&) { return 0.0; });
+  const Line straight = line(all, [](const Sample& s) { return s.time; });
   Approach found{.start = fit.level + fit.slope, .end = fit.level};
-  if (!is_better_than(line(all, [](const Sample&) { return 0.0; }), 2)) {
+  // Slow swings about a level are no approach; about one, they do not make it a line.
+  if (!(gain(constant) * independent_share(all, fit, time) > 2 * clear)) {
     double sum = 0;
     for (const Sample& s : all) sum += s.value;
     found.kind = Approach::Kind::flat;
     found.start = found.end = sum / n;
   } else if (time < 1.01 * shortest) {
     found.kind = Approach::Kind::fast;
-  } else if (time > counted ||
-             !is_better_than(line(all, [](const Sample& s) { return s.time; }), 1)) {
+  } else if (time > counted || !(gain(straight) > clear)) {
     return {};
   } else {
     found.kind = Approach::Kind::found;

@@ -72,11 +72,11 @@ TEST(Mixing, of_one_colour_is_not_defined) {
 }
 
 TEST(Mixing, of_a_periodic_jar_has_neighbours_beyond_its_boundaries) {
-  // Layers of the two colours in turn, without ends: two of the six neighbours have the other one.
+  // Two layers of each colour in turn, without ends: one of the six neighbours has the other one.
   const auto balls = lattice(8);
   std::vector<std::uint8_t> colours;
-  for (const scene::Ball& b : balls) colours.push_back(std::fmod(b.position.x, 2) < 1);
-  states("neighbours", neighbour_index(balls, colours, 1.2, {8, 8, 8}), 2.0 / 6 / (256.0 / 511),
+  for (const scene::Ball& b : balls) colours.push_back(std::fmod(b.position.x, 4) < 2);
+  states("neighbours", neighbour_index(balls, colours, 1.2, {8, 8, 8}), 1.0 / 6 / (256.0 / 511),
          1e-12, "counted");
   // In slices of one layer, the four neighbours in the layer and no image of the ball itself.
   std::vector<scene::Ball> slice;
@@ -84,10 +84,10 @@ TEST(Mixing, of_a_periodic_jar_has_neighbours_beyond_its_boundaries) {
   for (const scene::Ball& b : balls)
     if (b.position.z < 1) {
       slice.push_back(b);
-      of_slice.push_back(std::fmod(b.position.x, 2) < 1);
+      of_slice.push_back(std::fmod(b.position.x, 4) < 2);
     }
   states("neighbours in a layer", neighbour_index(slice, of_slice, 1.2, {8, 8, 1}),
-         2.0 / 4 / (32.0 / 63), 1e-12, "counted");
+         1.0 / 4 / (32.0 / 63), 1e-12, "counted");
 }
 
 }  // namespace
