@@ -71,6 +71,12 @@ CASES = {
                           "hardness": 600}],
                "wear": {"model": "archard"},
                "run": {"engine": "soft", "time": "0.2 s", "settle": "0.1 s", "replicates": 1}},
+    # A slice, thinner than the spheres of the packing fraction, of a drum that slips under its bed.
+    "packed": {"mill": {"kind": "tumbling", "speed": "1 rpm"}, "observe": {"final_state": True},
+               "jar": {"kind": "periodic-cylinder", "diameter": "96 mm", "length": "19.2 mm", "youngs_modulus": "1 GPa"},
+               "balls": [{**BALLS, "count": 200}], "contact": {"restitution": 0.5, "friction": 0},
+               "mixing": {"colour": "height", "interval": "10 ms"},
+               "run": {"engine": "soft", "time": "0.1 s", "settle": "0.5 s", "replicates": 1}},
     "planetary": {"mill": {"kind": "planetary", "orbit_radius": "70 mm", "speed": "300 rpm", "ratio": -2,
                            "jars_carried": 2},
                   "jar": JAR, "balls": [BALLS], "contact": {"restitution": 0.5, "friction": 0.4},

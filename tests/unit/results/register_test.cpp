@@ -41,6 +41,7 @@ TEST(Ranges, of_all_quantities_begin_at_zero_but_those_of_signed_ones) {
       "lacey_index",  // of a charge less mixed than a segregated one
       "segregation_radial",
       "segregation_vertical",
+      "segregation_axial",
       "bed_porosity",
       "axial_dispersion",
       "dissipated_power_of_lasting_contacts"};  // a difference of two powers

@@ -15,6 +15,7 @@
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/settling.hpp"
+#include "mahlwerk/observe/approach.hpp"
 #include "mahlwerk/parts/mixing/mixing_record.hpp"
 #include "mahlwerk/report/columns.hpp"
 #include "mahlwerk/report/page.hpp"
@@ -106,18 +107,14 @@ double late(const Replicate& r, double MixingSample::*member) {
   return results::share(sum, count);
 }
 
-/// [s] Until 1 - M has fallen to 1/e of its first value (mix.3); NaN if it does not.
-double mixing_time(const Replicate& r) {
-  const auto& all = samples_of(r);
-  if (all.empty()) return results::undefined;
-  const double first = 1 - all.front().neighbours, wanted = first / std::numbers::e;
-  if (!(first > 0)) return results::undefined;
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const double a = 1 - all[i - 1].neighbours, b = 1 - all[i].neighbours;
-    if (!(b <= wanted)) continue;
-    return all[i - 1].time + (a - wanted) / (a - b) * (all[i].time - all[i - 1].time);
+/// The approach of the neighbour mixing index to its end (mix.3).
+observe::Approach approach(const Replicate& r) {
+  std::vector<double> times, values;
+  for (const MixingSample& s : samples_of(r)) {
+    times.push_back(s.time);
+    values.push_back(s.neighbours);
   }
-  return results::undefined;
+  return observe::fit_approach(times, values);
 }
 
 /// [m2/s] Half the slope of the mean square way along the axis, by the second half (mix.6).
@@ -150,8 +147,8 @@ results::Measures quantities() {
         {.equation = "mix.2"}},
        {"mixing_time",
         "s",
-        "until one minus the neighbour mixing index has fallen to 1/e of its first value",
-        [](const Case&, const Replicate& r) { return mixing_time(r); },
+        "time constant of an exponential approach of the neighbour mixing index to its end value",
+        [](const Case&, const Replicate& r) { return approach(r).time; },
         {.equation = "mix.3"}},
        {"segregation_radial",
         "1",
@@ -163,9 +160,16 @@ results::Measures quantities() {
         "how much higher the first colour is, over the spread of all balls",
         late_mean<&MixingSample::vertical>,
         {.range = results::any_value, .equation = "mix.4"}},
+       {"segregation_axial",
+        "1",
+        "how much farther along the jar's axis the first colour is, over the spread of all balls; "
+        "none in a jar that is periodic along it",
+        late_mean<&MixingSample::axial>,
+        {.range = results::any_value, .equation = "mix.4"}},
        {"packing_fraction",
         "1",
-        "packing fraction of the denser half of the charge",
+        "mean packing fraction in the bed, clear of walls, parts and surface; none in a bed too "
+        "shallow for it",
         late_mean<&MixingSample::packing>,
         {.equation = "mix.5"}},
        {"bed_porosity",
@@ -192,8 +196,9 @@ Table series(const Outcome& outcome) {
                {"neighbour_mixing_index", "1", "share of neighbours of the other colour"},
                {"segregation_radial", "1", "of the first colour, away from the axis"},
                {"segregation_vertical", "1", "of the first colour, upwards"},
+               {"segregation_axial", "1", "of the first colour, along the axis"},
                {"axial_spread", "m2", "mean square way of the balls along the axis"},
-               {"packing_fraction", "1", "of the denser half of the charge"},
+               {"packing_fraction", "1", "mean in the bed"},
                {"bed_height", "m", "of all but the highest 2 % of the balls"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
@@ -206,26 +211,76 @@ Table series(const Outcome& outcome) {
     };
     table.rows.push_back({of(&MixingSample::time), of(&MixingSample::lacey),
                           of(&MixingSample::neighbours), of(&MixingSample::radial),
-                          of(&MixingSample::vertical), of(&MixingSample::axial_spread),
-                          of(&MixingSample::packing), of(&MixingSample::bed_height)});
+                          of(&MixingSample::vertical), of(&MixingSample::axial),
+                          of(&MixingSample::axial_spread), of(&MixingSample::packing),
+                          of(&MixingSample::bed_height)});
   }
   return table;
 }
 
+/// Means over the points of the samples of the second half, of all replicates.
+Table packing_profile(const Outcome& outcome) {
+  Table table{{{"height", "m", "middle of a layer, above the lowest point of the balls"},
+               {"packing_fraction", "1", "mean over the points of the layer that are in the bed"},
+               {"points", "1", "number of points"}},
+              {}};
+  for (const Replicate* r : results::averaged_replicates(outcome)) {
+    const MixingRecord& record = *r->recorders.find<MixingRecord>();
+    for (const PackingAtHeight& one : record.profile()) {
+      if (one.sample < record.samples().size() / 2) continue;
+      for (std::size_t i = table.rows.size(); i <= one.layer; ++i)
+        table.rows.push_back({(static_cast<double>(i) + 0.5) * record.layer_height(), 0, 0});
+      table.rows[one.layer][1] += one.sum, table.rows[one.layer][2] += one.points;
+    }
+  }
+  for (auto& row : table.rows) row[1] = results::share(row[1], row[2]);
+  std::erase_if(table.rows, [](const auto& row) { return row[2] == 0; });
+  return table;
+}
+
 std::vector<results::NamedTable> tables(const Outcome& outcome) {
-  return {{"mixing", "mixing, segregation and packing of the charge over time", series(outcome)}};
+  std::vector<results::NamedTable> all{
+      {"mixing", "mixing, segregation and packing of the charge over time", series(outcome)}};
+  if (Table profile = packing_profile(outcome); !profile.rows.empty())
+    all.push_back({"packing_profile",
+                   "packing fraction in the bed against height, of the second half of the counted "
+                   "time",
+                   std::move(profile)});
+  return all;
 }
 
 Notices notices(const Outcome& outcome) {
+  using Kind = observe::Approach::Kind;
   const auto chosen = results::averaged_replicates(outcome);
-  if (chosen.empty() || std::ranges::all_of(chosen, [](const Replicate* r) {
-        return std::isfinite(mixing_time(*r));
-      }))
-    return {};
-  return {
-      warning("not-mixed",
-              "The charge did not mix within the counted time: its mixing time is longer, if it "
-              "has one. mixing.csv has the index over time; a longer run.time tells.")};
+  std::size_t open = 0, early = 0;
+  for (const Replicate* r : chosen) {
+    const observe::Approach found = approach(*r);
+    // Without a change, the halves of a charge that does not mix look like one that is mixed.
+    constexpr double half_mixed = 0.5;
+    const bool unmixed = found.kind == Kind::flat && !(found.end > half_mixed);
+    if (found.kind == Kind::open || unmixed)
+      ++open;
+    else if (found.kind != Kind::found)
+      ++early;
+  }
+  const auto share = [&](std::size_t of) {
+    return chosen.size() == 1 ? std::string("The charge")
+                              : fmt::format("The charge of {} of {} replicates", of, chosen.size());
+  };
+  Notices all;
+  if (open > 0)
+    all.push_back(warning(
+        "not-mixed", share(open) +
+                         " has not come to an end of its mixing within the counted time, or has "
+                         "not begun to mix: it has no mixing time. mixing.csv has the index over "
+                         "time; a longer run.time tells."));
+  if (early > 0)
+    all.push_back(note("mixed-from-start",
+                       share(early) +
+                           " is as mixed as it becomes from the first sample, or from the second: "
+                           "it has no mixing time. To see it mix, count from the start "
+                           "(run.settle = \"0 s\") or shorten mixing.interval."));
+  return all;
 }
 
 std::string panel(const Outcome& outcome) {
@@ -243,8 +298,7 @@ std::string panel(const Outcome& outcome) {
                    report::Mark::line}},
        .shape = 0.42},
       "0: the two colours are apart, 1: as in a random mixture. mixing.csv has the numbers, and "
-      "those "
-      "of segregation and packing.");
+      "those of segregation and packing.");
 }
 
 }  // namespace

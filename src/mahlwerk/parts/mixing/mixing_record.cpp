@@ -4,29 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
-#include "mahlwerk/base/elementary.hpp"
-#include "mahlwerk/geometry/any_shape.hpp"
-#include "mahlwerk/kinematics/any_motion.hpp"
+#include "mahlwerk/observe/mixing.hpp"
+#include "mahlwerk/observe/packing.hpp"
 
 namespace mahlwerk::parts::mixing {
 namespace {
-
-/// Directions of a jar at an instant: along its axis, up, and level across both.
-struct Directions {
-  Vec3 axis, up, across;
-};
-Directions directions(const scene::Chamber& mill, double time) {
-  Directions d;
-  d.axis = kinematics::rotation(*mill.motion, time) * mill.mount.ez;
-  const double g = norm(mill.gravity);
-  d.up = g > 0 ? -mill.gravity / g : Vec3{0, 0, 1};
-  const Vec3 level = cross(d.axis, d.up);
-  const Vec3 other = kinematics::rotation(*mill.motion, time) * mill.mount.ex;
-  d.across = norm(level) > 0.1 ? level / norm(level) : other - dot(other, d.up) * d.up;
-  return d;
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -34,12 +18,28 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// How far the first colour is from the mean of all, in standard deviations of all (mix.4).
+class Segregation {
+ public:
+  void add(double x, double marked) {
+    ++all_, sum_ += x, squares_ += x * x;
+    marked_ += marked, sum_marked_ += marked * x;
+  }
+  double value() const {
+    const double mean = sum_ / all_,
+                 width = std::sqrt(std::max(0.0, squares_ / all_ - mean * mean));
+    return marked_ > 0 && width > 0 ? (sum_marked_ / marked_ - mean) / width : 0.0;
+  }
+
+ private:
+  double all_ = 0, sum_ = 0, squares_ = 0, marked_ = 0, sum_marked_ = 0;
+};
+
 }  // namespace
 
 /// The halves of the charge, by the median of a coordinate; or the first ball set and the others.
-void MixingRecord::colour(const std::vector<scene::Ball>& balls, double time) {
+void MixingRecord::colour(const std::vector<scene::Ball>& balls, const Instant& d) {
   using Colour = Mixing::Colour;
-  const Directions d = directions(setup_.mill, time);
   const auto place = [&](const scene::Ball& b) {
     const Vec3& p = b.position;
     switch (setup_.section.colour) {
@@ -68,81 +68,80 @@ void MixingRecord::colour(const std::vector<scene::Ball>& balls, double time) {
 }
 
 /// Ways along the axis; in a periodic jar by the nearest image from sample to sample.
-void MixingRecord::follow(const std::vector<scene::Ball>& balls, double time) {
-  const Vec3 axis = directions(setup_.mill, time).axis;
-  const double period = geometry::periods(*setup_.mill.shape).z;
+void MixingRecord::follow(const std::vector<scene::Ball>& balls, const Instant& at) {
   if (axial_.empty()) moved_.assign(balls.size(), 0), axial_.assign(balls.size(), 0);
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    const double now = dot(balls[i].position, axis);
+    const double now = dot(balls[i].position, at.axis);
     if (!samples_.empty()) {
       double way = now - axial_[i];
-      if (std::isfinite(period)) way = std::remainder(way, period);
+      if (std::isfinite(at.periods.z)) way = std::remainder(way, at.periods.z);
       moved_[i] += way;
     }
     axial_[i] = now;
   }
 }
 
-/// Mean packing around balls that are farther than a ball and a half from all walls (mix.5).
-double MixingRecord::packing(const std::vector<scene::Ball>& balls, double time) const {
-  constexpr std::size_t probes = 200;
-  const double radius = 1.5 * setup_.diameter;
-  const Rotation own = kinematics::rotation(*setup_.mill.motion, time) * setup_.mill.mount;
-  const std::size_t each = std::max<std::size_t>(1, balls.size() / probes);
-  std::vector<double> found;
-  std::vector<scene::Ball> near;
-  for (std::size_t i = 0; i < balls.size(); i += each) {
-    const Vec3& p = balls[i].position;
-    if (geometry::nearest_wall(*setup_.mill.shape, own.apply_inverse(p), radius) < radius) continue;
-    near.clear();
-    for (const scene::Ball& b : balls)
-      if (squared(b.position - p) < (radius + b.radius) * (radius + b.radius)) near.push_back(b);
-    found.push_back(observe::packing_around(near, p, radius));
+/// Mean packing in the bed (mix.5), which it adds to the profile; NaN without a bed.
+double MixingRecord::packing(const std::vector<scene::Ball>& balls,
+                             const std::vector<scene::Ball>& own, const Instant& at) {
+  const std::vector<observe::LocalPacking> found = observe::packing_in_bed(
+      {.balls = own,
+       .diameter = setup_.diameter,
+       .periods = at.periods,
+       .clearance = [&](const Vec3& p, double within) { return at.clearance(p, within); }});
+  double lowest = std::numeric_limits<double>::infinity(), sum = 0;
+  for (const scene::Ball& b : balls) lowest = std::min(lowest, dot(b.position, at.up) - b.radius);
+  std::vector<PackingAtHeight> layers;
+  for (const observe::LocalPacking& one : found) {
+    const double height = dot(at.in_jar_frame(one.at), at.up) - lowest;
+    const auto layer = static_cast<std::size_t>(std::max(0.0, height / layer_height()));
+    while (layers.size() <= layer)
+      layers.push_back({.sample = static_cast<std::uint32_t>(samples_.size()),
+                        .layer = static_cast<std::uint32_t>(layers.size())});
+    layers[layer].sum += one.packing, ++layers[layer].points;
+    sum += one.packing;
   }
-  if (found.empty()) return std::numeric_limits<double>::quiet_NaN();
-  // Half of the probes are deep in the bed, unless it is shallow: the upper quartile of all.
-  std::ranges::sort(found);
-  const auto from = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  return std::accumulate(from, found.end(), 0.0) / static_cast<double>(found.end() - from);
+  for (const PackingAtHeight& one : layers)
+    if (one.points > 0) profile_.push_back(one);
+  return found.empty() ? std::numeric_limits<double>::quiet_NaN()
+                       : sum / static_cast<double>(found.size());
 }
 
-void MixingRecord::take_balls(const scene::EnergyBalance& now, double time_of_balls,
+MixingSample MixingRecord::sample(const std::vector<scene::Ball>& balls, const Instant& at) {
+  const std::vector<scene::Ball> own = at.in_own_axes(balls);
+  MixingSample s;
+  s.time = setup_.interval * static_cast<double>(samples_.size());
+  s.lacey = observe::lacey_index(balls, colours_, setup_.cell);
+  s.neighbours = observe::neighbour_index(own, colours_, setup_.reach, at.periods);
+  Segregation radial, vertical, axial;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Vec3& p = balls[i].position;
+    const double along = dot(p, at.axis), height = dot(p, at.up), marked = colours_[i];
+    radial.add(norm(p - along * at.axis), marked);
+    vertical.add(height, marked);
+    axial.add(along, marked);
+    s.axial_spread += moved_[i] * moved_[i] / static_cast<double>(balls.size());
+    heights.push_back(height);
+  }
+  s.radial = radial.value(), s.vertical = vertical.value();
+  s.axial = std::isfinite(at.periods.z) ? std::numeric_limits<double>::quiet_NaN() : axial.value();
+  s.packing = packing(balls, own, at);
+  std::ranges::sort(heights);
+  const auto height_of = [&](double share) {
+    return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
+  };
+  s.bed_height = height_of(0.98) - height_of(0) + setup_.diameter;
+  return s;
+}
+
+void MixingRecord::take_balls(const scene::EnergyBalance& now, double time,
                               const std::vector<scene::Ball>& balls) {
-  const double time = time_of_balls;
-  if (colours_.empty()) colour(balls, time);
+  const Instant at(setup_.mill, time, setup_.diameter);
+  if (colours_.empty()) colour(balls, at);
   while (next() <= now.time) {
-    follow(balls, time);
-    MixingSample s;
-    s.time = setup_.interval * static_cast<double>(samples_.size());
-    const observe::MixingIndex index =
-        observe::mixing_index(balls, colours_, setup_.cell, setup_.reach);
-    s.lacey = index.lacey, s.neighbours = index.neighbours;
-    const Directions d = directions(setup_.mill, time);
-    double all = 0, marked = 0, r = 0, r_marked = 0, h = 0, h_marked = 0, spread = 0, r2 = 0,
-           h2 = 0;
-    std::vector<double> heights;
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      const Vec3& p = balls[i].position;
-      const double radius = norm(p - dot(p, d.axis) * d.axis), height = dot(p, d.up);
-      const double of = colours_[i];
-      all += 1, marked += of, r += radius, h += height, r_marked += of * radius;
-      h_marked += of * height, r2 += radius * radius, h2 += height * height;
-      spread += moved_[i] * moved_[i];
-      heights.push_back(height);
-    }
-    const auto apart = [&](double sum, double sum_marked, double squares) {
-      const double width = std::sqrt(std::max(0.0, squares / all - sum / all * (sum / all)));
-      return marked > 0 && width > 0 ? (sum_marked / marked - sum / all) / width : 0.0;
-    };
-    s.radial = apart(r, r_marked, r2), s.vertical = apart(h, h_marked, h2);
-    s.axial_spread = spread / all;
-    s.packing = packing(balls, time);
-    std::ranges::sort(heights);
-    const auto at = [&](double share) {
-      return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
-    };
-    s.bed_height = at(0.98) - at(0) + setup_.diameter;
-    samples_.push_back(s);
+    follow(balls, at);
+    samples_.push_back(sample(balls, at));
   }
 }
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
-#include "mahlwerk/observe/mixing.hpp"
 #include "mahlwerk/observe/recorder.hpp"
+#include "mahlwerk/parts/mixing/instant.hpp"
 #include "mahlwerk/parts/mixing/mixing.hpp"
 #include "mahlwerk/scene/chamber.hpp"
 
@@ -18,8 +19,17 @@ struct MixingSample {
   double time = 0;                     ///< [s] since counting began
   double lacey = 0, neighbours = 0;    ///< [1]
   double radial = 0, vertical = 0;     ///< [1] segregation of the first colour (mix.4)
+  double axial = 0;                    ///< [1] likewise; NaN in a jar that is periodic along it
   double axial_spread = 0;             ///< [m2] mean square axial displacement of the balls
-  double packing = 0, bed_height = 0;  ///< [1], [m]
+  double packing = 0, bed_height = 0;  ///< [1] NaN without a bed, [m]
+};
+
+/// The packing at one height of one sample.
+struct PackingAtHeight {
+  std::uint32_t sample = 0;
+  std::uint32_t layer = 0;  ///< from the lowest point of the balls, each of half a mean diameter
+  double points = 0;        ///< [1]
+  double sum = 0;           ///< [1] of the packing fractions around the points
 };
 
 /// What the recorder needs to know of a case.
@@ -47,18 +57,25 @@ class MixingRecord final : public observe::Recorder {
   bool wants_balls() const override { return true; }
   void take_balls(const scene::EnergyBalance& now, double time_of_balls,
                   const std::vector<scene::Ball>& balls) override;
-  void serialize(Archive& archive) override { archive(begin_)(samples_)(colours_)(axial_)(moved_); }
+  void serialize(Archive& archive) override {
+    archive(begin_)(samples_)(profile_)(colours_)(axial_)(moved_);
+  }
 
   const std::vector<MixingSample>& samples() const { return samples_; }
+  const std::vector<PackingAtHeight>& profile() const { return profile_; }
+  double layer_height() const { return 0.5 * setup_.diameter; }  ///< [m]
 
  private:
-  void colour(const std::vector<scene::Ball>& balls, double time);
-  void follow(const std::vector<scene::Ball>& balls, double time);
-  double packing(const std::vector<scene::Ball>& balls, double time) const;
+  void colour(const std::vector<scene::Ball>& balls, const Instant& at);
+  void follow(const std::vector<scene::Ball>& balls, const Instant& at);
+  double packing(const std::vector<scene::Ball>& balls, const std::vector<scene::Ball>& own,
+                 const Instant& at);
+  MixingSample sample(const std::vector<scene::Ball>& balls, const Instant& at);
 
   MixingSetup setup_;
   double begin_ = std::numeric_limits<double>::infinity();
   std::vector<MixingSample> samples_;
+  std::vector<PackingAtHeight> profile_;
   std::vector<std::uint8_t> colours_;  // of the balls
   std::vector<double> axial_, moved_;  // [m] along the jar's axis: place, and way since the start
 };
