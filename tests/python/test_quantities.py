@@ -437,6 +437,54 @@ def test_a_random_bed_in_a_thin_slice_has_its_packing_fraction():
     mean = np.average(profile["packing_fraction"], weights=profile["points"])
     assert mean == pytest.approx(run["packing_fraction"], abs=0.005)  # samples differ in their number of points
 
+
+
+def residence(moment):
+    """[s] The mean of t, or [s^2] that of t^2, by the steps of the distribution in residence.csv (flo.7)."""
+    def of(run):
+        table = run.result.table("residence")
+        times, inside = table["time_s"], 1 - table["share_left"]
+        assert inside[-1] < 1e-9, "the last ball that was followed has left"
+        return float(np.sum(inside[:-1] * np.diff(times**moment)))
+    return of
+
+
+def passed(column):
+    """Per second, by the last row of flow.csv."""
+    return lambda run: run.result.table("flow")[column][-1] / run.time
+
+
+def inside(column):
+    """The mean over the rows of flow.csv."""
+    return lambda run: np.mean(run.result.table("flow")[column])
+
+
+HOPPER = {
+    "discharge_rate": (passed("left"), 1e-4),  # a window ends at a step
+    "discharge_mass_rate": (lambda run: run["discharge_rate"] * 7850 * math.pi / 6 * 3e-3**3, 1e-6),
+    "holdup": (inside("inside"), 2e-3),
+    "holdup_mass": (lambda run: run["holdup"] * 7850 * math.pi / 6 * 3e-3**3, 1e-6),
+    "residence_time": (lambda run: run["holdup"] / run["discharge_rate"], 1e-6),
+    "tracer_residence_time": (residence(1), 0.01),
+    "residence_time_spread": (lambda run: math.sqrt(residence(2)(run) - residence(1)(run)**2), 0.01),
+}
+PROOFS.update({name: ("hopper", of, tolerance) for name, (of, tolerance) in HOPPER.items()})
+
+
+def test_flow_keeps_the_number_and_the_mass_of_balls():
+    """Inside + left - entered is the same in every row (flo.2), and balls stay as long as Little's law says (flo.5)."""
+    run = run_of("hopper")
+    table = run.result.table("flow")
+    assert np.ptp(table["inside"] + table["left"] - table["entered"]) == 0
+    assert np.ptp(table["mass_inside_kg"] + table["mass_left_kg"] - table["mass_entered_kg"]) < 1e-12
+    left = table["left"][-1]
+    print(f"{left:.0f} left; residence times {run['residence_time']:.4g} s, {run['tracer_residence_time']:.4g} s")
+    assert left > 100
+    # The mean of n tracers is off by spread/sqrt(n); what is inside at the ends counts half a residence time each.
+    tolerance = 3 * run["residence_time_spread"] / math.sqrt(left) + run["residence_time"]**2 / run.time / 2
+    assert run["tracer_residence_time"] == pytest.approx(run["residence_time"], abs=tolerance)
+
+
 # The tables of the sensors hold the readings of the first replicate.
 READINGS = {
     "motor_power_scatter": (lambda run: run.result.table("power_meter")["motor_power_W"].std(ddof=1), EXACT),

@@ -18,6 +18,9 @@ namespace mahlwerk::cases {
 /// The jar of a case with the motion of its mill.
 scene::Chamber chamber(const Case& c);
 
+/// The section [flow] of a case that has one, in the jar frame.
+scene::Flow flow_in_jar_frame(const Case& c);
+
 /// Balls at random positions without contact, with random velocities and spins in the ranges of
 /// [run] (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Positions given by the case are
 /// kept, or those of run.start_from. The result depends only on the seed and the replicate. Throws

@@ -13,6 +13,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/cases/machine_part.hpp"
 #include "mahlwerk/cases/material.hpp"
 #include "mahlwerk/cases/part_values.hpp"
@@ -278,6 +279,7 @@ struct Case {
   std::optional<Powder> powder;
   Contact contact;
   std::optional<Liquid> liquid;
+  std::optional<Flow> flow;
   Run run;
   Observe observe;
   std::optional<MillingTime> milling;

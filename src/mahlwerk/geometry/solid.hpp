@@ -10,9 +10,10 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 
-// Solid bodies in a jar, as balls outside of them see them, in the body's own axes. Each is convex
-// and so has one face: a ball touches it at one point (geo.19). `gap` and `distance` are those of
-// a shape (geometry/shape.hpp), `clearance` is the distance from the whole body, negative inside.
+// Solid bodies in a jar, as balls outside of them see them, in the body's own axes. Each has one
+// face: all but the ring are convex, and a ball touches them at one point (geo.19). `gap` and
+// `distance` are those of a shape (geometry/shape.hpp), `clearance` is the distance from the whole
+// body, negative inside.
 namespace mahlwerk::geometry {
 
 constexpr UsualRange part_sizes{"1 mm", "1 m", true};
@@ -142,6 +143,58 @@ struct ConeSolid : RoundSolid<ConeSolid> {
   }
   Frustum frustum() const { return {0.5 * diameter, 0.5 * top_diameter, length}; }
   bool operator==(const ConeSolid&) const = default;
+};
+
+/// A disc with a round hole. A ball smaller than the hole touches it at one point; a larger one on
+/// the hole lies on that point of the rim which is nearest.
+struct RingSolid {
+  double diameter = 0, hole = 0, thickness = 0;  // [m]
+  static constexpr std::string_view name = "ring";
+  static constexpr std::string_view about =
+      "a disc with a round hole: a floor with an orifice, an annular baffle";
+  static constexpr int faces = 1;
+  static constexpr auto fields() {
+    using R = RingSolid;
+    return std::array{Field<R>{"diameter", "m", &R::diameter, positive, "outer diameter"}.with(
+                          {.start = "60 mm", .usual = part_sizes}),
+                      Field<R>{"hole", "m", &R::hole, positive, "diameter of the hole"}.with(
+                          {.start = "20 mm", .usual = part_sizes}),
+                      Field<R>{"thickness", "m", &R::thickness, positive, "along the axis"}.with(
+                          {.start = "5 mm", .usual = part_sizes})};
+  }
+  /// Beyond the rectangle of radius and height, in radius (signed outwards) and in height.
+  struct Beyond {
+    double radius = 0, height = 0;  ///< [m] > 0 outside
+    bool in_hole = false;           ///< the inner side is the nearer one
+  };
+  Beyond beyond(double r, double z) const {
+    const double inner = 0.5 * hole - r, outer = r - 0.5 * diameter;
+    return {std::max(inner, outer), std::abs(z) - 0.5 * thickness, inner > outer};
+  }
+  Gap gap(int, const Vec3& p, double) const {
+    const double r = math::hypot(p.x, p.y);
+    const Beyond b = beyond(r, p.z);
+    const Vec3 radial = r > 0 ? Vec3{p.x / r, p.y / r, 0} : Vec3{1, 0, 0};
+    const Vec3 out = b.in_hole ? -radial : radial, up{0, 0, p.z < 0 ? -1.0 : 1.0};
+    if (b.radius > 0 && b.height > 0) {
+      const double far = math::hypot(b.radius, b.height);
+      return {far, b.radius / far * out + b.height / far * up, 0};
+    }
+    return b.radius > b.height ? Gap{b.radius, out, 0} : Gap{b.height, up, 0};
+  }
+  double distance(int, const Vec3& p, double) const { return clearance(p); }
+  double clearance(const Vec3& p) const { return gap(0, p, never).distance; }
+  /// Edges count as flat, as those of all shapes.
+  Vec3 normal_rate(int, const Vec3& p, const Vec3& v) const {
+    const double r = math::hypot(p.x, p.y);
+    const Beyond b = beyond(r, p.z);
+    if (!(r > 0) || !(b.radius > b.height) || (b.radius > 0 && b.height > 0)) return {};
+    const Vec3 radial{p.x / r, p.y / r, 0};
+    const Vec3 rate = (Vec3{v.x, v.y, 0} - dot(radial, v) * radial) / r;
+    return b.in_hole ? -rate : rate;
+  }
+  double reach() const { return math::hypot(0.5 * diameter, 0.5 * thickness); }
+  bool operator==(const RingSolid&) const = default;
 };
 
 /// A cuboid with its middle at the origin.

@@ -11,10 +11,10 @@
 namespace mahlwerk::geometry {
 
 /// The register of solids: what a part in a jar may be.
-struct AnySolid
-    : std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid> {
-  using Models =
-      std::variant<PlaneSolid, DiscSolid, CylinderSolid, ConeSolid, BladeSolid, MeshSolid>;
+struct AnySolid : std::variant<PlaneSolid, DiscSolid, RingSolid, CylinderSolid, ConeSolid,
+                               BladeSolid, MeshSolid> {
+  using Models = std::variant<PlaneSolid, DiscSolid, RingSolid, CylinderSolid, ConeSolid,
+                              BladeSolid, MeshSolid>;
   using Models::Models;
   bool operator==(const AnySolid&) const = default;
 };

@@ -75,6 +75,8 @@ std::vector<Fault> faults(const cases::Case& c) {
   refuse(!c.machine_parts.empty(), "parts.1.kind", "parts in the jar", "remove [[parts]]");
   refuse(c.liquid.has_value(), "liquid", "a liquid: its films act on bodies that do not touch",
          "remove [liquid]");
+  refuse(c.flow.has_value(), "flow.outlet", "balls that leave the jar and enter it",
+         "remove [flow]");
   refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",
          "give a time");
   refuse(c.run.start == cases::StartLayout::ramp, "run.start",

@@ -36,8 +36,11 @@ struct Window {
   double energy_contact_point = 0;  ///< [J] sum over the collisions
   double lost = 0;                  ///< [J] dissipated energy
   double wall_work = 0;             ///< [J] work of the jar on the balls
+  double flow = 0;                  ///< [J] of balls that entered, less those that left
   double contact_time = 0;          ///< [s] time in sustained contact, summed over balls
   double kinetic = 0;               ///< [J] kinetic energy at the end of the window
+
+  double given() const { return wall_work + flow; }  ///< [J] to the balls
 };
 
 /// Capture of grains of the feed's median size, per second.

@@ -19,6 +19,7 @@ struct EnergyBalance {
   double lost_rolling = 0;     ///< dissipated by rolling resistance of touching bodies
   double lost_liquid = 0;      ///< dissipated by the flow of a liquid between and around balls
   double elastic = 0;          ///< stored in contacts now
+  double flow = 0;             ///< of balls that have entered the jar, less those that left (flo.3)
   double lost_open = 0;        ///< part of the losses: by open contacts, not in any record yet
   double slid = 0;             ///< part of lost_tangential: by slip at the Coulomb limit
   double worst_collision = 0;  ///< [1] largest relative residual of one collision's balance
@@ -38,7 +39,7 @@ struct EnergyBalance {
   }
   /// Residual of the balance, > 0 if energy appeared (dem.32).
   double residual() const {
-    return kinetic + potential + elastic - initial_energy - wall_work + lost();
+    return kinetic + potential + elastic - initial_energy - flow - wall_work + lost();
   }
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mahlwerk/scene/collision.hpp"
+#include "mahlwerk/scene/flow.hpp"
 
 namespace mahlwerk::scene {
 
@@ -14,6 +15,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void collisions(std::span<const Collision> finished) = 0;
+  /// Balls that have left the jar or entered it, in the order in which they did.
+  virtual void passages(std::span<const Passage> /*passed*/) {}
 };
 
 }  // namespace mahlwerk::scene

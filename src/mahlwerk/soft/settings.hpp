@@ -9,6 +9,7 @@
 
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
+#include "mahlwerk/scene/flow.hpp"
 
 namespace mahlwerk::soft {
 
@@ -24,6 +25,7 @@ struct Settings {
   double max_initial_overlap = 0.01;
   int threads = 1;  ///< threads of one run; results do not depend on it
   std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
+  std::optional<scene::Flow> flow = std::nullopt;        ///< none: all balls stay in the jar
   /// Makes the device that computes a run; none: the processor.
   std::function<std::shared_ptr<Device>()> device = nullptr;
 };

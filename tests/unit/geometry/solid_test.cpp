@@ -49,6 +49,25 @@ TEST(Solid, of_revolution_is_as_far_as_the_nearest_point_of_its_surface) {
   stays_below("error of the distance [m]", worst, 3e-6, "distance to the meridian");
 }
 
+TEST(Solid, that_is_a_ring_is_as_far_as_the_nearest_point_of_its_rectangle) {
+  const RingSolid ring{0.06, 0.03, 0.01};
+  Random random(6, 0);
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p = 0.05 * random.uniform(0, 1) * random.direction();
+    const double r = std::hypot(p.x, p.y);
+    double least = 1e9;  // to the four sides of the rectangle of radius and height
+    for (int k = 0; k <= 20000; ++k) {
+      const double x = 0.015 + 0.015 * k / 20000, z = -0.005 + 0.01 * k / 20000;
+      for (const auto& [a, b] : {std::pair(x, 0.005), {x, -0.005}, {0.015, z}, {0.03, z}})
+        least = std::min(least, std::hypot(r - a, p.z - b));
+    }
+    const bool inside = r > 0.015 && r < 0.03 && std::abs(p.z) < 0.005;
+    worst = std::max(worst, std::abs(ring.clearance(p) - (inside ? -least : least)));
+  }
+  stays_below("error of the distance of a ring [m]", worst, 1e-6, "distance to the rectangle");
+}
+
 template <class S>
 void expect_unit_gradient(const S& solid) {
   Random random(4, 0);
@@ -77,6 +96,7 @@ TEST(Solid, has_the_gradient_of_its_distance_as_normal) {
   expect_unit_gradient(cone);
   expect_unit_gradient(disc);
   expect_unit_gradient(bar);
+  expect_unit_gradient(RingSolid{0.06, 0.03, 0.01});
   expect_unit_gradient(BladeSolid{0.05, 0.004, 0.02});
   expect_unit_gradient(PlaneSolid{});
 }

@@ -130,6 +130,10 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   if (cases::liquid_needs_soft(mill_case))
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. The event engine has no liquid around the balls.");
+  if (mill_case.flow)
+    return choose(cases::EngineName::soft,
+                  "Engine: soft, chosen by auto. In the event engine no ball leaves the jar or "
+                  "enters it.");
   const auto law = adhesive_law(mill_case);
   if (cases::balls_count(mill_case.balls) == 1 && !law)
     return choose(

@@ -34,6 +34,7 @@ results::Window window_between(double end, const scene::EnergyBalance& a,
           .energy_contact_point = after.all.energy_contact_point - all.energy_contact_point,
           .lost = b.lost() - a.lost(),
           .wall_work = b.wall_work - a.wall_work,
+          .flow = b.flow - a.flow,
           .contact_time = b.contact_time - a.contact_time,
           .kinetic = b.kinetic};
 }
@@ -52,6 +53,11 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     if (replica_.streams_)
       r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
+  }
+
+  /// Recorders follow what is inside from the start of the run.
+  void passages(std::span<const scene::Passage> passed) override {
+    for (const auto& recorder : replica_.result_.recorders.all()) recorder->passages(passed);
   }
 
  private:

@@ -52,10 +52,12 @@ std::unique_ptr<scene::Engine> event_engine(const cases::Case& mill_case,
 
 /// The engine of our own: in the jar at rest the soft one stands in for LAMMPS.
 std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Chamber& mill,
-                                          const std::vector<scene::Ball>& balls, int threads) {
+                                          const std::vector<scene::Ball>& balls, int threads,
+                                          bool flows) {
   if (!setup.soft) return event_engine(*setup.mill_case, mill, balls);
   soft::Settings rules = setup.soft->rules;
   rules.threads = threads;
+  if (!flows) rules.flow.reset();
   return soft::make_engine(mill, balls, rules, setup.soft->pairs);
 }
 
@@ -64,7 +66,7 @@ std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Ch
 std::vector<scene::Ball> start_of(const RunSetup& setup, int index, int threads,
                                   const std::atomic<bool>* stop) {
   const auto make = [&](const scene::Chamber& mill, const std::vector<scene::Ball>& balls) {
-    return own_engine(setup, mill, balls, threads);
+    return own_engine(setup, mill, balls, threads, false);  // the outlet is closed
   };
   std::vector<scene::Ball> balls =
       balls_at_start(*setup.mill_case, setup.chamber, index, make, stop);
@@ -77,7 +79,7 @@ std::unique_ptr<scene::Engine> engine(const RunSetup& setup, int index, int thre
   const std::vector<scene::Ball> balls = start_of(setup, index, threads, stop);
   auto made = setup.steps ? lammps::make_engine(*setup.mill_case, setup.chamber, balls,
                                                 *setup.steps, launch)
-                          : own_engine(setup, setup.chamber, balls, threads);
+                          : own_engine(setup, setup.chamber, balls, threads, true);
   made->stop_on(stop);
   return made;
 }

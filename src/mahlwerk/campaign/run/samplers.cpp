@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -38,7 +39,7 @@ class ChargeSampler final : public Sampler {
   }
   void take(Moment& moment) override {
     for (; next() <= moment.now().time; ++taken_, ++ever_)
-      charge_->sample(moment.time_of_balls(), moment.balls(), length_ / samples_);
+      charge_->sample(moment.time_of_balls(), moment.balls_inside(), length_ / samples_);
   }
   void serialize(Archive& archive) override { archive(begin_)(length_)(samples_)(taken_)(ever_); }
 
@@ -61,7 +62,7 @@ class MotionSampler final : public Sampler {
   void take(Moment& moment) override {
     const observe::CollisionSums& hits = result_->tally.above;
     while (next() <= moment.now().time)
-      result_->motion.sample(moment.now().time, moment.balls(),
+      result_->motion.sample(moment.now().time, moment.balls_inside(),
                              {.lost = moment.now().lost(),
                               .hits = static_cast<double>(hits.count),
                               .energy = hits.energy_normal});
@@ -133,6 +134,15 @@ class ReplaySampler final : public Sampler {
 const std::vector<scene::Ball>& Moment::balls() {
   if (!balls_) balls_ = engine_->balls();
   return *balls_;
+}
+
+const std::vector<scene::Ball>& Moment::balls_inside() {
+  const std::vector<scene::Ball>& all = balls();
+  if (std::ranges::none_of(all, &scene::Ball::outside)) return all;
+  inside_.clear();
+  std::ranges::copy_if(all, std::back_inserter(inside_),
+                       [](const scene::Ball& ball) { return !ball.outside; });
+  return inside_;
 }
 
 void Sampler::begin_window(double, double, std::optional<std::int64_t>) {}

@@ -23,6 +23,8 @@ class Moment {
   const scene::EnergyBalance& now() const { return *now_; }
   const scene::Engine& engine() const { return *engine_; }
   const std::vector<scene::Ball>& balls();
+  /// Without those that have left the jar.
+  const std::vector<scene::Ball>& balls_inside();
   /// [s] of the balls: an engine may know them at an earlier time only.
   double time_of_balls() const { return engine_->balls_time().value_or(now_->time); }
 
@@ -30,6 +32,7 @@ class Moment {
   const scene::Engine* engine_;
   const scene::EnergyBalance* now_;
   std::optional<std::vector<scene::Ball>> balls_;
+  std::vector<scene::Ball> inside_;
 };
 
 /// Says when it wants to record, and records then.

@@ -26,7 +26,7 @@ bool certain(const observe::Trend& t, double most) {
 }  // namespace
 
 void SettlingTest::add(const scene::EnergyBalance& now, std::int64_t hits) {
-  ends_.push_back({now.time, now.lost(), now.wall_work, static_cast<double>(hits)});
+  ends_.push_back({now.time, now.lost(), now.wall_work, now.flow, static_cast<double>(hits)});
 }
 
 bool SettlingTest::settled() const {
@@ -39,7 +39,7 @@ bool SettlingTest::settled() const {
     lost.push_back(b.lost - a.lost);
     drawn.push_back(b.wall_work - a.wall_work);
     hits.push_back(b.hits - a.hits);
-    stored.push_back(b.wall_work - b.lost);
+    stored.push_back(b.wall_work + b.flow - b.lost);
   }
   const observe::Trend of_lost = observe::trend(lost), of_drawn = observe::trend(drawn),
                        of_hits = observe::trend(hits);

@@ -30,7 +30,7 @@ class SettlingTest {
 
  private:
   struct End {
-    double time = 0, lost = 0, wall_work = 0, hits = 0;
+    double time = 0, lost = 0, wall_work = 0, flow = 0, hits = 0;
   };
   std::vector<End> ends_;
 };

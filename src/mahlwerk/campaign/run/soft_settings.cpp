@@ -131,6 +131,7 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   SoftSettings s{.rules = {}, .steps = {}, .pairs = cases::pair_table(mill_case)};
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
+  if (mill_case.flow) s.rules.flow = cases::flow_in_jar_frame(mill_case);
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
   if (mill_case.run.device == cases::DeviceName::gpu) s.rules.device = soft::graphics_card;
   // Balls that another run or the jar at rest has pressed together keep their overlaps.

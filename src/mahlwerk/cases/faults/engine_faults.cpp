@@ -50,6 +50,10 @@ std::vector<Fault> liquid_faults(const Case& c) {
 
 std::vector<Fault> event_faults(const Case& c) {
   if (auto found = liquid_faults(c); !found.empty()) return found;
+  if (c.flow)
+    return {{location_of(c, "run.engine"),
+             "the event engine does not let balls leave the jar or enter it ([flow])",
+             "write engine = \"soft\", or \"auto\"", "flow-needs-soft"}};
   if (const std::string wall = soft_only_wall(c); !wall.empty())
     return {{location_of(c, "run.engine"),
              fmt::format("the event engine does not take {}: it computes exact contact times from "
@@ -103,8 +107,8 @@ bool fits_exactly(const Case& c) {
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = soft_only_wall(c).empty();  // else "auto" chooses soft
-  const bool soft = in_time_steps(c.run.engine) ||
-                    ((!exact || liquid_needs_soft(c)) && c.run.engine == EngineName::automatic);
+  const bool soft = in_time_steps(c.run.engine) || ((!exact || liquid_needs_soft(c) || c.flow) &&
+                                                    c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

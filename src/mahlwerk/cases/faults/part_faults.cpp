@@ -26,6 +26,7 @@ class PartCheck {
     for (std::size_t i = 0; i < c_.machine_parts.size(); ++i) {
       in_the_jar(i);
       opening(i);
+      hole(i);
       in_a_periodic_jar(i);
     }
     if (c_.liquid)
@@ -84,6 +85,14 @@ class PartCheck {
           fmt::format("opening = {}: no ball is that small; the smallest is {}",
                       show_rounded(opening, "m"), show_rounded(smallest, "m")),
           "give a wider opening, or leave it out");
+  }
+  void hole(std::size_t i) {
+    const auto* ring = std::get_if<geometry::RingSolid>(&*c_.machine_parts[i].body.solid);
+    if (ring == nullptr || !(ring->hole >= ring->diameter)) return;
+    fault(i, "hole",
+          fmt::format("hole = {}: the ring {} has an outer diameter of {}",
+                      show_rounded(ring->hole, "m"), name(i), show_rounded(ring->diameter, "m")),
+          "give a smaller hole, or a larger diameter");
   }
   double smallest_ball_or_grain() const {
     double least = INFINITY;

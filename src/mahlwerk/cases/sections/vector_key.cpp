@@ -25,6 +25,11 @@ std::string text_of(const VectorKey& key, const Vec3& a) {
 void read(SectionReader& in, const VectorKey& key, Vec3& value) {
   value = key.standard;
   const Node* at = in.find(key.component.key);
+  if (at == nullptr && key.required)
+    return in.missing(
+        key.component.key, key.component.about,
+        fmt::format("write x, y, z, for instance {} = [\"0 mm\", \"0 mm\", \"10 mm\"]",
+                    key.component.key));
   if (at == nullptr) return in.record_default(key.component.key, text_of(key, value), key.source);
   std::array<double, 3> x{};
   const bool three = at->kind == Node::Kind::list && at->items.size() == x.size();
@@ -53,6 +58,7 @@ void describe(KeyVisitor& v, const VectorKey& key, Vec3& value) {
   v.custom({.key = key.component.key,
             .about = key.component.about,
             .sound = sound,
+            .required = key.required,
             .default_text = key.source},
            [&] { return text_of(key, value); });
 }

@@ -15,6 +15,7 @@ struct VectorKey {
   Vec3 standard;
   std::string_view source;  ///< of the default
   bool direction = false;   ///< scaled to a length of 1
+  bool required = false;    ///< there is no default
 };
 
 /// Visits the key; a reader sets `value`, to the default if the section does not give it.

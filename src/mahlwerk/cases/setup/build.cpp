@@ -27,6 +27,20 @@ scene::Chamber chamber(const Case& c) {
           .parts = bodies(c)};
 }
 
+scene::Flow flow_in_jar_frame(const Case& c) {
+  const Rotation axes =
+      kinematics::rotation(*c.mill.motion, 0) * scene::mounted_along(c.mill.jar_axis);
+  const Flow& f = *c.flow;
+  return {.outlet = axes * f.outlet,
+          .outlet_normal = axes * f.outlet_normal,
+          .feed = f.feed,
+          .axes = axes,
+          .inlet = axes * f.inlet,
+          .inlet_size = f.inlet_size,
+          .rate = f.feed_rate,
+          .seed = c.seed};
+}
+
 std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
   std::vector<scene::Ball> balls;
   for (std::size_t i = 0; i < sets.size(); ++i)

@@ -72,6 +72,10 @@ void check(const Case& c, std::vector<Fault>& found) {
          "colour = \"sets\": the case has one ball set, of one colour",
          "give two ball sets, or colour = \"height\", \"across\", \"axis\" or \"radius\"",
          "one-colour"});
+  if (c.flow)
+    found.push_back({cases::location_of(c, "mixing.colour"),
+                     "the mixing of balls that leave the jar and enter it is not computed",
+                     "remove [mixing] or [flow]", "bad-flow"});
   if (cases::balls_count(c.balls) < 2)
     found.push_back({cases::location_of(c, "mixing.colour"), "one ball has no degree of mixing",
                      "remove [mixing], or give more balls", "one-colour"});

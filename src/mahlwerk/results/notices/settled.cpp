@@ -34,7 +34,7 @@ std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
   std::vector<double> sums(windows, 0);
   for (std::size_t i = 0; i < windows; ++i) {
     if (i > 0) sums[i] = sums[i - 1];
-    for (const Replicate* r : chosen) sums[i] += r->windows[i].wall_work - r->windows[i].lost;
+    for (const Replicate* r : chosen) sums[i] += r->windows[i].given() - r->windows[i].lost;
   }
   return sums;
 }
@@ -43,7 +43,7 @@ std::vector<double> stored(const std::vector<const Replicate*>& chosen) {
 struct TurnedOver {
   explicit TurnedOver(const std::vector<const Replicate*>& chosen) {
     for (const Replicate* r : chosen)
-      for (const Window& w : r->windows) lost += w.lost, drawn += w.wall_work, kinetic += w.kinetic;
+      for (const Window& w : r->windows) lost += w.lost, drawn += w.given(), kinetic += w.kinetic;
   }
   bool is_rounding(double energy) const { return !(std::abs(energy) > 1e-9 * kinetic); }
   bool is_nothing() const { return is_rounding(lost) && is_rounding(drawn); }

@@ -107,6 +107,7 @@ std::vector<Window> merge_window_pairs(const std::vector<Window>& windows) {
                       .energy_contact_point = a.energy_contact_point + b.energy_contact_point,
                       .lost = a.lost + b.lost,
                       .wall_work = a.wall_work + b.wall_work,
+                      .flow = a.flow + b.flow,
                       .contact_time = a.contact_time + b.contact_time,
                       .kinetic = b.kinetic});
   }

@@ -20,6 +20,7 @@ double card_memory_per_ball(const Settings& settings) {
 
 std::string device_lacks(const Settings& settings) {
   if (settings.liquid) return "a liquid";
+  if (settings.flow) return "balls that leave the jar and enter it ([flow])";
   if (settings.model.curved_walls) return "the curvature of walls (contact.curved_walls)";
   return {};
 }

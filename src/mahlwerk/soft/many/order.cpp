@@ -76,12 +76,14 @@ void ManyBodySolver::sort_into_chunks() {
   share_work();
 }
 
-/// Returns the old row of each new row: sorted by size class, then along the curve.
+/// Returns the old row of each new row: sorted by size class, then along the curve; those of balls
+/// that leave are the last.
 std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   std::vector<PositionBounds> bounds(class_radius_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Vec3 x = rows_[k].position();
     if (!std::isfinite(squared(x))) stop(k, not_finite_message);
+    if (leaves(k)) continue;
     bounds[class_of(k)].add(x);
   }
   grids_.clear();
@@ -97,11 +99,13 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
     order.clear();
     order.reserve(bounds[c].count);
     for (std::size_t k = 0; k < rows_.size(); ++k)
-      if (class_of(k) == c)
+      if (class_of(k) == c && !leaves(k))
         order.push_back({grids_[c].key(rows_[k].position()), static_cast<std::int32_t>(k)});
     sort_by_key(order);
     for (const KeyedRow& k : order) from.push_back(k.row);
   }
+  for (std::size_t k = 0; k < leaves_.size(); ++k)
+    if (leaves_[k]) from.push_back(static_cast<std::int32_t>(k));
   return from;
 }
 
@@ -112,6 +116,9 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);
+  if (keeps_next_rows_) permute(next_rows_, from), permute(next_spins_, from);
+  const auto kept = static_cast<std::size_t>(class_first_.back());
+  if (kept < from.size()) drop_rows(kept);
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c)
     grids_[c].fill(rows_.data(), class_first_[c], class_first_[c + 1]);
 }

@@ -152,7 +152,12 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
       if (step_ % energy_check_interval != 0) continue;
       flush_sums();
       check_energy();
-      check_rest();
+      if (!settings_.flow) {
+        check_rest();
+        continue;
+      }
+      move_flow(observer);
+      hand_over();  // records of the contacts that have ended
     }
   } catch (...) {
     hand_over();

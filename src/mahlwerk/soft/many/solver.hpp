@@ -67,6 +67,19 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void flush_sums();
   void add_sums(scene::EnergyBalance& a, const Chunk& chunk) const;
 
+  // Balls that leave and enter (flow.cpp).
+  void move_flow(scene::Observer& observer);
+  double energy_of(std::size_t row, const Vec3& body_kick_change) const;
+  scene::Passage passage(std::size_t row, bool entered) const;
+  void take_out_balls(std::vector<scene::Passage>& passages);
+  void end_contacts_of_leaving();
+  void put_in_balls(std::vector<scene::Passage>& passages);
+  std::optional<Vec3> room_at_inlet(std::int32_t ball);
+  scene::Passage put_in(std::int32_t ball, const Vec3& position);
+  void rebuild_after_flow();
+  void drop_rows(std::size_t kept);
+  bool leaves(std::size_t row) const { return !leaves_.empty() && leaves_[row]; }
+
   // State (state.cpp).
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
   Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
@@ -196,6 +209,16 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::int64_t rested_steps_ = 0;  // passed at once, at rest
   double target_time_ = 0;
   std::vector<FinishedCollision> finished_;
+
+  struct OutsideBall {
+    Vec3 position;  // [m] at which it left
+    std::int32_t ball = 0, zero = 0;
+  };
+  std::vector<OutsideBall> outside_;  // in the order in which they left
+  std::vector<bool> leaves_;          // by row, while balls are taken out; else empty
+  bool keeps_next_rows_ = false;      // rows of the next step move with those of this one
+  std::int64_t tries_ = 0;            // places in the inlet that were tried
+  double next_feed_ = 0;              // [s] earliest time of the next ball
 };
 
 }  // namespace mahlwerk::soft

@@ -36,13 +36,18 @@ Vec3 ManyBodySolver::spin(std::size_t row) const {
 }
 
 std::vector<scene::Ball> ManyBodySolver::balls() const {
-  std::vector<scene::Ball> all(id_.size());
+  std::vector<scene::Ball> all(id_.size() + outside_.size());
   const Vec3 change = body_kick_change();
   for (std::size_t k = 0; k < id_.size(); ++k) {
     const Species& s = pairs_.species(species_[k]);
     const Vec3 position = jar_->within_period(rows_[k].position());
     all[static_cast<std::size_t>(id_[k])] = {
         s.radius, s.density, position, velocity(k, change), spin(k), s.kind, s.inertia_ratio};
+  }
+  for (const OutsideBall& one : outside_) {
+    const auto ball = static_cast<std::size_t>(one.ball);
+    const Species& s = pairs_.species_of(ball);
+    all[ball] = {s.radius, s.density, one.position, {}, {}, s.kind, s.inertia_ratio, true};
   }
   return all;
 }
@@ -51,7 +56,7 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 /// half-step velocity, plus half a kick of the contacts, plus half a step of the next body
 /// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
-  std::vector<Vec3> all(id_.size());
+  std::vector<Vec3> all(id_.size() + outside_.size());
   const double half_dt = 0.5 * settings_.time_step;
   const Vec3 pull = half_dt * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
   for (std::size_t k = 0; k < id_.size(); ++k) {
@@ -73,11 +78,12 @@ void ManyBodySolver::serialize(Archive& archive) {
     archive(lists);
     return take(state);
   }
-  const std::size_t balls = rows_.size();
+  const std::size_t balls = rows_.size() + outside_.size();
+  if (settings_.flow) archive(outside_)(tries_)(next_feed_);
   archive(step_)(reference_step_)(
       skin_)(largest_coordinate_)(used_skin_)(tests_at_rebin_)(pairs_rebinned_)(tuning_);
   archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
-  if (rows_.size() != balls) throw Archive::broken();
+  if (rows_.size() + outside_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);

@@ -29,7 +29,8 @@ Grid::Grid(const PositionBounds& bounds, double radius, double margin, const Vec
     period_[a] = at(periods, a);
     periodic_[a] = std::isfinite(period_[a]);
     double least = -0.5 * period_[a], most = 0.5 * period_[a];
-    if (!periodic_[a]) least = at(bounds.low, a), most = at(bounds.high, a);
+    if (!periodic_[a]) least = most = 0;
+    if (!periodic_[a] && bounds.count > 0) least = at(bounds.low, a), most = at(bounds.high, a);
     origin_[a] = least;
     extent[a] = most - least;
   }
