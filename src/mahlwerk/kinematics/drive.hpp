@@ -8,7 +8,7 @@
 #include "mahlwerk/base/archive.hpp"
 #include "mahlwerk/kinematics/ramp.hpp"
 
-// A mill that a motor turns (kin.23): its speed follows from the torques of motor and charge. Its
+// A mill that a motor turns (kin.24): its speed follows from the torques of motor and charge. Its
 // motion is that of the mill at full speed, X(s), by a clock s(t), as on a ramp.
 namespace mahlwerk::kinematics {
 
@@ -23,7 +23,7 @@ struct Motor {
   double start_speed = 0;       ///< [rad/s] of the mill when a run begins
   bool operator==(const Motor&) const = default;
 
-  /// [N m] Torque at a share `rate` of the speed without load (kin.24).
+  /// [N m] Torque at a share `rate` of the speed without load (kin.25).
   double torque_at(double rate) const;
 };
 

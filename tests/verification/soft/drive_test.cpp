@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Mills whose speed a motor and the charge decide (kin.23 to kin.25).
+// Mills whose speed a motor and the charge decide (kin.24 to kin.26).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -133,7 +133,7 @@ TEST(Drive, gives_the_charge_what_the_motor_does_not_keep) {
   const scene::EnergyBalance a = engine->energy_balance();
   // Work and kinetic energy err by the lag of the torque, 4 of 1e6 steps, and by its steps.
   states("work of the motor [J]", a.motor_work, a.wall_work + a.drive_kinetic, 2e-3 * a.motor_work,
-         "books of the drive (kin.25)");
+         "books of the drive (kin.26)");
   EXPECT_GT(a.wall_work, 0.05 * a.motor_work);
   EXPECT_LT(a.mill_speed, 19.9) << "its speed falls under load";
   EXPECT_LT(std::abs(a.residual()), 1e-3 * a.wall_work + 1e-7);
@@ -142,7 +142,11 @@ TEST(Drive, gives_the_charge_what_the_motor_does_not_keep) {
 TEST(Drive, has_the_same_bits_on_any_number_of_threads_and_after_a_restart) {
   const Motor motor{.inertia = 3e-5, .torque = 0.01};
   const Vec3 down{0, 0, -gravity};
-  const geometry::LifterCylinder lifters{.diameter = 0.04, .height = 0.04, .rows = 4};
+  geometry::LifterCylinder lifters;
+  lifters.diameter = lifters.height = 0.04;
+  lifters.lifters = 4, lifters.lifter_height = lifters.lifter_width = 0.004;
+  lifters.lifter_face_angle = pi / 2;
+  lifters.complete();
   const std::vector<scene::Ball> balls = lattice_of(60, 0.0055, {0.0025}, 0.1);
   for (const std::size_t few : {64, 0}) {
     const auto make = [&](int threads) {

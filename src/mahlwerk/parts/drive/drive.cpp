@@ -134,22 +134,22 @@ results::Measures quantities() {
         "rpm",
         "mean speed of a mill that a motor turns",
         [](const Case&, const Replicate& r) { return per_time(r, &DriveSample::angle) / rpm; },
-        {.range = results::any_value, .equation = "kin.23", .heading = "Drive"}},
+        {.range = results::any_value, .equation = "kin.24", .heading = "Drive"}},
        {"driven_speed_end",
         "rpm",
         "its speed at the end",
         [](const Case&, const Replicate& r) { return last_speed(r) / rpm; },
-        {.range = results::any_value, .equation = "kin.23"}},
+        {.range = results::any_value, .equation = "kin.24"}},
        {"motor_torque",
         "N m",
         "mean torque of the motor on the mill, in its sense",
         mean_torque,
-        {.range = results::any_value, .equation = "kin.24"}},
+        {.range = results::any_value, .equation = "kin.25"}},
        {"motor_power",
         "W",
         "mean power of the motor: what the charge takes, and what speeds up jar and drive",
         [](const Case&, const Replicate& r) { return per_time(r, &DriveSample::motor_work); },
-        {.range = results::any_value, .equation = "kin.25"}}});
+        {.range = results::any_value, .equation = "kin.26"}}});
 }
 
 /// Means over the replicates at each time.
