@@ -156,6 +156,7 @@ results::Measures quantities() {
 Table series(const Outcome& outcome) {
   Table table{{{"time", "s", "time since counting began"},
                {"speed", "rpm", "of the mill"},
+               {"angle", "rad", "by which it has turned since the start of the run"},
                {"motor_torque", "N m", "on the mill"},
                {"motor_work", "J", "since the start of the run"},
                {"wall_work", "J", "of the jar on the balls, likewise"}},
@@ -170,6 +171,7 @@ Table series(const Outcome& outcome) {
     };
     table.rows.push_back({mean([](const DriveSample& s) { return s.time; }),
                           mean([](const DriveSample& s) { return s.speed / rpm; }),
+         mean([](const DriveSample& s) { return s.angle; }),
                           mean([&](const DriveSample& s) { return torque_at(c, s.speed); }),
                           mean([](const DriveSample& s) { return s.motor_work; }),
                           mean([](const DriveSample& s) { return s.wall_work; })});
