@@ -73,6 +73,7 @@ std::string sample(std::string_view part) {
        "inlet = [\"0 mm\", \"0 mm\", \"10 mm\"]\n"
        "inlet_size = [\"20 mm\", \"20 mm\", \"20 mm\"]\n"},
       {"mixing", "[mixing]\ncolour = \"height\"\n"},
+      {"drive", "[drive]\ninertia = \"1e-3 kg m2\"\ntorque = \"0.1 N m\"\n"},
       {"power_meter", "[power_meter]\ninterval = \"50 ms\"\n"},
       {"microphone", "[microphone]\n"},
       {"accelerometer", "[accelerometer]\n"},
@@ -81,8 +82,21 @@ std::string sample(std::string_view part) {
   return found == lines.end() ? "no sample of this part" : found->second;
 }
 
+/// The same in a drum by the soft engine.
+std::string in_drum() {
+  std::string text = plain;
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("\"vibration\"\namplitude = \"5 mm\"\nfrequency = \"20 Hz\"",
+          "\"tumbling\"\nspeed = \"60 rpm\"");
+  replace("engine = \"event\"", "engine = \"soft\"");
+  replace("friction = 0.3", "friction = 0.3\nsoftening = 1e-3");
+  return text;
+}
+
 Case case_with(const Part& part) {
-  std::string text = plain + sample(part.name);
+  std::string text = (part.name == "drive" ? in_drum() : plain) + sample(part.name);
   if (part.name == "flow") {  // the event engine refuses it
     const std::string event = "engine = \"event\"";
     text.replace(text.find(event), event.size(), "engine = \"soft\"");

@@ -485,6 +485,24 @@ def test_flow_keeps_the_number_and_the_mass_of_balls():
     assert run["tracer_residence_time"] == pytest.approx(run["residence_time"], abs=tolerance)
 
 
+
+
+def per_time(column):
+    """The change of a column of drive.csv over the counted time."""
+    def of(run):
+        table = run.result.table("drive")
+        return float((table[column][-1] - table[column][0]) / (table["time_s"][-1] - table["time_s"][0]))
+    return of
+
+
+DRIVEN = {
+    "driven_speed": (lambda run: per_time("angle_rad")(run) * 30 / math.pi, 1e-6),
+    "driven_speed_end": (lambda run: float(run.result.table("drive")["speed_rpm"][-1]), 1e-6),
+    "motor_torque": (lambda run: 0.05 * (1 - float(run.result.table("drive")["speed_rpm"].mean()) / 90), 1e-6),
+    "motor_power": (per_time("motor_work_J"), 1e-6),
+}
+PROOFS.update({name: ("driven", of, tolerance) for name, (of, tolerance) in DRIVEN.items()})
+
 # The tables of the sensors hold the readings of the first replicate.
 READINGS = {
     "motor_power_scatter": (lambda run: run.result.table("power_meter")["motor_power_W"].std(ddof=1), EXACT),

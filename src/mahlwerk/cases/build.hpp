@@ -15,7 +15,7 @@
 
 namespace mahlwerk::cases {
 
-/// The jar of a case with the motion of its mill.
+/// The jar of a case with the motion of its mill; with [drive], of one run of its own.
 scene::Chamber chamber(const Case& c);
 
 /// The section [flow] of a case that has one, in the jar frame.

@@ -25,7 +25,7 @@
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
-#include "mahlwerk/kinematics/any_motion.hpp"
+#include "mahlwerk/kinematics/drive.hpp"
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/feed.hpp"
 #include "mahlwerk/scene/ball_layers.hpp"
@@ -280,6 +280,7 @@ struct Case {
   Contact contact;
   std::optional<Liquid> liquid;
   std::optional<Flow> flow;
+  std::optional<kinematics::Motor> drive;  ///< absent: the mill has its speed
   Run run;
   Observe observe;
   std::optional<MillingTime> milling;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,9 @@ struct MachinePart {
   std::string name;         ///< by which results and contact rules call it: "parts.stirrer"
   scene::MachinePart body;  ///< its shape, place and motion
   std::string file, unit;   ///< of a mesh, as written; the file is relative to the case file
+  /// [m], [1] Of a mesh whose file is a section: its length, and copies about its own axis.
+  double length = 0;
+  std::int64_t rows = 1;
   std::string motion_file;  ///< of a tabulated motion, as written
   std::string moves_with;   ///< name of the part whose motion it shares, or empty
   std::string material;     ///< name in the catalogue, or empty

@@ -66,6 +66,7 @@ double part_period(const Case& c) {
 std::string soft_only_wall(const Case& c) {
   if (!geometry::exact_touches(*c.jar.shape))
     return fmt::format("a jar of kind \"{}\"", geometry::name_of(*c.jar.shape));
+  if (c.drive) return "a mill whose speed a motor and the charge decide ([drive])";
   return c.machine_parts.empty() ? "" : "parts in the jar ([[parts]])";
 }
 

@@ -14,6 +14,8 @@
 namespace mahlwerk::kinematics {
 
 struct AnyMotion;
+class Drive;
+struct Motor;
 
 /// Position and rotation of a jar at an instant.
 struct Pose {
@@ -26,8 +28,12 @@ struct Pose {
 std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
 /// The motion of a mill that comes to its speed from rest within `ramp_time` [s]; it has no period.
 Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time);
+/// The motion of a mill of `speed` [rad/s] that a motor turns. Copies share the state of its drive,
+/// so that each run needs a motion of its own.
+Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double speed);
+Drive* drive_of(const AnyMotion& motion);  ///< null if it is not driven()
 Clock clock(const AnyMotion& motion, double t);
-bool speeds_up(const AnyMotion& motion);       ///< ramped()
+bool speeds_up(const AnyMotion& motion);       ///< ramped() or driven()
 Pose pose(const AnyMotion& motion, double t);  ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);
 Rotation rotation(const AnyMotion& motion, double t);

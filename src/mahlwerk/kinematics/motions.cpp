@@ -16,14 +16,33 @@ Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time) {
   made.ramp_time = ramp_time;
   return made;
 }
+Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double speed) {
+  AnyMotion made = motion;
+  made.drive = std::make_shared<Drive>(motor, speed);
+  return made;
+}
+Drive* drive_of(const AnyMotion& motion) {
+  return motion.drive.get();
+}
 bool speeds_up(const AnyMotion& motion) {
-  return motion.ramp_time > 0;
+  return motion.ramp_time > 0 || motion.drive;
 }
 Clock clock(const AnyMotion& motion, double t) {
+  if (motion.drive) return motion.drive->clock(t);
   return motion.ramp_time > 0 ? ramp_clock(t, motion.ramp_time) : Clock{t};
 }
 
 namespace {
+
+/// Bounds of the running mill, widened so that they hold while a motor turns it.
+Bounds driven_bounds(Bounds b, const Drive& drive) {
+  const double rate = drive.rate_bound(), change = drive.acceleration_bound();
+  b.acceleration = rate * rate * b.acceleration + b.speed * change * Vec3{1, 1, 1};
+  b.angular_acceleration = rate * rate * b.angular_acceleration + b.spin * change;
+  b.speed *= rate, b.spin *= rate;
+  b.jerk *= rate * rate * rate;
+  return b;
+}
 
 /// Derivatives with the time of the run of what has these with the time of the running mill.
 Vec3 first(const Clock& at, const Vec3& rate) {
@@ -44,7 +63,7 @@ Pose running_pose(const AnyMotion& motion, double t) {
 }  // namespace
 
 Pose pose(const AnyMotion& motion, double t) {
-  if (!(motion.ramp_time > 0)) return running_pose(motion, t);
+  if (!speeds_up(motion)) return running_pose(motion, t);
   const Clock at = clock(motion, t);
   const Pose p = running_pose(motion, at.time);
   return {{p.frame.centre, first(at, p.frame.velocity),
@@ -54,7 +73,7 @@ Pose pose(const AnyMotion& motion, double t) {
           second(at, p.spin, p.angular_acceleration)};
 }
 FrameMotion frame_motion(const AnyMotion& motion, double t) {
-  if (motion.ramp_time > 0) return pose(motion, t).frame;
+  if (speeds_up(motion)) return pose(motion, t).frame;
   return std::visit([t](const auto& m) { return m.frame_motion(t); }, motion);
 }
 Rotation rotation(const AnyMotion& motion, double t) {
@@ -62,19 +81,20 @@ Rotation rotation(const AnyMotion& motion, double t) {
   return std::visit([at](const auto& m) -> Rotation { return m.rotation(at); }, motion);
 }
 Vec3 spin(const AnyMotion& motion, double t) {
-  if (motion.ramp_time > 0) return pose(motion, t).spin;
+  if (speeds_up(motion)) return pose(motion, t).spin;
   return std::visit([t](const auto& m) -> Vec3 { return m.spin(t); }, motion);
 }
 Vec3 angular_acceleration(const AnyMotion& motion, double t) {
-  if (motion.ramp_time > 0) return pose(motion, t).angular_acceleration;
+  if (speeds_up(motion)) return pose(motion, t).angular_acceleration;
   return std::visit([t](const auto& m) -> Vec3 { return m.angular_acceleration(t); }, motion);
 }
 Bounds bounds(const AnyMotion& motion) {
   const Bounds running = std::visit([](const auto& m) { return m.bounds(); }, motion);
+  if (motion.drive) return driven_bounds(running, *motion.drive);
   return motion.ramp_time > 0 ? ramp_bounds(running, motion.ramp_time) : running;
 }
 double period(const AnyMotion& motion) {
-  if (motion.ramp_time > 0) return no_period;
+  if (speeds_up(motion)) return no_period;
   return std::visit([](const auto& m) -> double { return m.period(); }, motion);
 }
 Vec3 fixed_axis(const AnyMotion& motion) {

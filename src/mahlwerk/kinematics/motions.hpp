@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/kinematics/arc_shaker.hpp"
 #include "mahlwerk/kinematics/circular.hpp"
+#include "mahlwerk/kinematics/drive.hpp"
 #include "mahlwerk/kinematics/figure_eight.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/still.hpp"
@@ -25,6 +27,9 @@ struct AnyMotion : Motions {
   using Models::Models;
   /// [s] In which the mill comes to its speed from rest (ramp.hpp); 0: it runs from the start.
   double ramp_time = 0;
+  /// The motor that turns the mill in this run (drive.hpp), shared by copies; null: its speed is
+  /// given.
+  std::shared_ptr<Drive> drive;
 };
 
 }  // namespace mahlwerk::kinematics

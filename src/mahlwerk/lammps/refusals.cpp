@@ -72,6 +72,7 @@ std::vector<Fault> faults(const cases::Case& c) {
   refuse(c.contact.model.twisting != contact::Twisting::none && law != "hertz-mindlin",
          "contact.twisting", "twisting friction with law = \"" + law + "\"",
          "write law = \"hertz-mindlin\" or twisting = \"none\"");
+  refuse(c.drive.has_value(), "drive.inertia", "a mill that a motor turns", "remove [drive]");
   refuse(!c.machine_parts.empty(), "parts.1.kind", "parts in the jar", "remove [[parts]]");
   refuse(c.liquid.has_value(), "liquid", "a liquid: its films act on bodies that do not touch",
          "remove [liquid]");

@@ -44,10 +44,11 @@ double Replay::next_frame_time() const {
   return begin_ + frame_interval_ * static_cast<double>(due_);
 }
 
-void Replay::add(double time, const std::vector<scene::Ball>& balls) {
+void Replay::add(double time, double mill_time, const std::vector<scene::Ball>& balls) {
   ++due_;
   if (!times_.empty() && !(time > times_.back())) return;
   times_.push_back(time);
+  mill_times_.push_back(mill_time);
   for (std::size_t i = 0; i < balls.size(); i += ball_stride_) {
     const Vec3& p = balls[i].position;
     positions_.push_back(
@@ -57,7 +58,7 @@ void Replay::add(double time, const std::vector<scene::Ball>& balls) {
 }
 
 void Replay::serialize(Archive& archive) {
-  archive(times_)(positions_)(speeds_)(due_);
+  archive(times_)(mill_times_)(positions_)(speeds_)(due_);
 }
 
 }  // namespace mahlwerk::observe

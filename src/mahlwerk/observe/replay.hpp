@@ -25,12 +25,14 @@ class Replay {
          double shortest = 0);
 
   double next_frame_time() const;  ///< [s] time of the next frame; infinite after the last
-  /// Adds a frame: the balls in the jar frame at `time` [s]. An engine that gives its balls at
-  /// fewer times than there are frames gives the same time again: that frame is left out.
-  void add(double time, const std::vector<scene::Ball>& balls);
+  /// Adds a frame: the balls in the jar frame at `time` [s], which is `mill_time` [s] of the mill at
+  /// full speed. An engine that gives its balls at fewer times than there are frames gives the same
+  /// time again: that frame is left out.
+  void add(double time, double mill_time, const std::vector<scene::Ball>& balls);
   bool empty() const { return times_.empty(); }
 
   const std::vector<double>& times() const { return times_; }
+  const std::vector<double>& mill_times() const { return mill_times_; }
   std::size_t balls() const { return shown_balls_; }
   std::size_t ball_stride() const { return ball_stride_; }  ///< every n-th ball is drawn
   double position_unit() const { return position_unit_; }   ///< [m]
@@ -44,7 +46,7 @@ class Replay {
   double begin_ = 0, frame_interval_ = 0, position_unit_ = 1;
   std::size_t frames_ = 0, shown_balls_ = 0, ball_stride_ = 1;
   std::size_t due_ = 0;  // frames added or left out
-  std::vector<double> times_;
+  std::vector<double> times_, mill_times_;
   std::vector<std::array<std::int16_t, 3>> positions_;
   std::vector<float> speeds_;
 };

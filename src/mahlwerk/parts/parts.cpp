@@ -25,6 +25,9 @@ const cases::Part& part();
 namespace mixing {
 const cases::Part& part();
 }
+namespace drive {
+const cases::Part& part();
+}
 namespace power_meter {
 const cases::Part& part();
 }
@@ -41,9 +44,9 @@ const cases::Part& part();
 
 std::span<const mahlwerk::cases::Part* const> mahlwerk::cases::parts() {
   using namespace mahlwerk::parts;
-  static const std::array all{&wear::part(),        &heat::part(),       &grinding::part(),
-                              &kinetics::part(),    &flow::part(),       &mixing::part(),
-                              &power_meter::part(), &microphone::part(), &accelerometer::part(),
-                              &thermocouple::part()};
+  static const std::array all{&wear::part(),          &heat::part(),        &grinding::part(),
+                              &kinetics::part(),      &flow::part(),        &mixing::part(),
+                              &drive::part(),         &power_meter::part(), &microphone::part(),
+                              &accelerometer::part(), &thermocouple::part()};
   return all;
 }

@@ -73,7 +73,7 @@ class FilmReplicate {
     return Json::array({std::move(path.x), std::move(path.y), std::move(path.height)});
   }
   void add(FilmPath& path, FilmView view, std::size_t frame, std::size_t ball) const {
-    const double time = film_.times()[frame];
+    const double time = film_.mill_times()[frame];
     const auto& p = film_.positions()[frame * film_.balls() + ball];
     const Vec3 at = film_.position_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
     const Rotation turn = view == FilmView::jar ? kinematics::rotation(*mill_.motion, time)

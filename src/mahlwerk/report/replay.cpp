@@ -59,12 +59,18 @@ void append(std::vector<float>& list, const Vec3& v) {
   for (const double one : {v.x, v.y, v.z}) list.push_back(static_cast<float>(one));
 }
 
-/// The jar's motion at the times of the frames.
+scene::Chamber at_full_speed(const cases::Case& c) {
+  scene::Chamber mill = cases::chamber(c);
+  mill.motion = c.mill.motion;
+  return mill;
+}
+
+/// The jar's motion at the times of the frames, those of the mill at full speed.
 struct MotionSamples {
   std::vector<float> centre, turn, carrier, rotor;
 };
 MotionSamples motion_samples(const cases::Case& c, const std::vector<double>& times) {
-  const scene::Chamber mill = cases::chamber(c);
+  const scene::Chamber mill = at_full_speed(c);
   MotionSamples w;
   for (const double t : times) {
     const Rotation turn = kinematics::rotation(*mill.motion, t) * mill.mount;
@@ -90,7 +96,7 @@ std::string meshes(const cases::Case& c, const MotionSamples& w) {
 
 /// The parts of the mill, each with its rotation and place in the jar frame.
 std::string part_meshes(const cases::Case& c, const std::vector<double>& times) {
-  const scene::Chamber mill = cases::chamber(c);
+  const scene::Chamber mill = at_full_speed(c);
   const std::vector<results::JarMesh> surfaces = results::part_surfaces(mill);
   std::string list;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -130,7 +136,7 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
   for (std::size_t i = 0; i < c.balls.size(); ++i)
     names += (i > 0 ? "," : "") + json_string(cases::set_name(c, i));
   const bool planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion) != nullptr;
-  const MotionSamples w = motion_samples(c, film.times());
+  const MotionSamples w = motion_samples(c, film.mill_times());
   return fmt::format(
       "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
@@ -139,7 +145,7 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
       json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
       names, film.position_unit(), packed(film.positions()), fastest / most, packed(speeds),
       packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
-      meshes(c, w) + part_meshes(c, film.times()));
+      meshes(c, w) + part_meshes(c, film.mill_times()));
 }
 
 std::string replay_section(const results::Outcome& outcome) {

@@ -24,7 +24,7 @@ TEST(Replay, has_rising_times_although_an_engine_gives_its_balls_at_few_times) {
   const double first = replay.next_frame_time();
   int frames = 0;
   for (; std::isfinite(replay.next_frame_time()) && frames < 10000; ++frames)
-    replay.add(0.1 * std::floor(replay.next_frame_time() / 0.1), balls);
+    replay.add(0.1 * std::floor(replay.next_frame_time() / 0.1), 0, balls);
   EXPECT_EQ(first, 0);
   EXPECT_EQ(frames, 360) << "every frame is asked for once";
   ASSERT_EQ(replay.times().size(), 11U) << "0, 0.1, ... 1 s";
@@ -41,7 +41,7 @@ TEST(Replay, shows_every_third_of_many_balls) {
   std::vector<scene::Ball> balls;
   for (int i = 0; i < count; ++i)
     balls.push_back({0.001, 7850, {1e-6 * i, -1e-6 * i, 0.05}, {0.001 * i, 0, 0}, {}});
-  replay.add(2, balls);
+  replay.add(2, 2, balls);
   EXPECT_EQ(replay.balls(), 16667U);
   ASSERT_EQ(replay.positions().size(), 16667U);
   const double unit = std::hypot(0.1, 0.05) / 32767;
@@ -61,7 +61,7 @@ TEST(Replay, shows_three_periods_or_a_turn_of_the_jar) {
     double end = 0;
     int frames = 0;
     for (; std::isfinite(replay.next_frame_time()); ++frames)
-      replay.add(end = replay.next_frame_time(), all);
+      replay.add(end = replay.next_frame_time(), 0, all);
     return std::pair(end - 1, frames);
   };
   kinematics::Vibration shaken;

@@ -39,7 +39,7 @@ results::Outcome outcome() {
     balls[0].position = {0.025 * std::cos(speed * t), 0.025 * std::sin(speed * t), 0};
     balls[0].velocity = {};
     balls[1].position = balls[1].velocity = {};
-    film.add(t, balls);
+    film.add(t, t, balls);
   }
   o.replicates[0].replay = film;
   return o;

@@ -90,6 +90,18 @@ double first_window_length(const cases::Case& mill_case) {
 
 }  // namespace
 
+namespace {
+
+/// The motion of a mill that a motor turns differs from replicate to replicate.
+std::shared_ptr<const RunSetup> with_own_drive(std::shared_ptr<const RunSetup> setup) {
+  if (kinematics::drive_of(*setup->chamber.motion) == nullptr) return setup;
+  auto own = std::make_shared<RunSetup>(*setup);
+  own->chamber = cases::chamber(*own->mill_case);
+  return own;
+}
+
+}  // namespace
+
 ReplicateRun::ReplicateRun(const cases::Case& mill_case, int index,
                            std::unique_ptr<scene::Observer> recorder,
                            std::unique_ptr<results::FrameFiles> frames, int threads,
@@ -101,7 +113,7 @@ ReplicateRun::ReplicateRun(std::shared_ptr<const RunSetup> setup, int index,
                            std::unique_ptr<scene::Observer> recorder,
                            std::unique_ptr<results::FrameFiles> frames, int threads,
                            const std::atomic<bool>* stop, const lammps::Launch& launch)
-    : setup_(std::move(setup)),
+    : setup_(with_own_drive(std::move(setup))),
       mill_case_(setup_->mill_case),
       index_(index),
       recorder_(std::move(recorder)),

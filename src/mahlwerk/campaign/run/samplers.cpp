@@ -93,8 +93,10 @@ class RecorderSampler final : public Sampler {
 /// Writes the frames that the case asks for.
 class FrameSampler final : public Sampler {
  public:
-  FrameSampler(const cases::Case& mill_case, std::unique_ptr<results::FrameFiles> files)
-      : times_(mill_case), files_(std::move(files)) {}
+  FrameSampler(const RunSetup& setup, std::unique_ptr<results::FrameFiles> files)
+      : times_(*setup.mill_case), files_(std::move(files)) {
+    files_->move_with(*setup.chamber.motion);
+  }
   void begin(double time) override { times_.begin(time); }
   double next() const override { return times_.next(); }
   void take(Moment& moment) override {
@@ -121,7 +123,9 @@ class ReplaySampler final : public Sampler {
   double next() const override { return replay_->next_frame_time(); }
   void take(Moment& moment) override {
     while (replay_->next_frame_time() <= moment.now().time)
-      replay_->add(moment.time_of_balls(), moment.balls());
+      replay_->add(moment.time_of_balls(),
+                   kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
+                   moment.balls());
   }
 
  private:
@@ -153,7 +157,7 @@ Samplers samplers(const RunSetup& setup, std::unique_ptr<results::FrameFiles> fr
   Samplers made;
   for (const auto& recorder : result.recorders.all())
     made.push_back(std::make_unique<RecorderSampler>(*recorder));
-  if (frames) made.push_back(std::make_unique<FrameSampler>(*setup.mill_case, std::move(frames)));
+  if (frames) made.push_back(std::make_unique<FrameSampler>(setup, std::move(frames)));
   made.push_back(std::make_unique<ChargeSampler>(result));
   const cases::Case& c = *setup.mill_case;
   if (results::has_motion_states(c))

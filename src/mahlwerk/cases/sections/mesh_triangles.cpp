@@ -9,7 +9,6 @@
 #include <iterator>
 
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/file/mesh_file.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -54,7 +53,8 @@ std::optional<std::string> bytes_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::optional<MeshTriangles> read_mesh_triangles(SectionReader& in, std::string_view about) {
+std::optional<MeshTriangles> read_mesh_triangles(SectionReader& in, std::string_view about,
+                                                 const TriangleReader& read) {
   const auto file = in.text("file");
   if (!file && !in.gives("file"))
     in.missing("file", about, "write for instance file = \"my-mesh.stl\"");
@@ -71,7 +71,7 @@ std::optional<MeshTriangles> read_mesh_triangles(SectionReader& in, std::string_
     return std::nullopt;
   }
   try {
-    found.triangles = read_mesh_file(*bytes, *file, scale);
+    found.triangles = read(*bytes, *file, scale);
     return found;
   } catch (const MeshFileError& error) {
     in.fault(*in.find("file"), fmt::format("{}: {}", found.path, error.what()),

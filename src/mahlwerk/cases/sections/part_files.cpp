@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <utility>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/file/section_profile.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/mesh_triangles.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/geometry/solids.hpp"
@@ -37,11 +40,36 @@ bool plausible(SectionReader& in, const MeshTriangles& found) {
   return false;
 }
 
+bool is_section(std::string_view file) {
+  return file.ends_with(".csv") || file.ends_with(".CSV");
+}
+
+void describe_section(KeyVisitor& v, MachinePart& part) {
+  v.number({"length", "m", positive, "of a body with the section of the file, along its own axis"},
+           part.length);
+  v.integer({"rows", 1, 1000, "copies of a section, evenly about its own axis", 1, "one body"},
+            part.rows);
+}
+
+/// The triangles of a part whose file is a section.
+std::vector<geometry::Corners> extruded(std::string_view text, const MachinePart& part,
+                                        double scale) {
+  const geometry::Section section = read_section_profile(text, scale);
+  const auto rows = static_cast<double>(part.rows);
+  if (part.rows > 1 && geometry::angular_width(section) * rows >= 2 * std::numbers::pi)
+    throw MeshFileError(fmt::format(
+        "{} copies do not fit about the axis: the section is {:.3g} deg wide, seen from there",
+        part.rows, geometry::angular_width(section) * 180 / std::numbers::pi));
+  return geometry::prism(section, part.length, static_cast<int>(part.rows));
+}
+
 }  // namespace
 
 void describe_part_mesh(KeyVisitor& v, MachinePart& part) {
-  v.custom({"file", "triangles of the part (STL, OBJ, PLY), relative to the case file", true,
-            "text", true},
+  v.custom({"file",
+            "triangles of the part (STL, OBJ, PLY), or a section of it (CSV); relative to the case "
+            "file",
+            true, "text", true},
            [&] { return in_quotes(part.file); });
   v.custom({.key = "unit",
             .about = "unit of length of the numbers in the file",
@@ -49,10 +77,19 @@ void describe_part_mesh(KeyVisitor& v, MachinePart& part) {
             .required = true,
             .presentation = {.start = "mm"}},
            [&] { return in_quotes(part.unit); });
+  if (is_section(part.file) || v.visits_all()) describe_section(v, part);
 }
 
 void read_part_mesh(SectionReader& in, MachinePart& part) {
-  auto found = read_mesh_triangles(in, "the triangles of the part");
+  const Node* file_key = in.find("file");
+  const bool section = file_key != nullptr && is_section(file_key->text);
+  if (section) describe_section(in, part);
+  if (section && !(part.length > 0)) return in.ignore_unknown_keys();  // after a fault
+  auto found = read_mesh_triangles(
+      in, "the triangles of the part",
+      [&](std::string_view bytes, const std::string& file, double scale) {
+        return section ? extruded(bytes, part, scale) : read_mesh_file(bytes, file, scale);
+      });
   const auto angle_field = MeshSolid::fields()[0];
   const double angle = in.value(NumberSpec(angle_field));
   if (!found || std::isnan(angle)) return;

@@ -3,6 +3,7 @@
 #include "mahlwerk/cases/build.hpp"
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 
@@ -18,10 +19,20 @@ std::vector<scene::MachinePart> bodies(const Case& c) {
 
 }  // namespace
 
+namespace {
+
+Indirect<kinematics::AnyMotion> motion_in_run(const Case& c) {
+  if (const auto* drum = drum_motion(c); c.drive && drum != nullptr)
+    return kinematics::driven(*c.mill.motion, *c.drive, drum->speed);
+  if (ramp_time(c.run) > 0) return kinematics::ramped(*c.mill.motion, ramp_time(c.run));
+  return c.mill.motion;
+}
+
+}  // namespace
+
 scene::Chamber chamber(const Case& c) {
   return {.shape = c.jar.shape,
-          .motion = ramp_time(c.run) > 0 ? kinematics::ramped(*c.mill.motion, ramp_time(c.run))
-                                         : c.mill.motion,
+          .motion = motion_in_run(c),
           .mount = scene::mounted_along(c.mill.jar_axis),
           .gravity = c.gravity_vector(),
           .parts = bodies(c)};

@@ -30,6 +30,11 @@ FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& mil
     vtk_.emplace(with(".pvd"), chamber_, cases::jar_mesh_is_static(mill_case));
 }
 
+void FrameFiles::move_with(const kinematics::AnyMotion& motion) {
+  chamber_.motion = motion;
+  if (vtk_) vtk_->move_with(motion);
+}
+
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
                      const std::vector<Vec3>& forces) {
   const Frame frame{time, balls, forces, kinematics::frame_motion(*chamber_.motion, time).centre,

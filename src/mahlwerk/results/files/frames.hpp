@@ -26,6 +26,8 @@ class FrameFiles {
   /// throw InputError if the files cannot be written.
   FrameFiles(const std::filesystem::path& stem, const cases::Case& mill_case);
 
+  /// The jar moves so; else as its case says, which does not know the speed that a motor reaches.
+  void move_with(const kinematics::AnyMotion& motion);
   /// Adds a frame: the balls in the jar frame at `time` [s] since the start of the run, and the
   /// forces on them, if known (scene::Engine::forces).
   void add(double time, const std::vector<scene::Ball>& balls,

@@ -20,6 +20,7 @@ class VtkFrames {
  public:
   /// `still`: the jar does not move in its frame and is written once.
   VtkFrames(std::filesystem::path list, const scene::Chamber& mill, bool still);
+  void move_with(const kinematics::AnyMotion& motion) { mill_.motion = motion; }
   void add(const Frame& frame);
 
  private:

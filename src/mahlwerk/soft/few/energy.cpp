@@ -8,6 +8,7 @@
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
+#include "mahlwerk/soft/mill_drive.hpp"
 
 namespace mahlwerk::soft {
 
@@ -77,6 +78,7 @@ scene::EnergyBalance FewBodySolver::energy_balance() const {
   a.lost_rolling -= kept.twisting;
   a.lost_open -= kept.tangential + kept.twisting;
   a.contact_time += static_cast<double>(balls_in_contact_) * time_of(now_ - contact_count_step_);
+  if (const kinematics::Drive* drive = jar_->drive()) add_drive(a, *drive, mill_time(now_));
   return a;
 }
 

@@ -11,6 +11,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
+#include "mahlwerk/soft/mill_drive.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -29,7 +30,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
       step_block_(
           std::visit([]<class L>(const L&) { return block_stepper<L>(); }, *settings_.model.law)),
       start_(start),
-      skips_(settings.free_flight_skip),
+      skips_(settings.free_flight_skip && jar_->drive() == nullptr),
       periodic_(is_periodic(jar_->periods())),
       gaps_(balls.size() * static_cast<std::size_t>(jar_->faces())),
       contacts_of_(balls.size()) {
@@ -60,6 +61,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   // A wall that moves towards the balls uses up a thin skin within some fifty steps.
   skin_ = (jar_->max_wall_speed() > 0 ? 0.1 : 0.03) * smallest;
   loads_.resize(jar_->load_count());
+  if (kinematics::Drive* drive = jar_->drive()) drive->restart(start);
   if (liquid_) start_in_liquid();
   build_gather_maps();  // of no packets
   rebuild_neighbour_list();
@@ -169,9 +171,10 @@ void FewBodySolver::advance_block(std::int64_t until) {
   end_block();
 }
 
-/// Blocks end at the steps at which the energy is checked.
+/// Blocks end at steps that do not depend on how advance() divides a run.
 std::int64_t FewBodySolver::block_end(std::int64_t until) const {
-  return std::min(until, (now_ / energy_check_interval + 1) * energy_check_interval);
+  const std::int64_t length = jar_->drive() != nullptr ? drive_interval : energy_check_interval;
+  return std::min(until, (now_ / length + 1) * length);
 }
 
 /// Samples the drive from the present step to step `end`.
@@ -206,6 +209,9 @@ StepBlock FewBodySolver::step_block(std::vector<ParticleData*>& charges,
 
 void FewBodySolver::end_block() {
   now_ = particles_.step;
+  if (jar_->drive() != nullptr && now_ % drive_interval == 0)
+    soft::advance_drive(*jar_->drive(), mill_time(now_), loads_.front().about_mill_axis,
+                        now_ % energy_check_interval == 0);
   if (particles_.step % energy_check_interval != 0) return;
   check_energy();
   check_rest();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "mahlwerk/kinematics/drive.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 #include "mahlwerk/soft/solver_state.hpp"
 
@@ -40,6 +41,7 @@ void FewBodySolver::serialize(Archive& archive) {
   archive(energy_balance_)(balls_in_contact_)(contact_count_step_)(watch_)(target_time_);
   rest_.serialize(archive);
   if (!loads_.empty()) archive(loads_);
+  if (kinematics::Drive* drive = jar_->drive()) drive->serialize(archive);
   if (w.bodies.size() <= blocks || w.balls.size() != blocks) throw Archive::broken();
   if (!archive.reading()) return;
   w.contacts = 0;

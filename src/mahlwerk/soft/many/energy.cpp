@@ -8,6 +8,7 @@
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
+#include "mahlwerk/soft/mill_drive.hpp"
 
 namespace mahlwerk::soft {
 
@@ -103,6 +104,7 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
     a.lost_tangential -= stored.tangential;  // stored, not dissipated
     a.lost_rolling -= stored.twisting;
   }
+  if (const kinematics::Drive* drive = jar_->drive()) add_drive(a, *drive, mill_time(step_));
   // Contacts begin in the first step; those of the starting positions are pressed before it.
   if (step_ == 0) a.elastic = energy_at_start();
   return a;

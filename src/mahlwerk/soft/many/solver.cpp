@@ -12,6 +12,7 @@
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/diagnostics.hpp"
+#include "mahlwerk/soft/mill_drive.hpp"
 
 namespace mahlwerk::soft {
 namespace {
@@ -64,6 +65,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   }
   skin_ = 0.5 * classes.smallest;
   loads_.resize(jar_->load_count());
+  if (kinematics::Drive* drive = jar_->drive()) drive->restart(start);
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   wall_axes_ = jar_->axes(mill_time(0));
   initialize_rows(balls);
@@ -115,6 +117,21 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
     d.spread = geometry::never;  // forces a rebuild at the first step
 }
 
+/// Blocks end at steps that do not depend on how advance() divides a run.
+std::int64_t ManyBodySolver::block_end(std::int64_t until) const {
+  const std::int64_t length = jar_->drive() != nullptr ? drive_interval : energy_check_interval;
+  return std::min(until, (step_ / length + 1) * length);
+}
+
+void ManyBodySolver::advance_drive() {
+  if (step_ % drive_interval != 0) return;
+  double impulse = loads_.front().about_mill_axis;
+  for (const Chunk& chunk : chunks_)
+    if (!chunk.loads.empty()) impulse += chunk.loads.front().about_mill_axis;
+  soft::advance_drive(*jar_->drive(), mill_time(step_), impulse,
+                      step_ % energy_check_interval == 0);
+}
+
 double ManyBodySolver::time_of(std::int64_t step) const {
   return static_cast<double>(step) * settings_.time_step;
 }
@@ -140,8 +157,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
   try {
     while (step_ < until) {
       if (rest_.at_rest) return pass_rest(until);
-      const std::int64_t end =
-          std::min(until, (step_ / energy_check_interval + 1) * energy_check_interval);
+      const std::int64_t end = block_end(until);
       const std::vector<DriveSample> all = drive_samples(step_ + 1, end + 1);
       for (std::size_t k = 0; k + 1 < all.size(); ++k) {
         if (stopped()) return hand_over();
@@ -149,6 +165,7 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
         if (record_count() > max_records) hand_over();
       }
       hand_over();
+      if (jar_->drive() != nullptr) advance_drive();
       if (step_ % energy_check_interval != 0) continue;
       flush_sums();
       check_energy();

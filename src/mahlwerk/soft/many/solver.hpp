@@ -48,6 +48,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   double mill_time(std::int64_t step) const { return start_ + time_of(step); }
   double time_of(std::int64_t step) const;
   std::vector<DriveSample> drive_samples(std::int64_t first, std::int64_t last) const;
+  std::int64_t block_end(std::int64_t until) const;
+  void advance_drive();
   bool update_bounds();
   void rebuild_neighbour_lists();
   std::size_t record_count() const;

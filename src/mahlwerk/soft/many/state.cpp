@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/kinematics/drive.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
 // State of the balls, forces and checkpoints.
@@ -109,6 +110,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   archive(energy_balance_)(watch_)(rested_steps_)(target_time_);
   rest_.serialize(archive);
   if (!loads_.empty()) archive(loads_);
+  if (kinematics::Drive* drive = jar_->drive()) drive->serialize(archive);
   if (!archive.reading()) return;
   wall_axes_ = jar_->axes(mill_time(step_));
   share_work();

@@ -223,7 +223,9 @@ std::unique_ptr<const MovingWall> moving_wall(const scene::Chamber& chamber) {
         return std::make_unique<ChamberWall<S>>(scene::TypedChamber<S>(shape, motion, chamber));
       },
       *chamber.shape);
-  return chamber.parts.empty() ? std::move(jar) : wall_with_parts(std::move(jar), chamber);
+  // What turns a mill needs the loads, too.
+  const bool plain = chamber.parts.empty() && kinematics::drive_of(*chamber.motion) == nullptr;
+  return plain ? std::move(jar) : wall_with_parts(std::move(jar), chamber);
 }
 
 }  // namespace mahlwerk::soft

@@ -11,6 +11,7 @@
 
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
+#include "mahlwerk/kinematics/any_motion.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
 #include "mahlwerk/scene/wall_load.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
@@ -117,6 +118,9 @@ class MovingWall {
   virtual void add_load(std::span<scene::WallLoad> /*loads*/, const WallForce& /*force*/,
                         const WallAxes& /*axes*/, const DriveSample& /*drive*/,
                         double /*dt*/) const {}
+
+  /// The drive of the mill, which the engine advances; null if the speed of the mill is given.
+  virtual kinematics::Drive* drive() const { return nullptr; }
 
   const Vec3& gravity() const { return gravity_; }
   int faces() const { return faces_; }

@@ -30,6 +30,7 @@ struct Part {
   double opening = 0;  // [m]
   // Of the torque of its load, in its frame before the motion: that of its motion, or its own.
   Vec3 load_axis, load_centre;
+  bool turns_with_jar = false;
 };
 
 /// Whether the geometry of a part stays as it is while it moves, because it turns about its own
@@ -189,6 +190,7 @@ class WallWithParts final : public MovingWall {
     return in_own_axes(of(face), p, pose(part_motion_of(face), t));
   }
   std::size_t load_count() const override { return 1 + parts_.size(); }
+  kinematics::Drive* drive() const override { return kinematics::drive_of(*motion_); }
   void add_load(std::span<scene::WallLoad> loads, const WallForce& force, const WallAxes& axes,
                 const DriveSample& drive, double dt) const override {
     const FaceMotion motion = face_motion(force.face, drive, axes);
@@ -203,6 +205,9 @@ class WallWithParts final : public MovingWall {
     load.impulse += dt * frame.apply_inverse(force.force);
     load.angular_impulse += dt * dot(axis, cross(force.point - centre, force.force) - force.torque);
     load.work += dt * (dot(force.force, velocity) - dot(force.torque, motion.spin));
+    if (of_jar || part->turns_with_jar)
+      loads[0].about_mill_axis +=
+          dt * dot(drive_axis_, cross(force.point, force.force) - force.torque);
   }
   bool can_touch(int face, double radius) const override {
     if (face < first_part_face_) return jar_->can_touch(face, radius);
@@ -233,7 +238,8 @@ class WallWithParts final : public MovingWall {
     const bool turns = part.motion.spin_bound() > 0;
     parts_.push_back({*part.solid, part.axes, part.position, index, reach, part.opening,
                       turns ? part.motion.axis : part.axes.ez,
-                      turns ? part.motion.pivot : part.position});
+                      turns ? part.motion.pivot : part.position,
+                      !part.in_laboratory && !part.motion.moves()});
     bound_speeds(part, reach);
   }
 
