@@ -81,7 +81,7 @@ std::optional<Flaw> flaw_of_part(const Surface& surface) {
 
 MeshSolid::MeshSolid(Surface surface, double angle) : crease_angle(angle) {
   sheet_ = is_open(surface);
-  if (!sheet_ && volume_of(surface) < 0) turn_inside_out(surface);
+  if (!sheet_) face_outward(surface);
   for (const Vec3& p : surface.points) reach_ = std::max(reach_, norm(p));
   flat_ = in_one_plane(surface, reach_);
   // The wall of a MeshWall faces the inside of its surface; balls are outside of this one.

@@ -14,8 +14,8 @@ namespace mahlwerk::geometry {
 class MeshWall;
 
 /// A body given by triangles, seen from outside. An open surface is a sheet without thickness that
-/// balls touch from both sides; closed surfaces may be several. Copies share the triangles. Its
-/// faces are those that its creases make (geo.9).
+/// balls touch from both sides; closed surfaces may be several, and cavities in them. Copies share
+/// the triangles. Its faces are those that its creases make (geo.9).
 struct MeshSolid {
   double crease_angle = 0;  // [rad]
   int faces = 0;
