@@ -99,8 +99,11 @@ Gap MeshSolid::gap(int face, const Vec3& p, double within) const {
 double MeshSolid::distance(int face, const Vec3& p, double within) const {
   return wall_->distance(face, p, within);
 }
+Gap MeshSolid::nearest(const Vec3& p) const {
+  return wall_ == nullptr ? Gap{never, {0, 0, 1}, 0} : wall_->nearest(p).gap;
+}
 double MeshSolid::clearance(const Vec3& p) const {
-  const double distance = wall_->nearest(p).gap.distance;
+  const double distance = nearest(p).distance;
   return sheet_ ? std::abs(distance) : distance;
 }
 bool MeshSolid::operator==(const MeshSolid& o) const {

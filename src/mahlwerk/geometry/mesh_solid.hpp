@@ -41,6 +41,9 @@ struct MeshSolid {
   double distance(int face, const Vec3& p, double within) const;
   /// Distance of the whole body [m], negative in a solid; never so for a sheet.
   double clearance(const Vec3& p) const;
+  /// The nearest point of the whole body, for points in a solid, too: there its distance is
+  /// negative, and its normal the way out.
+  Gap nearest(const Vec3& p) const;
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
   double reach() const { return reach_; }
   bool is_sheet() const { return sheet_; }              ///< the surface is open

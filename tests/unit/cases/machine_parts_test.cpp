@@ -4,10 +4,16 @@
 // Faults of [[parts]], the bodies of the mill in the jar.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/setup/fill.hpp"
+#include "mahlwerk/cases/setup/grid.hpp"
+#include "mahlwerk/cases/setup/obstacles.hpp"
+#include "mahlwerk/cases/setup/push_apart.hpp"
+#include "meshes.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::machine_parts_test {
@@ -101,6 +107,98 @@ motion_file = "motion.csv"
       faults_with("time_s,x_m,y_m,z_m\n0,0,0,0\n1,0,0,0.001\n2,0,0,0\n3,0,0,0.001\n4,0,0,0\n"),
       Codes{"bad-part"})
       << "a sound table that keeps the part outside the jar";
+}
+
+/// The case `text` beside the file bar.stl of these triangles.
+std::vector<Fault> faults_with_mesh(const std::string& text, const tests::Triangles& triangles) {
+  const Folder folder;
+  folder.write("bar.stl", tests::binary_stl(triangles));
+  folder.write("case.toml", text);
+  try {
+    read(folder.path() / "case.toml", catalogue());
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+const std::string mesh = "kind = \"mesh\"\nfile = \"bar.stl\"\nunit = \"mm\"\n";
+
+// Balls that start in parts.
+
+std::string vessel_with_ball_at(const std::string& place, const std::string& parts) {
+  return with(vessel(parts), "count", "positions = [" + place + "]");
+}
+
+TEST(MachineParts, do_not_hold_balls_of_given_positions) {
+  const auto fault = [](const std::string& place) {
+    const std::vector<std::string> all = told(vessel_with_ball_at(place, disc));
+    return all.empty() ? std::string() : all.size() == 1 ? all[0] : "several";
+  };
+  EXPECT_NE(
+      fault("[\"0 mm\", \"0 mm\", \"1 mm\"]").find("ball 1 of balls.1 starts inside the part disc"),
+      std::string::npos);
+  EXPECT_NE(fault("[\"0 mm\", \"0 mm\", \"7 mm\"]").find("reaches 0.5 mm into the part disc"),
+            std::string::npos);
+  EXPECT_EQ(fault("[\"0 mm\", \"0 mm\", \"7.5 mm\"]"), "") << "touches it";
+  EXPECT_TRUE(told(vessel_with_ball_at("[\"0 mm\", \"0 mm\", \"1 mm\"]",
+                                       disc + "opening = \"12 mm\"\n[[balls]]\ndiameter = \"12 "
+                                              "mm\"\ndensity = \"7800 kg/m3\"\ncount = 1\n"))
+                  .empty())
+      << "the ball passes its opening";
+}
+
+TEST(MachineParts, of_triangles_do_not_hold_balls_of_given_positions) {
+  const tests::Triangles block = tests::box(0.06, 0.06, 0.04);
+  const std::string part = "[[parts]]\nname = \"block\"\n" + mesh;
+  const auto codes = [&](const std::string& z) {
+    std::string all;
+    for (const Fault& f :
+         faults_with_mesh(vessel_with_ball_at("[\"0 mm\", \"0 mm\", \"" + z + "\"]", part), block))
+      all += f.code + ": " + f.what + "\n";
+    return all;
+  };
+  EXPECT_EQ(codes("0 mm"), "ball-in-part: ball 1 of balls.1 starts inside the part block\n");
+  EXPECT_EQ(codes("24 mm"), "ball-in-part: ball 1 of balls.1 reaches 1 mm into the part block\n");
+  EXPECT_EQ(codes("25.001 mm"), "");
+}
+
+/// [m] Smallest distance of a ball from the parts, less its radius.
+double least_clearance(const Case& c, const std::vector<scene::Ball>& balls) {
+  const Obstacles obstacles(c);
+  double least = 1;
+  for (const scene::Ball& b : balls)
+    least = std::min(least, obstacles.clearance(b.position, b.radius) - b.radius);
+  return least;
+}
+
+TEST(MachineParts, are_free_of_balls_that_are_placed_at_random) {
+  const Folder folder;
+  folder.write("bar.stl", tests::binary_stl(tests::box(0.06, 0.06, 0.04)));
+  // 520 balls of 10 mm fill half of what the block leaves of the vessel: they are pushed apart.
+  folder.write("case.toml",
+               with(vessel("[[parts]]\nname = \"block\"\n" + mesh), "count", "count = 640"));
+  const Case c = read(folder.path() / "case.toml", catalogue());
+  Random random(1, 0);
+  const Obstacles obstacles(c);
+  const auto balls = fill(*c.jar.shape, c.balls, random, nullptr, nullptr, &obstacles);
+  EXPECT_EQ(balls.size(), 640U);
+  EXPECT_GT(least_clearance(c, balls), 0);
+}
+
+/// No face of a mesh is in front of a centre inside it: the way out is that to its nearest point.
+TEST(MachineParts, of_triangles_push_out_balls_whose_centres_are_inside) {
+  const Folder folder;
+  folder.write("bar.stl", tests::binary_stl(tests::box(0.06, 0.06, 0.04)));
+  folder.write("case.toml", vessel("[[parts]]\nname = \"block\"\n" + mesh));
+  const Case c = read(folder.path() / "case.toml", catalogue());
+  const Obstacles obstacles(c);
+  std::vector<PlacedBall> balls{{{0.01, 0.005, 0.015}, 0.005, false}};
+  const Domain domain{.half = {0.05, 0.05, 0.05},
+                      .periods = {geometry::never, geometry::never, geometry::never}};
+  const PushApartResult end =
+      push_apart(balls, *c.jar.shape, domain, 1e-6, 10'000, nullptr, &obstacles);
+  EXPECT_TRUE(end.free);
+  EXPECT_GT(obstacles.clearance(balls[0].position, 0.005), 0.005);
 }
 
 }  // namespace
