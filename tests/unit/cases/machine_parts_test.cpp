@@ -109,6 +109,78 @@ motion_file = "motion.csv"
       << "a sound table that keeps the part outside the jar";
 }
 
+// A slice of a drum, periodic along its axis z.
+
+std::string slice(const std::string& part, const std::string& length = "100 mm") {
+  return R"(title = "Slice"
+[mill]
+kind = "tumbling"
+speed = "60 rpm"
+[jar]
+kind = "periodic-cylinder"
+diameter = "400 mm"
+length = ")" +
+         length + R"("
+[[balls]]
+diameter = "20 mm"
+density = "7800 kg/m3"
+count = 20
+[run]
+time = "1 s"
+engine = "soft"
+[[parts]]
+name = "bar"
+)" + part;
+}
+
+/// The codes of all faults, and whether the first tells this.
+::testing::AssertionResult refused(const std::string& text, const std::string& what) {
+  const std::vector<Fault> found = faults_of(text);
+  const bool as_told = found.size() == 1 && found[0].code == "bad-part" &&
+                       found[0].what.find(what) != std::string::npos && !found[0].remedy.empty();
+  if (as_told) return ::testing::AssertionSuccess();
+  std::string all;
+  for (const std::string& one : told(text)) all += one + "\n";
+  return ::testing::AssertionFailure() << found.size() << " faults: " << all;
+}
+
+/// Balls of 20 mm in a period of 100 mm: a part fits with its images if it reaches 40 mm, or if it
+/// is a bar without an end.
+TEST(MachineParts, in_a_periodic_jar_leave_room_for_a_ball_between_their_images) {
+  const auto bar = [](const std::string& length) {
+    return "kind = \"cylinder\"\ndiameter = \"30 mm\"\nlength = \"" + length + "\"\n";
+  };
+  EXPECT_TRUE(told(slice(bar("80 mm"))).empty());
+  EXPECT_TRUE(refused(slice(bar("81 mm")),
+                      "reaches 40.5 mm from its position along the axis z of a period of 100 mm: a "
+                      "ball of 20 mm"));
+  EXPECT_TRUE(refused(slice(bar("99.9 mm")), "and its periodic image at once"));
+  EXPECT_TRUE(told(slice(bar("100 mm"))).empty()) << "with its images one bar without end";
+  EXPECT_TRUE(told(slice(bar("300 mm"))).empty());
+  EXPECT_TRUE(refused(slice(bar("100 mm") + "axis = [0.1, 0, 1]\n"), "at once")) << "not along z";
+  EXPECT_TRUE(told(slice(bar("200 mm") + "axis = [1, 0, 0]\n")).empty()) << "across z";
+  EXPECT_TRUE(told(slice(bar("81 mm"), "200 mm")).empty()) << "in a longer slice";
+  const std::string cone =
+      "kind = \"cone\"\ndiameter = \"30 mm\"\ntop_diameter = \"20 mm\"\nlength = \"100 mm\"\n";
+  EXPECT_TRUE(refused(slice(cone), "at once")) << "its ends differ";
+  const auto blade = [](const std::string& axis) {
+    return "kind = \"blade\"\nlength = \"60 mm\"\nthickness = \"10 mm\"\nheight = \"110 mm\"\n" +
+           axis;
+  };
+  EXPECT_TRUE(told(slice(blade(""))).empty());
+  EXPECT_TRUE(told(slice(blade("axis = [0, 1, 0]\n"))).empty());
+  EXPECT_TRUE(refused(slice(blade("axis = [0, 1, 1]\n")), "at once"));
+}
+
+TEST(MachineParts, that_are_planes_in_a_periodic_jar_lie_along_its_axis) {
+  EXPECT_TRUE(refused(slice("kind = \"plane\"\nposition = [\"0 mm\", \"0 mm\", \"-40 mm\"]\n"),
+                      "the plane bar lies across the axis z"));
+  EXPECT_TRUE(refused(slice("kind = \"plane\"\naxis = [1, 0, 0.01]\n"), "lies across the axis z"));
+  EXPECT_TRUE(told(slice("kind = \"plane\"\naxis = [1, 0, 0]\nposition = [\"-150 mm\", \"0 mm\", "
+                         "\"0 mm\"]\n"))
+                  .empty());
+}
+
 /// The case `text` beside the file bar.stl of these triangles.
 std::vector<Fault> faults_with_mesh(const std::string& text, const tests::Triangles& triangles) {
   const Folder folder;
@@ -122,6 +194,17 @@ std::vector<Fault> faults_with_mesh(const std::string& text, const tests::Triang
   return {};
 }
 const std::string mesh = "kind = \"mesh\"\nfile = \"bar.stl\"\nunit = \"mm\"\n";
+
+TEST(MachineParts, of_triangles_in_a_periodic_jar_are_short_or_bars_that_span_it) {
+  EXPECT_TRUE(faults_with_mesh(slice(mesh), tests::box(0.03, 0.02, 0.08)).empty());
+  EXPECT_EQ(faults_with_mesh(slice(mesh), tests::box(0.03, 0.02, 0.09)).size(), 1U);
+  EXPECT_TRUE(faults_with_mesh(slice(mesh), tests::box(0.03, 0.02, 0.1)).empty());
+  tests::Triangles tapered = tests::box(0.03, 0.02, 0.1);
+  for (geometry::Corners& c : tapered)
+    for (Vec3& p : c)
+      if (p.z > 0) p.x *= 0.9;
+  EXPECT_EQ(faults_with_mesh(slice(mesh), tapered).size(), 1U) << "no bar: its ends differ";
+}
 
 // Balls that start in parts.
 
