@@ -3,6 +3,7 @@
 
 // Files that a case or a command names: a mesh, a measured motion, measurements.
 #include "mahlwerk/campaign/fit/measurements.hpp"
+#include "mahlwerk/cases/file/mesh_file.hpp"
 #include "mahlwerk/cases/file/stl.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "targets.hpp"
@@ -18,7 +19,12 @@ density = "7850 kg/m3"
 time = "1 s"
 )";
 
+/// As a jar in a file of STL or PLY, and as OBJ, which only the name of a file tells.
 void read_mesh(const std::string& bytes) {
+  try {
+    cases::read_obj(bytes, 1e-3);
+  } catch (const cases::MeshFileError&) {
+  }
   write_file(scratch() / "jar.stl", bytes);
   cases::read_text(R"(title = "t"
 [mill]
@@ -46,7 +52,11 @@ std::vector<std::string> tetrahedra() {
       for (const double v : {p.x, p.y, p.z}) append(static_cast<float>(v));
     append(std::uint16_t{0});
   }
-  return {cases::stl_text(geometry::weld(faces)), binary};
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n60 0 0\n0 60 "
+      "0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  return {cases::stl_text(geometry::weld(faces)), binary, ply};
 }
 
 void read_motion(const std::string& bytes) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Draws random valid cases over mill x jar x balls x law x restitution x friction x filling for
+"""Draws random valid cases over mill x jar x balls x parts x law x restitution x friction x filling for
 both engines, runs each for a short time, and checks properties that every valid case has:
 
     random_cases.py PROGRAM COUNT [--seed S] [--first I] [--jobs N] [--slow FACTOR] [--keep FOLDER]
@@ -29,9 +29,11 @@ def decades(rng, low, high):
     return 10 ** rng.uniform(math.log10(low), math.log10(high))
 
 
-def mill(rng, size):
-    """A mill as TOML lines; `size` [mm] of the jar."""
+def mill(rng, size, jar_kind):
+    """A mill as TOML lines; `size` [mm] of the jar. A slice of a drum turns, but for a few that are refused."""
     kind = rng.choice(["vibration", "planetary", "tumbling", "arc-shaker", "circular", "still"])
+    if jar_kind == "periodic-lifter-cylinder" and rng.random() < 0.9:
+        kind = "tumbling"
     lines = {
         "vibration": f'frequency = "{decades(rng, 1, 120):.4g} Hz"\n'
                      f'amplitude = "{decades(rng, 0.1, 30):.4g} mm"',
@@ -51,7 +53,8 @@ def mill(rng, size):
 def jar(rng, size, exact):
     d, h = size, size * rng.uniform(0.6, 2)
     kinds = ["cylinder", "capsule", "rounded-cylinder", "sphere", "box"]
-    kind = rng.choice(kinds if exact else kinds + ["lifter-cylinder"])
+    kind = rng.choice(kinds if exact else kinds + ["lifter-cylinder", "periodic-lifter-cylinder"])
+    lifters = f'lifters = 4\nlifter_height = "{0.06 * d:.5g} mm"\nlifter_width = "{0.08 * d:.5g} mm"'
     lines = {
         "cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"',
         "capsule": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"',
@@ -60,8 +63,8 @@ def jar(rng, size, exact):
         "sphere": f'diameter = "{d:.5g} mm"',
         "box": f'width = "{d:.5g} mm"\ndepth = "{d * rng.uniform(0.7, 1.5):.5g} mm"\n'
                f'height = "{h:.5g} mm"',
-        "lifter-cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"\nlifters = 4\n'
-                           f'lifter_height = "{0.06 * d:.5g} mm"\nlifter_width = "{0.08 * d:.5g} mm"',
+        "lifter-cylinder": f'diameter = "{d:.5g} mm"\nheight = "{h:.5g} mm"\n{lifters}',
+        "periodic-lifter-cylinder": f'diameter = "{d:.5g} mm"\nlength = "{h:.5g} mm"\n{lifters}',
     }[kind]
     return f'[jar]\nkind = "{kind}"\n{lines}\n', kind
 
@@ -74,6 +77,47 @@ def balls(rng, size):
                   f'filling = "{rng.uniform(2, 25):.3g} %"')
         text += (f'[[balls]]\ndiameter = "{diameter:.5g} mm"\n{number}\n'
                  f'density = "{rng.choice([1200, 2500, 6000, 7850, 15000])} kg/m3"\n')
+    return text
+
+
+def solid(rng, size):
+    """A shape of a part as TOML lines."""
+    kind = rng.choice(["disc", "cylinder", "cone", "blade", "plane"])
+    wide, thin = size * rng.uniform(0.1, 0.5), size * rng.uniform(0.03, 0.1)
+    lines = {
+        "disc": f'diameter = "{wide:.5g} mm"\nthickness = "{thin:.5g} mm"',
+        "cylinder": f'diameter = "{thin:.5g} mm"\nlength = "{wide:.5g} mm"',
+        "cone": f'diameter = "{wide:.5g} mm"\nlength = "{wide:.5g} mm"',
+        "blade": f'length = "{wide:.5g} mm"\nthickness = "{thin:.5g} mm"\nheight = "{wide:.5g} mm"',
+        "plane": "",
+    }[kind]
+    return f'kind = "{kind}"\n{lines}\n', kind
+
+
+def motion(rng, size):
+    """A motion of a part as TOML lines."""
+    kind = rng.choice(["fixed", "turning", "oscillating", "swinging"])
+    lines = {
+        "fixed": "",
+        "turning": f'speed = "{decades(rng, 10, 1000):.4g} rpm"',
+        "oscillating": f'frequency = "{decades(rng, 1, 40):.4g} Hz"\n'
+                       f'amplitude = "{size * rng.uniform(0.01, 0.1):.4g} mm"',
+        "swinging": f'frequency = "{decades(rng, 1, 20):.4g} Hz"\nswing = "{rng.uniform(1, 60):.4g} deg"',
+    }[kind]
+    return f'motion = "{kind}"\n{lines}\n'
+
+
+def parts(rng, size):
+    """Bodies of the mill in the jar."""
+    text = ""
+    for number in range(rng.choice([0, 0, 1, 2])):
+        shape, kind = solid(rng, size)
+        low = -0.4 if kind == "plane" else rng.uniform(-0.3, 0.3)
+        axis = rng.choice(["[0, 0, 1]", "[0, 0, 1]", "[1, 0, 0]", "[1, 1, 1]"])
+        frame = rng.choice(["jar", "jar", "laboratory"])
+        text += (f'[[parts]]\nname = "part{number}"\n{shape}axis = {axis}\nframe = "{frame}"\n'
+                 f'position = ["0 mm", "{size * rng.uniform(-0.2, 0.2):.5g} mm", "{size * low:.5g} mm"]\n'
+                 + motion(rng, size))
     return text
 
 
@@ -101,8 +145,8 @@ def case(seed, index):
     if speed == 100:  # fast balls need short time steps of the soft engine
         time_span, settle = time_span / 20, settle / 20
     return (f'title = "random case {index}"\nseed = {rng.randrange(1000000)}\n'
-            f'gravity = "{rng.choice([9.81, 9.81, 0])} m/s2"\n' + mill(rng, size) + jar_text +
-            balls(rng, size) + contact +
+            f'gravity = "{rng.choice([9.81, 9.81, 0])} m/s2"\n' + mill(rng, size, kind) + jar_text +
+            balls(rng, size) + (parts(rng, size) if engine != "event" else "") + contact +
             f'[run]\nengine = "{engine}"\ntime = "{time_span} s"\n'
             f'settle = "{settle} s"\nreplicates = 1\nstart_speed = "{speed} m/s"\n')
 

@@ -213,6 +213,15 @@ def test_our_own_statements_stand_apart_from_the_claims_of_the_paper():
     assert checks_csv(made).startswith("figure,the_paper_says,we_find,holds,why,own\n1,we add,a,no,,yes\n")
 
 
+@pytest.mark.parametrize("own", [False, True])
+def test_a_table_without_statements_is_left_out(own):
+    paper = Paper(title="T", source="S")
+    paper.check("1", "it rises", C.rises("collision_rate", **KEY), own=own)
+    made = PaperResult(paper, [Verdict("a", "yes")], [], [], {"c": 1.5}, [], "", "")
+    assert checks_markdown(made).count("|---|---|---|---|---|") == 1
+    assert page(made, {}).count("<th>Holds</th>") == 1
+
+
 def test_the_page_and_the_tables_escape_what_a_paper_says():
     assert "it rises | &lt;b&gt;" in page(result(), {}) and "b &lt;i&gt;" in page(result(), {})
     assert r"it rises \| <b>" in checks_markdown(result())

@@ -81,7 +81,7 @@ def checks_csv(result: PaperResult) -> str:
 def checks_markdown(result: PaperResult) -> str:
     parts = []
     for own in (False, True):
-        if own and not result.has_own:
+        if not result.judged(own):
             continue
         rows = [f"| figure | {'we say' if own else 'the paper says'} | we find | holds | why |\n"
                 "|---|---|---|---|---|\n"]
@@ -159,7 +159,8 @@ def page(result: PaperResult, svg: dict[str, bytes]) -> str:
     body += result.boxes
     if paper.about:
         body += f'<section class="box"><p>{html.escape(paper.about)}</p></section>\n'
-    body += "<h2>Claims of the paper and findings</h2>\n" + checks_table(result, False)
+    if result.judged(False):
+        body += "<h2>Claims of the paper and findings</h2>\n" + checks_table(result, False)
     if result.has_own:
         body += "<h2>Statements of ours, not of the paper</h2>\n" + checks_table(result, True)
     body += ("<p><small>± is the 95 % confidence half-width over independent replicates. Every number in "

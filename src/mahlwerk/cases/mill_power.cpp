@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/mill_power.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/derived.hpp"
@@ -32,7 +35,20 @@ double drum_length(const geometry::AnyShape& shape) {
       shape);
 }
 
+/// A share as "73.4 %".
+std::string percent_text(double share) {
+  return fmt::format("{:.4g} %", 100 * share);
+}
+
 }  // namespace
+
+bool FormulaRange::has(const MillNumbers& m) const {
+  constexpr double rounding = 1e-9;  // of a speed or filling that a case gives as a limit
+  const auto within = [](double x, double least, double most) {
+    return x >= least - rounding && x <= most + rounding;
+  };
+  return within(m.speed, least_speed, most_speed) && within(m.filling, least_filling, most_filling);
+}
 
 double bond_power(const MillNumbers& m, double mass) {
   const double cascade = 1 - 0.1 / math::pow(2, 9 - 10 * m.speed);
@@ -85,6 +101,26 @@ std::optional<MillNumbers> mill_numbers(const Case& c) {
   if (!(m.length > 0) || !std::isfinite(m.speed) || !(m.filling > 0) || m.filling > 0.6)
     return std::nullopt;
   return m;
+}
+
+Notices mill_power_notices(const Case& c) {
+  const std::optional<MillNumbers> mill = mill_numbers(c);
+  if (!mill) return {};
+  std::string missing;
+  for (const FormulaRange& range : formula_ranges)
+    if (!range.has(*mill))
+      missing += fmt::format(
+          "{}{} ({}) is given for a speed of {:.0f} to {:.0f} % and a filling of "
+          "{:.0f} to {:.0f} %",
+          missing.empty() ? "" : ", ", range.name, range.quantity, 100 * range.least_speed,
+          100 * range.most_speed, 100 * range.least_filling, 100 * range.most_filling);
+  if (missing.empty()) return {};
+  return {
+      note("formula-out-of-range",
+           fmt::format("Formulas of mill power that do not hold for this mill have no value. It "
+                       "turns at {} of the critical speed of its shell, and its charge fills {} "
+                       "of it in bulk; {}.",
+                       percent_text(mill->speed), percent_text(mill->filling), missing))};
 }
 
 }  // namespace mahlwerk::cases

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
+#include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/cases/case.hpp"
 
 // What the formulas of comminution give for the power of a tumbling mill
@@ -18,6 +21,22 @@ struct MillNumbers {
   double filling = 0;   ///< [1] J: bulk volume of the charge over that of the mill
   double density = 0;   ///< [kg/m3] of the charge in bulk, with its voids
 };
+
+/// Where a formula is given. Beyond, it is far from what it was fitted to, and may even be
+/// negative.
+struct FormulaRange {
+  std::string_view name;      ///< "Bond's formula"
+  std::string_view quantity;  ///< that is missing outside the range
+  double least_speed, most_speed, least_filling, most_filling;  ///< [1] phi and J
+
+  bool has(const MillNumbers& mill) const;
+};
+inline constexpr FormulaRange bond_range{"Bond's formula", "bond_power", 0.5, 0.9, 0.1, 0.5};
+inline constexpr FormulaRange hogg_fuerstenau_range{
+    "the formula of Hogg and Fuerstenau", "hogg_fuerstenau_power", 0.5, 0.9, 0.1, 0.5};
+inline constexpr FormulaRange morrell_range{
+    "Morrell's C model", "morrell_power", 0.48, 0.89, 0.05, 0.61};
+inline constexpr std::array formula_ranges{bond_range, hogg_fuerstenau_range, morrell_range};
 
 /// [W] Power at the shell by Bond (mil.1): of balls of `mass` [kg].
 double bond_power(const MillNumbers& mill, double mass);
@@ -38,5 +57,8 @@ double morrell_no_load_power(const MillNumbers& mill);
 
 /// The mill of a case; none if it is no drum that turns about a lying axis with balls in it.
 std::optional<MillNumbers> mill_numbers(const Case& c);
+
+/// Which formulas give no power for the mill of the case, and why.
+Notices mill_power_notices(const Case& c);
 
 }  // namespace mahlwerk::cases

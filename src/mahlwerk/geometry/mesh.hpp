@@ -26,7 +26,7 @@ struct Mesh {
 
   static constexpr std::string_view name = "mesh";
   static constexpr std::string_view about =
-      "the inside of a closed surface of triangles from an STL file";
+      "the inside of a closed surface of triangles from a file";
   static constexpr bool axisymmetric = false;
   static std::string face_name(int face) { return std::to_string(face + 1); }
   static constexpr auto fields() {

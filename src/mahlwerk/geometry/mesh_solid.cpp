@@ -81,7 +81,7 @@ std::optional<Flaw> flaw_of_part(const Surface& surface) {
 
 MeshSolid::MeshSolid(Surface surface, double angle) : crease_angle(angle) {
   sheet_ = is_open(surface);
-  if (!sheet_ && volume_of(surface) < 0) turn_inside_out(surface);
+  if (!sheet_) face_outward(surface);
   for (const Vec3& p : surface.points) reach_ = std::max(reach_, norm(p));
   flat_ = in_one_plane(surface, reach_);
   // The wall of a MeshWall faces the inside of its surface; balls are outside of this one.
@@ -99,8 +99,11 @@ Gap MeshSolid::gap(int face, const Vec3& p, double within) const {
 double MeshSolid::distance(int face, const Vec3& p, double within) const {
   return wall_->distance(face, p, within);
 }
+Gap MeshSolid::nearest(const Vec3& p) const {
+  return wall_ == nullptr ? Gap{never, {0, 0, 1}, 0} : wall_->nearest(p).gap;
+}
 double MeshSolid::clearance(const Vec3& p) const {
-  const double distance = wall_->nearest(p).gap.distance;
+  const double distance = nearest(p).distance;
   return sheet_ ? std::abs(distance) : distance;
 }
 bool MeshSolid::operator==(const MeshSolid& o) const {

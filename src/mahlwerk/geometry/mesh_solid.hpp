@@ -14,8 +14,8 @@ namespace mahlwerk::geometry {
 class MeshWall;
 
 /// A body given by triangles, seen from outside. An open surface is a sheet without thickness that
-/// balls touch from both sides; closed surfaces may be several. Copies share the triangles. Its
-/// faces are those that its creases make (geo.9).
+/// balls touch from both sides; closed surfaces may be several, and cavities in them. Copies share
+/// the triangles. Its faces are those that its creases make (geo.9).
 struct MeshSolid {
   double crease_angle = 0;  // [rad]
   int faces = 0;
@@ -41,6 +41,9 @@ struct MeshSolid {
   double distance(int face, const Vec3& p, double within) const;
   /// Distance of the whole body [m], negative in a solid; never so for a sheet.
   double clearance(const Vec3& p) const;
+  /// The nearest point of the whole body, for points in a solid, too: there its distance is
+  /// negative, and its normal the way out.
+  Gap nearest(const Vec3& p) const;
   Vec3 normal_rate(int, const Vec3&, const Vec3&) const { return {}; }  // facets are flat
   double reach() const { return reach_; }
   bool is_sheet() const { return sheet_; }              ///< the surface is open

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/index.hpp"
 
 namespace mahlwerk::geometry {
@@ -185,7 +188,87 @@ std::vector<std::int32_t> shells(const Surface& s, const std::vector<Side>& side
   return of;
 }
 
+/// The triangles of one shell.
+struct Shell {
+  std::vector<std::size_t> triangles;
+  Extent extent;
+};
+
+/// The shells in the order of their first triangles.
+std::vector<Shell> shells_of(const Surface& s) {
+  const std::vector<std::int32_t> of = shells(s, sides_of(s));
+  std::vector<Shell> found;
+  std::vector<std::size_t> number(of.size());
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    if (of[i] == static_cast<std::int32_t>(i)) {
+      number[i] = found.size();
+      found.emplace_back();
+    }
+    found[number[as_index(of[i])]].triangles.push_back(i);
+  }
+  for (Shell& shell : found) {
+    std::vector<Vec3> points;
+    for (const std::size_t i : shell.triangles)
+      for (const std::int32_t corner : s.triangles[i]) points.push_back(s.points[as_index(corner)]);
+    shell.extent = extent_of(points);
+  }
+  return found;
+}
+
+/// Six times the volume [m3] between a triangle and `origin`, signed.
+double sixfold_volume(const Surface& s, const Triangle& t, const Vec3& origin) {
+  return dot(s.points[as_index(t[0])] - origin,
+             cross(s.points[as_index(t[1])] - origin, s.points[as_index(t[2])] - origin));
+}
+
+bool is_inside_out(const Surface& s, const Shell& shell) {
+  double sixfold = 0;
+  for (const std::size_t i : shell.triangles)
+    sixfold += sixfold_volume(s, s.triangles[i], shell.extent.middle());
+  return sixfold < 0;
+}
+
+/// How often a shell winds around a point, by solid angles (van Oosterom and Strackee 1983): 0
+/// outside, 1 or -1 inside.
+double winding_number(const Surface& s, const Shell& shell, const Vec3& p) {
+  double half_angle = 0;
+  for (const std::size_t i : shell.triangles) {
+    const Triangle& t = s.triangles[i];
+    const Vec3 a = s.points[as_index(t[0])] - p, b = s.points[as_index(t[1])] - p,
+               c = s.points[as_index(t[2])] - p;
+    const double la = norm(a), lb = norm(b), lc = norm(c);
+    half_angle += math::atan2(dot(a, cross(b, c)),
+                              la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+  }
+  return half_angle / (2 * std::numbers::pi);
+}
+
+/// Whether `inner` lies in `outer`, by up to 64 of its corners: bodies that overlap are not nested.
+bool lies_in(const Surface& s, const Shell& inner, const Shell& outer) {
+  const Extent &in = inner.extent, &out = outer.extent;
+  const bool in_box = out.low.x <= in.low.x && out.low.y <= in.low.y && out.low.z <= in.low.z &&
+                      in.high.x <= out.high.x && in.high.y <= out.high.y && in.high.z <= out.high.z;
+  if (!in_box) return false;
+  const std::size_t step = inner.triangles.size() / 64 + 1;
+  for (std::size_t k = 0; k < inner.triangles.size(); k += step) {
+    const Vec3& corner = s.points[as_index(s.triangles[inner.triangles[k]][0])];
+    if (std::abs(winding_number(s, outer, corner)) < 0.75) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+void face_outward(Surface& s) {
+  const std::vector<Shell> all = shells_of(s);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    bool cavity = false;
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (k != i && lies_in(s, all[i], all[k])) cavity = !cavity;
+    if (is_inside_out(s, all[i]) == cavity) continue;
+    for (const std::size_t t : all[i].triangles) std::swap(s.triangles[t][1], s.triangles[t][2]);
+  }
+}
 
 Surface weld(std::span<const Corners> triangles) {
   std::vector<Vec3> all;
@@ -213,9 +296,7 @@ Extent extent_of(std::span<const Vec3> points) {
 double volume_of(const Surface& s) {
   const Vec3 origin = extent_of(s.points).middle();  // keeps rounding of the differences small
   double sixfold = 0;
-  for (const Triangle& t : s.triangles)
-    sixfold += dot(s.points[as_index(t[0])] - origin,
-                   cross(s.points[as_index(t[1])] - origin, s.points[as_index(t[2])] - origin));
+  for (const Triangle& t : s.triangles) sixfold += sixfold_volume(s, t, origin);
   return sixfold / 6;
 }
 

@@ -33,6 +33,11 @@ struct Extent {
 /// millionth of its size. Removes triangles without area and keeps the surface closed.
 Surface weld(std::span<const Corners> triangles);
 
+/// Turns each closed, connected shell so that it faces away from the material: outward, or inward
+/// if it bounds a cavity, that is if it lies in an odd number of other shells. The surface must be
+/// closed and consistently oriented.
+void face_outward(Surface& surface);
+
 Extent extent_of(std::span<const Vec3> points);
 double volume_of(const Surface& surface);  ///< [m3] (geo.11); negative if inside out
 

@@ -155,5 +155,35 @@ TEST(MillPower, of_a_mill_end_over_end_or_at_rest_is_not_given) {
   EXPECT_FALSE(given({{"gravity", "0 m/s2"}}));
 }
 
+/// Above 123 % of the critical speed Bond's formula is negative.
+TEST(MillPower, has_no_value_by_a_formula_outside_its_range) {
+  MillNumbers fast = ball_mill(0.35, 1.3);
+  EXPECT_LT(bond_power(fast, 1000), 0);
+  for (const FormulaRange& range : formula_ranges) {
+    EXPECT_FALSE(range.has(fast)) << range.name;
+    EXPECT_TRUE(range.has(ball_mill(0.35, 0.75))) << range.name;
+    EXPECT_TRUE(range.has(ball_mill(range.least_filling, range.least_speed))) << range.name;
+    EXPECT_TRUE(range.has(ball_mill(range.most_filling, range.most_speed))) << range.name;
+    EXPECT_FALSE(range.has(ball_mill(range.most_filling + 0.001, 0.75))) << range.name;
+    EXPECT_FALSE(range.has(ball_mill(0.35, range.least_speed - 0.001))) << range.name;
+  }
+}
+
+TEST(MillPower, that_a_formula_does_not_give_is_noted_with_the_reason) {
+  const auto told = [](const std::string& speed, const std::string& filling) {
+    const Notices notes = mill_power_notices(
+        read_sample(std::string(drum), {{"mill.speed", speed}, {"balls.1.bulk_filling", filling}}));
+    return notes.empty() ? std::string() : notes.at(0).text;
+  };
+  EXPECT_EQ(told("20 rpm", "35 %"), "");
+  const std::string fast = told("35 rpm", "35 %");
+  for (const char* part : {"128.2 % of the critical speed", "(bond_power)", "(morrell_power)",
+                           "(hogg_fuerstenau_power)", "speed of 50 to 90 %"})
+    EXPECT_NE(fast.find(part), std::string::npos) << part << " in: " << fast;
+  const std::string empty = told("20 rpm", "7 %");
+  EXPECT_NE(empty.find("bond_power"), std::string::npos) << empty;
+  EXPECT_EQ(empty.find("morrell_power"), std::string::npos) << "its range begins at 5 %: " << empty;
+}
+
 }  // namespace
 }  // namespace mahlwerk::cases::mill_power_test

@@ -208,5 +208,17 @@ TEST(PeriodicLifterCylinder, alone_with_the_smooth_slice_has_a_length_of_the_who
   EXPECT_EQ(faults.size(), 1U) << "a drum with ends is the whole mill";
 }
 
+TEST(PeriodicLifterCylinder, is_not_longer_than_the_whole_mill) {
+  const double slice =
+      geometry::periods(*read_sample(slice_of("mill_length = \"3 m\"\n")).jar.shape).z;
+  const auto found = faults_of(slice_of(""), {{"jar.mill_length", "20 mm"}});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "mill-length");
+  EXPECT_EQ(found[0].where, "--set jar.mill_length");
+  EXPECT_NE(found[0].what.find("shorter than the slice"), std::string::npos) << found[0].what;
+  const std::string all = std::to_string(1000 * slice) + " mm";
+  EXPECT_TRUE(faults_of(slice_of(""), {{"jar.mill_length", all}}).empty()) << "of one slice";
+}
+
 }  // namespace
 }  // namespace mahlwerk::cases::parts_test

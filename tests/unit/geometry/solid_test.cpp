@@ -125,6 +125,70 @@ TEST(Solid, of_triangles_is_the_blade_that_they_bound) {
   }
 }
 
+std::vector<Corners> moved(std::vector<Corners> triangles, const Vec3& way) {
+  for (Corners& c : triangles)
+    for (Vec3& p : c) p += way;
+  return triangles;
+}
+std::vector<Corners> inside_out(std::vector<Corners> triangles) {
+  for (Corners& c : triangles) std::swap(c[1], c[2]);
+  return triangles;
+}
+
+/// [m] Largest deviation of a mesh's distance from the given one, at random points within 60 mm.
+template <class Distance>
+double distance_error(const MeshSolid& mesh, const Distance& distance) {
+  Random random(6, 0);
+  double worst = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 p{random.uniform(-0.06, 0.06), random.uniform(-0.06, 0.06),
+                 random.uniform(-0.06, 0.06)};
+    worst = std::max(worst, std::abs(mesh.clearance(p) - distance(p)));
+  }
+  return worst;
+}
+
+/// Each body of a file has an inside of its own, whatever way the normals of the others point.
+TEST(Solid, of_several_bodies_of_triangles_is_all_of_them_whichever_is_inside_out) {
+  const BladeSolid large{0.03, 0.02, 0.04}, small{0.01, 0.02, 0.01};
+  const Vec3 to_large{-0.03, 0, 0}, to_small{0.02, 0.01, 0};
+  const std::vector<Corners> one = moved(tests::box(0.03, 0.02, 0.04), to_large),
+                             other = moved(tests::box(0.01, 0.02, 0.01), to_small);
+  const auto distance = [&](const Vec3& p) {
+    return std::min(large.clearance(p - to_large), small.clearance(p - to_small));
+  };
+  for (const bool one_turned : {false, true})
+    for (const bool other_turned : {false, true}) {
+      std::vector<Corners> all = one_turned ? inside_out(one) : one;
+      const std::vector<Corners> more = other_turned ? inside_out(other) : other;
+      all.insert(all.end(), more.begin(), more.end());
+      const MeshSolid mesh(weld(all), 0.5);
+      stays_below("error of the distance of two bodies [m]", distance_error(mesh, distance), 1e-15,
+                  "distance to the nearest of two cuboids, rounding");
+    }
+}
+
+/// The surface of a cavity faces the cavity: there is no material in it.
+TEST(Solid, of_triangles_with_a_cavity_is_hollow_whichever_way_its_surfaces_face) {
+  const BladeSolid outside{0.08, 0.08, 0.08}, cavity{0.04, 0.05, 0.06};
+  const std::vector<Corners> shell = tests::box(0.08, 0.08, 0.08),
+                             hollow = tests::box(0.04, 0.05, 0.06);
+  // Of the two surfaces the nearer counts; the material is between them.
+  const auto distance = [&](const Vec3& p) {
+    const double out = outside.clearance(p), in = -cavity.clearance(p);
+    return std::abs(out) < std::abs(in) ? out : in;
+  };
+  for (const bool shell_turned : {false, true})
+    for (const bool hollow_turned : {false, true}) {
+      std::vector<Corners> all = shell_turned ? inside_out(shell) : shell;
+      const std::vector<Corners> more = hollow_turned ? inside_out(hollow) : hollow;
+      all.insert(all.end(), more.begin(), more.end());
+      const MeshSolid mesh(weld(all), 0.5);
+      stays_below("error of the distance of a hollow body [m]", distance_error(mesh, distance),
+                  1e-15, "distance to the nearer surface, rounding");
+    }
+}
+
 TEST(Solid, that_is_open_is_touched_from_both_sides_and_at_its_rim) {
   const double w = 0.02;
   const std::vector<Corners> square{{Vec3{-w, -w, 0}, {w, -w, 0}, {w, w, 0}},

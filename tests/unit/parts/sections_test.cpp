@@ -50,6 +50,20 @@ TEST(ReadSensors, empty_sections_are_sensors_with_defaults) {
   EXPECT_EQ(source_of(c, "power_meter.interval"), "default: a 200th of run.time");
 }
 
+/// The vial runs for 60 s: a thousand samples are 60 ms apart.
+TEST(ReadMixing, an_interval_of_more_than_a_thousand_samples_is_refused) {
+  const auto faults = [](const std::string& interval) {
+    return faults_of(with(vial, "count", "count = 6") + "[mixing]\ninterval = \"" + interval +
+                     "\"\n");
+  };
+  EXPECT_TRUE(faults("60 ms").empty());
+  const std::vector<Fault> found = faults("59 ms");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "too-many-readings");
+  EXPECT_EQ(found[0].what, "a sample every 59 ms makes more than 1000 of the mixing");
+  EXPECT_EQ(found[0].remedy, "write interval = \"63 ms\" or more, or leave it out");
+}
+
 TEST(ReadSensors, every_key_is_read) {
   const Case c = read_sample(vial + R"([heat]
 [power_meter]

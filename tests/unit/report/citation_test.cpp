@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <set>
@@ -12,6 +13,10 @@
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/geometry/cylinder.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/report/record/reference_text.hpp"
 #include "unit/results/fake.hpp"
 
@@ -146,6 +151,35 @@ TEST(Citation, many_balls_and_the_tc_rule_have_their_own_references) {
   c.contact.lasting = cases::SustainedContactModel::tc;
   EXPECT_TRUE(holds(used_models(c, {}), "motion of balls", "many-ball event"));
   EXPECT_TRUE(holds(used_models(c, {}), "sustained contacts", "tc"));
+}
+
+/// A drum of 200 mm, 40 % of it filled in bulk, at a share of the critical speed of its shell.
+cases::Case drum(double speed) {
+  cases::Case c = results::fake_outcome().mill_case;
+  geometry::Cylinder jar;
+  jar.diameter = 0.2, jar.height = 0.1;
+  c.jar.shape = jar;
+  c.mill.jar_axis = kinematics::Tumbling::jar_axis;
+  c.mill.motion = kinematics::Tumbling{speed * std::sqrt(2 * c.gravity / jar.diameter)};
+  c.balls = {{180, 0.02, 7800, ""}};
+  return c;
+}
+
+TEST(Citation, the_formulas_of_mill_power_are_cited_where_they_are_given) {
+  const auto usual = used_models(drum(0.75), {}), fast = used_models(drum(1.3), {});
+  for (const char* formula : {"bond", "hogg-fuerstenau", "morrell-c"}) {
+    EXPECT_TRUE(holds(usual, "power by formula", formula)) << formula;
+    EXPECT_FALSE(holds(fast, "power by formula", formula)) << formula;
+  }
+  EXPECT_FALSE(
+      holds(used_models(results::fake_outcome().mill_case, {}), "power by formula", "bond"));
+}
+
+TEST(Citation, the_mixing_index_is_cited_with_the_section_that_asks_for_it) {
+  cases::Case c = results::fake_outcome().mill_case;
+  EXPECT_FALSE(holds(used_models(c, {}), "mixing index", "lacey"));
+  c.origins.push_back({"mixing.colour", "\"sets\"", "default: two sets"});
+  EXPECT_TRUE(holds(used_models(c, {}), "mixing index", "lacey"));
 }
 
 TEST(Citation, the_values_of_the_catalogue_are_cited_with_their_sources) {

@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/setup/grid.hpp"
+#include "mahlwerk/cases/setup/obstacles.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -45,6 +46,22 @@ class PositionCheck {
     for (std::size_t set = 0; set < c.balls.size(); ++set)
       for (std::size_t i = 0; i < c.balls[set].positions.size(); ++i)
         balls_.push_back({c.balls[set].positions[i], 0.5 * c.balls[set].diameter, set, i});
+  }
+
+  /// Balls in parts of the mill, at the start of the run.
+  void in_parts() {
+    if (balls_.empty()) return;
+    const Obstacles obstacles(c_);
+    for (const GivenBall& ball : balls_) {
+      const Obstacles::Nearest near = obstacles.nearest(ball.position, ball.radius);
+      if (near.distance >= ball.radius * (1 - touch_rounding)) continue;
+      fault(ball, "ball-in-part",
+            near.distance < 0
+                ? fmt::format("{} starts inside the part {}", name_of(ball), near.part->name)
+                : fmt::format("{} reaches {} into the part {}", name_of(ball),
+                              show_rounded(ball.radius - near.distance, "m"), near.part->name),
+            "move the ball or the part; both are where they are at time 0");
+    }
   }
 
   void all() {
@@ -98,6 +115,16 @@ class PositionCheck {
 void bad_positions(const Case& c, std::vector<Fault>& found) {
   if (std::isnan(jar_volume(c.jar)) || !(largest_ball(c.balls) > 0)) return;  // reported elsewhere
   PositionCheck(c, found).all();
+}
+
+void balls_in_parts(const Case& c, std::vector<Fault>& found) {
+  const auto unknown = [](const MachinePart& part) {  // its file has a fault
+    const kinematics::PartMotion& m = part.body.motion;
+    return m.kind == kinematics::PartMotion::Kind::tabulated && m.path.samples().empty();
+  };
+  if (std::isnan(jar_volume(c.jar)) || !(largest_ball(c.balls) > 0)) return;  // reported elsewhere
+  if (std::ranges::any_of(c.machine_parts, unknown)) return;
+  PositionCheck(c, found).in_parts();
 }
 
 }  // namespace mahlwerk::cases

@@ -191,6 +191,16 @@ void periodic_cylinder_in_a_mill(const Case& c, std::vector<Fault>& found) {
           "give a longer period, or smaller balls");
 }
 
+/// A mill that is shorter than the slice of it.
+void mill_shorter_than_slice(const Case& c, std::vector<Fault>& found) {
+  const double slice = geometry::periods(*c.jar.shape).z;
+  if (!c.jar.mill_length || !(*c.jar.mill_length < slice * (1 - 1e-9))) return;
+  found.push_back({location_of(c, "jar.mill_length"),
+                   fmt::format("the whole mill ({}) is shorter than the slice of it ({})",
+                               show(*c.jar.mill_length, "m"), show(slice, "m")),
+                   "give the length of the whole mill, or a shorter slice", "mill-length"});
+}
+
 void too_many_balls(const Case& c, std::vector<Fault>& found) {
   double volume = 0;
   for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
@@ -298,12 +308,15 @@ std::vector<Fault> inconsistencies(const Case& c) {
   thin_film(c, found);
   periodic_box_in_a_mill(c, found);
   periodic_cylinder_in_a_mill(c, found);
+  mill_shorter_than_slice(c, found);
   if (found.size() == so_far) too_many_balls(c, found);
   if (found.size() == so_far) bad_powder(c, found);
   if (found.size() == so_far) bad_positions(c, found);
   if (found.size() == so_far) bad_start_state(c, found);
   bad_ramp(c, found);
   if (found.size() == so_far) bad_parts(c, found);
+  if (found.size() == so_far && !c.machine_parts.empty()) bad_part_images(c, found);
+  if (found.size() == so_far && !c.machine_parts.empty()) balls_in_parts(c, found);
   if (found.size() == so_far) wall_too_fast(c, found);
   too_many_sets(c, found);
   too_many_frames(c, found);

@@ -22,6 +22,11 @@ std::vector<Fault> inconsistencies(const Case& c);
 void bad_positions(const Case& c, std::vector<Fault>& found);
 /// Parts in the jar that lie outside it, that no ball can pass, or that the engine cannot move.
 void bad_parts(const Case& c, std::vector<Fault>& found);
+/// Parts in a periodic jar that do not fit together with their images. For parts without other
+/// faults.
+void bad_part_images(const Case& c, std::vector<Fault>& found);
+/// Given initial positions in a part of the mill. For parts without faults.
+void balls_in_parts(const Case& c, std::vector<Fault>& found);
 /// A start state with other balls, or too few states for the replicates.
 void bad_start_state(const Case& c, std::vector<Fault>& found);
 /// A mill that cannot speed up, or counting that begins before it has its speed.

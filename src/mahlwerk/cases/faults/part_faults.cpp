@@ -65,12 +65,13 @@ class PartCheck {
     const double jar = geometry::reach(*c_.jar.shape);
     if (body.in_laboratory || !std::isfinite(own) || !std::isfinite(jar)) return;
     const kinematics::PartMotion& m = body.motion;
+    const bool tabulated = m.kind == kinematics::PartMotion::Kind::tabulated;
+    if (tabulated && m.path.samples().empty()) return;  // its file has a fault
     double path = m.kind == kinematics::PartMotion::Kind::oscillating ? m.amplitude : 0;
-    if (m.kind == kinematics::PartMotion::Kind::tabulated)
-      path = m.path.bounds().speed * m.period();
+    if (tabulated) path = m.path.bounds().speed * m.period();
     const double away =
         m.moves() ? std::abs(norm(m.pivot) - norm(body.position - m.pivot)) : norm(body.position);
-    if (away - own - path <= jar) return;
+    if (!(away - own - path > jar)) return;  // values with a fault are no numbers
     fault(i, "position",
           fmt::format("the part {} is outside the jar: {} from its middle, which reaches {} far",
                       name(i), show_rounded(away - own, "m"), show_rounded(jar, "m")),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -31,6 +32,11 @@ struct Property {
   std::string_view name;
   const ScalarType* type = nullptr;
   const ScalarType* count = nullptr;  // of a list; null: one number
+
+  bool is_number(std::string_view called) const { return count == nullptr && name == called; }
+  bool is_corners() const {
+    return count != nullptr && (name == "vertex_indices" || name == "vertex_index");
+  }
 };
 struct Element {
   std::string_view name;
@@ -56,6 +62,7 @@ class PlyData {
     at_ = end + 1;
     return found;
   }
+  std::size_t left() const { return bytes_.size() - std::min(at_, bytes_.size()); }
   double number(const ScalarType& type, Encoding encoding) {
     return encoding == Encoding::ascii ? written() : binary(type, encoding);
   }
@@ -106,7 +113,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 }
 
 struct PlyHeader {
-  Encoding encoding = Encoding::ascii;
+  std::optional<Encoding> encoding;
   std::vector<Element> elements;
 };
 
@@ -122,6 +129,59 @@ void add_property(PlyHeader& header, const std::vector<std::string_view>& words)
   header.elements.back().properties.push_back(property);
 }
 
+void read_format(PlyHeader& header, const std::vector<std::string_view>& words) {
+  if (header.encoding) throw MeshFileError("its header has two lines \"format\"");
+  if (words.size() == 3 && words[2] == "1.0") {
+    if (words[1] == "ascii") header.encoding = Encoding::ascii;
+    if (words[1] == "binary_little_endian") header.encoding = Encoding::little;
+    if (words[1] == "binary_big_endian") header.encoding = Encoding::big;
+  }
+  if (header.encoding) return;
+  std::string said;
+  for (std::size_t k = 1; k < words.size(); ++k)
+    said += (k > 1 ? " " : "") + std::string(words[k].substr(0, 40));
+  throw MeshFileError(
+      fmt::format("its format is \"{}\", not \"ascii 1.0\", \"binary_little_endian 1.0\" or "
+                  "\"binary_big_endian 1.0\"",
+                  said));
+}
+
+void add_element(PlyHeader& header, const std::vector<std::string_view>& words) {
+  std::size_t count = 0;
+  const auto [end, error] =
+      std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
+  if (error != std::errc{} || end != words[2].data() + words[2].size())
+    throw MeshFileError("its header has an element without a number");
+  header.elements.push_back({words[1], count, {}});
+}
+
+/// Refuses an element of which the file is too short for as many as its header gives, and one that
+/// cannot be a vertex or a face. A number has a digit and a blank in ASCII, a list at least its
+/// count.
+void check_element(const Element& element, Encoding encoding, std::size_t left) {
+  std::size_t least = 0;  // [bytes] of one
+  for (const Property& property : element.properties) {
+    const ScalarType* type = property.count != nullptr ? property.count : property.type;
+    least += encoding == Encoding::ascii ? 2 : type->size;
+  }
+  const std::size_t ended = left + 1;  // the last number of an ASCII file needs no blank
+  if (least > 0 && element.count > ended / least)
+    throw MeshFileError(
+        fmt::format("its header gives {} of the element \"{}\", more than its length has room for",
+                    element.count, element.name.substr(0, 40)));
+  if (element.name == "vertex")
+    for (const std::string_view axis : {"x", "y", "z"}) {
+      const auto times = std::ranges::count_if(
+          element.properties, [&](const Property& p) { return p.is_number(axis); });
+      if (times != 1)
+        throw MeshFileError(fmt::format("its vertices have {} {} instead of one each of x, y and z",
+                                        times == 0 ? "no" : "several", axis));
+    }
+  if (element.name == "face" &&
+      std::ranges::count_if(element.properties, &Property::is_corners) != 1)
+    throw MeshFileError("its faces have not one list \"vertex_indices\"");
+}
+
 PlyHeader read_header(PlyData& data) {
   PlyHeader header;
   data.line();  // ply
@@ -129,20 +189,10 @@ PlyHeader read_header(PlyData& data) {
     const std::vector<std::string_view> words = words_of(data.line());
     if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
     if (words[0] == "end_header") return header;
-    if (words[0] == "format" && words.size() > 1) {
-      header.encoding =
-          words[1] == "ascii"                  ? Encoding::ascii
-          : words[1] == "binary_little_endian" ? Encoding::little
-          : words[1] == "binary_big_endian"
-              ? Encoding::big
-              : throw MeshFileError(fmt::format("its format is \"{}\"", words[1].substr(0, 40)));
+    if (words[0] == "format") {
+      read_format(header, words);
     } else if (words[0] == "element" && words.size() == 3) {
-      std::size_t count = 0;
-      const auto [end, error] =
-          std::from_chars(words[2].data(), words[2].data() + words[2].size(), count);
-      if (error != std::errc{} || end != words[2].data() + words[2].size())
-        throw MeshFileError("its header has an element without a number");
-      header.elements.push_back({words[1], count, {}});
+      add_element(header, words);
     } else if (words[0] == "property") {
       add_property(header, words);
     } else {
@@ -169,19 +219,12 @@ std::vector<double> numbers_of(PlyData& data, const Property& property, Encoding
 
 void read_vertex(PlyData& data, const Element& element, Encoding encoding, PolygonList& polygons) {
   Vec3 p;
-  int given = 0;
   for (const Property& property : element.properties) {
     const std::vector<double> numbers = numbers_of(data, property, encoding);
-    if (property.count != nullptr || property.name.size() != 1) continue;
-    double* to = property.name == "x"   ? &p.x
-                 : property.name == "y" ? &p.y
-                 : property.name == "z" ? &p.z
-                                        : nullptr;
-    if (to == nullptr) continue;
-    *to = numbers[0];
-    ++given;
+    if (property.is_number("x")) p.x = numbers[0];
+    if (property.is_number("y")) p.y = numbers[0];
+    if (property.is_number("z")) p.z = numbers[0];
   }
-  if (given != 3) throw MeshFileError("its vertices have no x, y and z");
   if (!std::isfinite(p.x + p.y + p.z))
     throw MeshFileError(
         fmt::format("vertex {} has a coordinate that is not a number", polygons.vertices() + 1));
@@ -193,7 +236,7 @@ void read_face(PlyData& data, const Element& element, Encoding encoding, std::si
   const std::string what = fmt::format("face {}", number);
   for (const Property& property : element.properties) {
     const std::vector<double> numbers = numbers_of(data, property, encoding);
-    if (property.name != "vertex_indices" && property.name != "vertex_index") continue;
+    if (!property.is_corners()) continue;
     std::vector<std::int64_t> corners;
     for (const double n : numbers) corners.push_back(whole(n, "a corner of " + what));
     polygons.add_polygon(corners, what);
@@ -205,17 +248,19 @@ void read_face(PlyData& data, const Element& element, Encoding encoding, std::si
 std::vector<geometry::Corners> read_ply(std::string_view bytes, double scale) {
   PlyData data(bytes);
   const PlyHeader header = read_header(data);
+  if (!header.encoding) throw MeshFileError("its header has no line \"format\"");
+  const Encoding encoding = *header.encoding;
   PolygonList polygons(scale);
   for (const Element& element : header.elements) {
+    check_element(element, encoding, data.left());
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) {
       if (element.name == "vertex")
-        read_vertex(data, element, header.encoding, polygons);
+        read_vertex(data, element, encoding, polygons);
       else if (element.name == "face")
-        read_face(data, element, header.encoding, i + 1, polygons);
+        read_face(data, element, encoding, i + 1, polygons);
       else
-        for (const Property& property : element.properties)
-          numbers_of(data, property, header.encoding);
+        for (const Property& property : element.properties) numbers_of(data, property, encoding);
     }
   }
   return std::move(polygons).triangles();

@@ -134,9 +134,10 @@ bool looks_like_text(std::string_view bytes) {
 }  // namespace
 
 std::vector<geometry::Corners> read_stl(std::string_view bytes, double scale) {
-  const std::size_t whole = bytes.size() < head ? 0 : head + record * number_at(bytes, 80);
+  const bool has_head = bytes.size() >= head;
+  const std::size_t whole = has_head ? head + record * number_at(bytes, 80) : 0;
   std::vector<geometry::Corners> all;
-  if (bytes.size() == whole)
+  if (has_head && bytes.size() == whole)
     all = read_binary(bytes, scale);
   else if (looks_like_text(bytes))
     all = read_as_text(bytes, scale);

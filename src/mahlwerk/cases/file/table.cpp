@@ -15,7 +15,8 @@
 namespace mahlwerk::cases {
 namespace {
 
-constexpr std::string_view ball_sets = "balls";  // the only section that is a list of tables
+// The sections that are lists of tables.
+constexpr std::string_view ball_sets = "balls", machine_parts = "parts";
 
 /// Refuses keys of so many parts ("a.a.a. ...") that parsing them as nested tables would overflow
 /// the stack. Counts the dots of each run of key characters outside of texts and comments.
@@ -225,9 +226,12 @@ std::string set_value(Node& root, std::string_view key, Node value) {
     return fmt::format("\"{}\" is not a key", key);
   Node* table = &root;
   if (parts.size() > 1) {
+    const bool of_part = parts.front() == machine_parts;
+    std::string list = of_part ? "parts" : "ball sets";
+    if (of_part && root.find(machine_parts) == nullptr)
+      return fmt::format("\"{}\" names nothing in the case; {} in the case: 0", key, list);
     table = &section_for(root, parts.front(), value.where);
     parts.erase(parts.begin());
-    std::string list = "ball sets";  // the only section that is a list
     table = descend(table, parts, list);
     if (table == nullptr) return fmt::format("\"{}\" names nothing in the case; {}", key, list);
   }

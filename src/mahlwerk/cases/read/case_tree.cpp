@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::string_view no_such_key = "unknown-key";
 
+std::string remedy_for(std::string_view key) {
+  if (key.starts_with("parts."))
+    return "name a value of a part by the number of its [[parts]] in the case, from 1: "
+           "parts.1.speed; a further part needs a [[parts]] of its own in the case file";
+  return "name a value of the case: mill.speed, balls.2.diameter";
+}
+
 }  // namespace
 
 CaseTree::CaseTree(Node root, std::filesystem::path file, const Catalogue& catalogue)
@@ -50,10 +57,7 @@ void CaseTree::apply(const std::vector<Override>& overrides, ValueSource source)
     Node value = given(one);
     const std::string where = value.where, trouble = set_value(root_, one.key, std::move(value));
     if (!trouble.empty())
-      findings.faults.push_back({where, trouble,
-                                 "name a value of the case: mill.speed, "
-                                 "balls.2.diameter",
-                                 std::string(no_such_key)});
+      findings.faults.push_back({where, trouble, remedy_for(one.key), std::string(no_such_key)});
   }
 }
 

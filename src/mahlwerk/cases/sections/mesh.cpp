@@ -103,9 +103,9 @@ class MeshReader {
 
 void describe_mesh(KeyVisitor& v, Jar& jar) {
   if (SectionReader* in = v.reader()) return MeshReader(*in, jar).read();
-  v.custom(
-      {"file", "inner surface of the jar (STL), relative to the case file", true, "text", true},
-      [&] { return in_quotes(jar.mesh.file); });
+  v.custom({"file", "inner surface of the jar (STL, OBJ, PLY), relative to the case file", true,
+            "text", true},
+           [&] { return in_quotes(jar.mesh.file); });
   v.custom({.key = "unit",
             .about = "unit of length of the numbers in the file",
             .type = "text",

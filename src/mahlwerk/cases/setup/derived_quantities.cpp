@@ -115,12 +115,14 @@ class Derivation {
   }
 
   void powers(const MillNumbers& mill) {
-    const MorrellCharge charge = morrell_charge(mill);
-    add("bond_power", bond_power(mill, balls_mass(c_.balls)), "W",
-        "power at the shell by Bond's formula (mil.1)");
-    add("hogg_fuerstenau_power", hogg_fuerstenau_power(mill, usual_lift_angle), "W",
-        "net power by Hogg and Fuerstenau, lift angle 35 degrees (mil.2)");
-    add("morrell_power", morrell_losses * charge.power, "W",
+    if (bond_range.has(mill))
+      add("bond_power", bond_power(mill, balls_mass(c_.balls)), "W",
+          "power at the shell by Bond's formula (mil.1)");
+    if (hogg_fuerstenau_range.has(mill))
+      add("hogg_fuerstenau_power", hogg_fuerstenau_power(mill, usual_lift_angle), "W",
+          "net power by Hogg and Fuerstenau, lift angle 35 degrees (mil.2)");
+    if (!morrell_range.has(mill)) return;
+    add("morrell_power", morrell_losses * morrell_charge(mill).power, "W",
         "power of the charge by Morrell's C model, times 1.26 (mil.7)");
     add("morrell_no_load_power", morrell_no_load_power(mill), "W",
         "power of the empty mill by Morrell (mil.8)");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/geometry/solids.hpp"
@@ -25,15 +26,16 @@ Obstacles::Obstacles(const Case& c) : periods_(geometry::periods(*c.jar.shape)) 
   }
 }
 
-double Obstacles::clearance(const Vec3& p, double radius) const {
-  double least = geometry::never;
+Obstacles::Nearest Obstacles::nearest(const Vec3& p, double radius) const {
+  Nearest found;
   for (const Placed& one : parts_) {
     if (2 * radius < one.part->body.opening) continue;
     const Vec3 own = in_own_axes(one, p);
-    least = std::min(
-        least, std::visit([&](const auto& s) { return s.clearance(own); }, *one.part->body.solid));
+    const double distance =
+        std::visit([&](const auto& s) { return s.clearance(own); }, *one.part->body.solid);
+    if (distance < found.distance) found = {distance, one.part};
   }
-  return least;
+  return found;
 }
 
 Vec3 Obstacles::in_own_axes(const Placed& one, const Vec3& p) const {
@@ -46,14 +48,16 @@ Vec3 Obstacles::in_own_axes(const Placed& one, const Vec3& p) const {
 std::vector<geometry::Gap> Obstacles::gaps(const Placed& one, const Vec3& p, double within) const {
   const Vec3 own = in_own_axes(one, p);
   std::vector<geometry::Gap> found;
+  const auto add = [&](geometry::Gap gap) {
+    if (gap.distance > within) return;
+    gap.inward = one.axes * gap.inward;
+    found.push_back(gap);
+  };
   std::visit(
-      [&](const auto& s) {
-        for (int face = 0; face < s.faces; ++face) {
-          geometry::Gap gap = s.gap(face, own, within);
-          if (gap.distance > within) continue;
-          gap.inward = one.axes * gap.inward;
-          found.push_back(gap);
-        }
+      [&]<class S>(const S& s) {
+        for (int face = 0; face < s.faces; ++face) add(s.gap(face, own, within));
+        if constexpr (std::is_same_v<S, geometry::MeshSolid>)  // no face is in front of a centre
+          if (norm(own) <= s.reach() && s.clearance(own) < 0) add(s.nearest(own));
       },
       *one.part->body.solid);
   return found;

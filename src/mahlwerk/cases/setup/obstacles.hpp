@@ -14,10 +14,21 @@ class Obstacles {
  public:
   explicit Obstacles(const Case& c);
 
+  struct Placed {
+    const MachinePart* part;
+    Rotation axes;  // from the part's own axes to the jar's
+    Vec3 position;  // [m] of its origin
+  };
+  struct Nearest {
+    double distance = geometry::never;  ///< [m] negative in a solid
+    const MachinePart* part = nullptr;
+  };
+
+  const std::vector<Placed>& parts() const { return parts_; }
   bool empty() const { return parts_.empty(); }
-  /// Distance [m] of `p` from the nearest part that a ball of `radius` [m] touches; negative in a
-  /// solid.
-  double clearance(const Vec3& p, double radius) const;
+  /// The part nearest to `p` of those that a ball of `radius` [m] touches.
+  Nearest nearest(const Vec3& p, double radius) const;
+  double clearance(const Vec3& p, double radius) const { return nearest(p, radius).distance; }
   /// Calls `f(gap)` for each place within `within` [m] where a ball of `radius` at `p` touches.
   template <class F>
   void near(const Vec3& p, double radius, double within, const F& f) const {
@@ -27,11 +38,6 @@ class Obstacles {
   }
 
  private:
-  struct Placed {
-    const MachinePart* part;
-    Rotation axes;  // from the part's own axes to the jar's
-    Vec3 position;  // [m] of its origin
-  };
   /// A position in the own axes of a part, in a periodic jar that of the nearest image.
   Vec3 in_own_axes(const Placed& one, const Vec3& p) const;
   std::vector<geometry::Gap> gaps(const Placed& one, const Vec3& p, double within) const;

@@ -16,7 +16,7 @@ struct StartBalls {
 };
 StartBalls start_balls(std::string_view jar_kind);
 
-/// Files for the kinds that need one: a measured motion (CSV), and a jar's surface (STL).
+/// Files for the kinds that need one: a measured motion (CSV), and a jar's surface (STL, OBJ, PLY).
 std::string sample_motion();
 std::string sample_surface();
 

@@ -23,6 +23,7 @@
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/powder/locked_cycle.hpp"
 #include "mahlwerk/powder/population_balance.hpp"
+#include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 
@@ -49,6 +50,25 @@ double bond_quantity(const std::string& text, std::string_view unit, const char*
       Fault{option, fmt::format("\"{}\" is no {} above 0", text, unit == "m" ? "length" : "number"),
             unit == "m" ? "write for instance 150um or 4m" : "write for instance 250%",
             "bad-command-line"});
+}
+
+/// The mill whose largest ball is wanted.
+struct FullScaleMill {
+  std::optional<double> diameter;  // [m]
+  double speed = 0;                // [1] share of the critical speed
+};
+
+FullScaleMill full_scale_mill(const BondArguments& given) {
+  FullScaleMill mill;
+  if (!given.full_scale.empty())
+    mill.diameter = bond_quantity(given.full_scale, "m", "--mill-diameter");
+  mill.speed = bond_quantity(given.full_speed, "", "--mill-speed");
+  if (mill.speed >= 1)
+    throw InputError(Fault{
+        "--mill-speed",
+        fmt::format("\"{}\": at its critical speed and above a mill centrifuges", given.full_speed),
+        "write a share of the critical speed below 100 %, for instance 72%", "bad-command-line"});
+  return mill;
 }
 
 cases::Case read_bond_case(const BondArguments& given) {
@@ -100,8 +120,25 @@ BondNumbers bond_numbers(const cases::Case& c, const powder::LockedCycleTest& te
   return n;
 }
 
+/// The largest ball of a full-scale mill by the rules of Bond and of Azzaroni.
+struct LargestBall {
+  double diameter = 0, speed = 0;  // [m] and share of the critical speed, of the mill
+  double bond = 0, azzaroni = 0;   // [m]
+};
+
+/// None without --mill-diameter.
+std::optional<LargestBall> largest_ball(const FullScaleMill& mill, const cases::Case& c,
+                                        const BondNumbers& n) {
+  if (!mill.diameter) return std::nullopt;
+  const double d = *mill.diameter, density = *c.powder->density;
+  return LargestBall{d, mill.speed,
+                     powder::bond_ball_size(n.f80, n.work_index, density, mill.speed, d),
+                     powder::azzaroni_ball_size(n.f80, n.work_index, density, mill.speed, d)};
+}
+
 results::Json test_json(const powder::LockedCycleTest& test, const BondNumbers& n, double ci95,
-                        double mass) {
+                        double mass, const std::optional<LargestBall>& ball,
+                        const Notices& notices) {
   using results::Json;
   Json cycles = Json::array();
   for (const powder::Cycle& k : test.cycles)
@@ -112,7 +149,7 @@ results::Json test_json(const powder::LockedCycleTest& test, const BondNumbers& 
                                    {"g_per_turn", 1000 * mass * k.per_turn},
                                    {"circulating_load", k.circulating_load},
                                    {"p80_m", k.p80}}));
-  return Json::object(
+  Json all = Json::object(
       {{"study", "bond-test"},
        {"mahlwerk", version()},
        {"work_index", Json::object({{"value", n.work_index}, {"ci95", ci95}, {"unit", "kWh/t"}})},
@@ -121,7 +158,14 @@ results::Json test_json(const powder::LockedCycleTest& test, const BondNumbers& 
        {"p80_m", n.p80},
        {"steady", test.steady},
        {"mass_error", test.mass_error},
-       {"cycles", std::move(cycles)}});
+       {"cycles", std::move(cycles)},
+       {"notices", results::notices_json(notices)}});
+  if (ball)
+    all["largest_ball"] = Json::object({{"mill_diameter_m", ball->diameter},
+                                        {"mill_speed", ball->speed},
+                                        {"bond_m", ball->bond},
+                                        {"azzaroni_m", ball->azzaroni}});
+  return all;
 }
 
 std::string test_words(const powder::LockedCycleTest& test, const BondNumbers& n, double ci95,
@@ -153,18 +197,20 @@ std::string test_words(const powder::LockedCycleTest& test, const BondNumbers& n
   return text;
 }
 
-/// The largest ball of a full-scale mill by the rules of Bond and of Azzaroni.
-std::string ball_sizes(const BondArguments& given, const cases::Case& c, const BondNumbers& n) {
-  if (given.full_scale.empty()) return "";
-  const double d = bond_quantity(given.full_scale, "m", "--mill-diameter");
-  const double speed = bond_quantity(given.full_speed, "", "--mill-speed");
-  const double density = *c.powder->density;
+std::string ball_words(const std::optional<LargestBall>& ball, double f80) {
+  if (!ball) return "";
   return fmt::format(
       "\nLargest ball of a mill of {} at {:.0f} % of its critical speed, for a feed of F80 {}:\n"
       "  Bond {} (bnd.4), Azzaroni {} (bnd.5)\n",
-      show_rounded(d, "m"), 100 * speed, show_rounded(n.f80, "m"),
-      show_rounded(powder::bond_ball_size(n.f80, n.work_index, density, speed, d), "m"),
-      show_rounded(powder::azzaroni_ball_size(n.f80, n.work_index, density, speed, d), "m"));
+      show_rounded(ball->diameter, "m"), 100 * ball->speed, show_rounded(f80, "m"),
+      show_rounded(ball->bond, "m"), show_rounded(ball->azzaroni, "m"));
+}
+
+std::string notice_words(const Notices& notices) {
+  std::string text;
+  for (const Notice& one : notices)
+    text += fmt::format("\n{}{}\n", one.warns() ? "Warning: " : "", one.text);
+  return text;
 }
 
 int bond_test(const BondArguments& given) {
@@ -172,7 +218,7 @@ int bond_test(const BondArguments& given) {
   powder::LockedCycleRules rules;
   rules.closing_size = bond_quantity(given.screen, "m", "--screen");
   rules.circulating_load = bond_quantity(given.load, "", "--load");
-  if (!given.full_scale.empty()) bond_quantity(given.full_scale, "m", "--mill-diameter");
+  const FullScaleMill mill = full_scale_mill(given);
   const cases::Case c = read_bond_case(given);
   ProgressLine line(given.of.running.quiet);
   campaign::RunOptions options = run_options(given.of.running.threads);
@@ -189,9 +235,11 @@ int bond_test(const BondArguments& given) {
     each.push_back(
         bond_numbers(outcome.mill_case, locked_cycles(outcome, {r}, rules), rules).work_index);
   const double ci95 = observe::estimate(each).ci95, mass = c.powder->mass;
-  if (given.of.running.json) json_to_stdout(test_json(test, n, ci95, mass));
+  const std::optional<LargestBall> ball = largest_ball(mill, outcome.mill_case, n);
+  if (given.of.running.json) json_to_stdout(test_json(test, n, ci95, mass, ball, outcome.notices));
   if (given.of.running.prints_text())
-    to_stdout(test_words(test, n, ci95, mass, rules) + ball_sizes(given, outcome.mill_case, n));
+    to_stdout(test_words(test, n, ci95, mass, rules) + ball_words(ball, n.f80) +
+              notice_words(outcome.notices));
   return success;
 }
 
@@ -213,7 +261,7 @@ Command bond_test_command() {
              .about = "of a full-scale mill, 4m: its largest ball by Bond and by Azzaroni"},
             {.name = "--mill-speed",
              .target = &given->full_speed,
-             .about = "of that mill, share of its critical speed (default 72 %)"},
+             .about = "of that mill, share of its critical speed, below 100 % (default 72 %)"},
             threads(given->of.running.threads),
             quiet(given->of.running.quiet),
             json(given->of.running.json)}}),

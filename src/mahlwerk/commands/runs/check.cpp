@@ -22,6 +22,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/sweep/checked_points.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
@@ -111,6 +112,7 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
     c.notes.push_back(std::move(grains));
   c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());
   add(cases::jar_warnings(first), c.notes);
+  add(cases::mill_power_notices(first), c.notes);
   add(cases::unusual_values(first), c.notes);
   add(cases::ignored_keys(first, choice.engine), c.notes);
   if (cases::in_time_steps(choice.engine)) add_time_steps(decided, c);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
@@ -60,8 +61,7 @@ void describe(cases::KeyVisitor& v, Mixing& mixing, const Case& c) {
 }
 
 double interval_of(const Case& c) {
-  const double counted = cases::counted_time(c);
-  return std::max(section_of_case(c).interval.value_or(counted / 100), counted / most_samples);
+  return section_of_case(c).interval.value_or(cases::counted_time(c) / 100);
 }
 
 void check(const Case& c, std::vector<Fault>& found) {
@@ -79,6 +79,14 @@ void check(const Case& c, std::vector<Fault>& found) {
   if (cases::balls_count(c.balls) < 2)
     found.push_back({cases::location_of(c, "mixing.colour"), "one ball has no degree of mixing",
                      "remove [mixing], or give more balls", "one-colour"});
+  const double least = cases::counted_time(c) / most_samples;
+  if (m.interval && *m.interval < least * (1 - 1e-9))
+    found.push_back({cases::location_of(c, "mixing.interval"),
+                     fmt::format("a sample every {} makes more than {} of the mixing",
+                                 show_rounded(*m.interval, "s"), most_samples),
+                     fmt::format("write interval = \"{}\" or more, or leave it out",
+                                 show_rounded(1.05 * least, "s")),
+                     "too-many-readings"});
 }
 
 std::unique_ptr<observe::Recorder> recorder(const Case& c) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
@@ -107,6 +108,12 @@ const std::vector<CitedModel> models{
 
     {"heat", "flash", {"carslaw1959"}},
 
+    {"power by formula", "bond", {"bond1961"}},
+    {"power by formula", "hogg-fuerstenau", {"hogg1972"}},
+    {"power by formula", "morrell-c", {"napiermunn1996"}},
+
+    {"mixing index", "lacey", {"lacey1954"}},
+
     {"settling time", "auto", {"white1997"}},
 
     {"regime", "tumbling", {"mellmann2001"}},
@@ -131,6 +138,8 @@ class Chosen {
     powder();
     if (const std::string wear = word("wear.model"); !wear.empty()) add("wear", wear);
     if (c_.heat) add("heat", "flash");
+    power_formulas();
+    if (!word("mixing.colour").empty()) add("mixing index", "lacey");
     if (cases::settles(c_)) add("settling time", "auto");
     return std::move(used_);
   }
@@ -185,6 +194,14 @@ class Chosen {
           return one->subject == subject && one->model == model;
         }))
       add(subject, model);
+  }
+  /// Those that a result has beside the power of a drum.
+  void power_formulas() {
+    const auto mill = cases::mill_numbers(c_);
+    if (!mill) return;
+    if (cases::bond_range.has(*mill)) add("power by formula", "bond");
+    if (cases::hogg_fuerstenau_range.has(*mill)) add("power by formula", "hogg-fuerstenau");
+    if (cases::morrell_range.has(*mill)) add("power by formula", "morrell-c");
   }
   void powder() {
     constexpr std::array methods{"balance", "statistical", "both"};

@@ -33,14 +33,6 @@ Json texts(const Notices& notices, bool warnings) {
   return list;
 }
 
-Json notice_list(const Notices& notices) {
-  Json list = Json::array();
-  for (const Notice& one : notices)
-    list.push_back(Json::object(
-        {{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}}));
-  return list;
-}
-
 Json about(const Outcome& outcome, std::string_view version) {
   Json runs = Json::array();
   for (const Replicate& r : outcome.replicates) {
@@ -60,7 +52,7 @@ Json about(const Outcome& outcome, std::string_view version) {
                        {"regime_reason", outcome.summary.regime_reason},
                        {"notes", texts(outcome.notices, false)},
                        {"warnings", texts(outcome.notices, true)},
-                       {"notices", notice_list(outcome.notices)},
+                       {"notices", notices_json(outcome.notices)},
                        {"threshold", outcome.mill_case.observe.threshold},
                        {"complete", whole},
                        {"interrupted", outcome.interrupted && !whole},
@@ -170,6 +162,14 @@ Json notices_json(const NoticeCounts& counts) {
                                  {"severity", name_of(one.first.severity)},
                                  {"count", one.runs},
                                  {"text", one.first.text}}));
+  return list;
+}
+
+Json notices_json(const Notices& notices) {
+  Json list = Json::array();
+  for (const Notice& one : notices)
+    list.push_back(Json::object(
+        {{"code", one.code}, {"severity", name_of(one.severity)}, {"text", one.text}}));
   return list;
 }
 

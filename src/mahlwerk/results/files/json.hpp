@@ -20,5 +20,7 @@ std::string summary_json(const Outcome& outcome, std::string_view version);
 
 /// A list of objects: code, severity, number of runs, and the text of the first notice.
 Json notices_json(const NoticeCounts& counts);
+/// The notices of one run.
+Json notices_json(const Notices& notices);
 
 }  // namespace mahlwerk::results

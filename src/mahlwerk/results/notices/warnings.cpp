@@ -11,6 +11,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
@@ -190,6 +191,7 @@ Notices warnings(const Outcome& outcome) {
   Notices list;
   cut_short(outcome, list);
   append(list, cases::jar_warnings(outcome.mill_case));
+  append(list, cases::mill_power_notices(outcome.mill_case));
   append(list, cases::unusual_values(outcome.mill_case));
   append(list, cases::ignored_keys(outcome.mill_case, outcome.engine));
   energy_gained(outcome, list);

@@ -40,20 +40,26 @@ double from_lowest(double angle) {
   return angle * 180 / std::numbers::pi + 90;
 }
 
+template <const cases::FormulaRange& range>
+bool in_range(const Case& c) {
+  return range.has(numbers(c));
+}
+constexpr std::string_view only_in_range = "in the range of the formula";
+
 /// A power by a formula, and the simulated one over it.
-template <double (*formula)(const Case&)>
+template <double (*formula)(const Case&), const cases::FormulaRange& range>
 Measures beside(const char* name, const char* about, const char* ratio, const char* about_ratio,
                 const char* equation) {
   return {{name,
            "W",
            about,
            [](const Case& c, const Replicate&) { return formula(c); },
-           {.equation = equation}},
+           {.equation = equation, .applies = in_range<range>, .only = only_in_range}},
           {ratio,
            "1",
            about_ratio,
            [](const Case& c, const Replicate& r) { return share(drawn(r), formula(c)); },
-           {.equation = equation}}};
+           {.equation = equation, .applies = in_range<range>, .only = only_in_range}}};
 }
 
 }  // namespace
@@ -80,28 +86,35 @@ Measures mill_power_measures() {
   const auto add = [&](Measures more) {
     for (Measure& m : more) all.push_back(std::move(m));
   };
-  add(beside<bond>("bond_power", "power at the shell by Bond's formula", "power_over_bond",
-                   "drawn power over that by Bond's formula", "mil.1"));
-  add(beside<hogg_fuerstenau>(
+  add(beside<bond, cases::bond_range>("bond_power", "power at the shell by Bond's formula",
+                                      "power_over_bond", "drawn power over that by Bond's formula",
+                                      "mil.1"));
+  add(beside<hogg_fuerstenau, cases::hogg_fuerstenau_range>(
       "hogg_fuerstenau_power", "net power by Hogg and Fuerstenau, lift angle 35 degrees",
       "power_over_hogg_fuerstenau", "drawn power over that by Hogg and Fuerstenau", "mil.2"));
-  add(beside<morrell>("morrell_power",
-                      "power of the charge by Morrell's C model, times 1.26 for losses",
-                      "power_over_morrell", "drawn power over that by Morrell's C model", "mil.7"));
+  add(beside<morrell, cases::morrell_range>(
+      "morrell_power", "power of the charge by Morrell's C model, times 1.26 for losses",
+      "power_over_morrell", "drawn power over that by Morrell's C model", "mil.7"));
   all.push_back({"morrell_toe_angle",
                  "deg",
                  "toe of the charge by Morrell's C model, from the lowest point",
                  [](const Case& c, const Replicate&) {
                    return from_lowest(cases::morrell_charge(numbers(c)).toe) - 360;
                  },
-                 {.range = any_value, .equation = "mil.3"}});
+                 {.range = any_value,
+                  .equation = "mil.3",
+                  .applies = in_range<cases::morrell_range>,
+                  .only = only_in_range}});
   all.push_back({"morrell_shoulder_angle",
                  "deg",
                  "shoulder of the charge by Morrell's C model, from the lowest point",
                  [](const Case& c, const Replicate&) {
                    return from_lowest(cases::morrell_charge(numbers(c)).shoulder);
                  },
-                 {.range = any_value, .equation = "mil.4"}});
+                 {.range = any_value,
+                  .equation = "mil.4",
+                  .applies = in_range<cases::morrell_range>,
+                  .only = only_in_range}});
   return where(is_mill, "drums with balls that turn about a lying axis", all);
 }
 

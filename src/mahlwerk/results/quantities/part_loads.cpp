@@ -14,6 +14,7 @@ namespace {
 
 using cases::Case;
 using kinematics::PartMotion;
+using observe::PairSums;
 using scene::WallLoad;
 
 bool has_parts(const Case& c) {
@@ -46,17 +47,23 @@ double sum_over(const Case& c, const Counts& counts, const Of& of) {
 bool on_shaft(const cases::MachinePart& part) {
   return part.body.motion.kind == PartMotion::Kind::turning && part.body.motion.speed != 0;
 }
-/// The motion that all turning parts share; null if there is none.
-const PartMotion* shaft(const Case& c) {
-  const PartMotion* found = nullptr;
+/// Whether two turning parts are on one shaft: the same line in the same frame, turned the same way
+/// at the same speed. Torques about other lines do not add up.
+bool same_shaft(const scene::MachinePart& a, const scene::MachinePart& b) {
+  constexpr double close = 1e-9;  // [m] and [1]
+  return a.in_laboratory == b.in_laboratory && a.motion.speed == b.motion.speed &&
+         norm(a.motion.axis - b.motion.axis) < close &&
+         norm(cross(a.motion.pivot - b.motion.pivot, a.motion.axis)) < close;
+}
+/// Whether there are turning parts, all on one shaft.
+bool has_one_shaft(const Case& c) {
+  const scene::MachinePart* first = nullptr;
   for (const cases::MachinePart& part : c.machine_parts) {
     if (!on_shaft(part)) continue;
-    const PartMotion& m = part.body.motion;
-    if (found != nullptr && (norm(cross(m.axis, found->axis)) > 1e-9 || m.speed != found->speed))
-      return nullptr;
-    found = &m;
+    if (first != nullptr && !same_shaft(*first, part.body)) return false;
+    first = &part.body;
   }
-  return found;
+  return first != nullptr;
 }
 
 /// [W] What all parts together do to the balls.
@@ -129,8 +136,8 @@ Measures part_measures() {
                  {.range = any_value,
                   .label = "torque of the turning parts",
                   .equation = "obs.22",
-                  .applies = [](const Case& c) { return shaft(c) != nullptr; },
-                  .only = "if all turning parts have one axis and speed"}}});
+                  .applies = has_one_shaft,
+                  .only = "if all turning parts are on one shaft: one line, speed and frame"}}});
 }
 
 std::vector<PartSummary> by_part(const Outcome& outcome) {
