@@ -25,9 +25,9 @@ class Replay {
          double shortest = 0);
 
   double next_frame_time() const;  ///< [s] time of the next frame; infinite after the last
-  /// Adds a frame: the balls in the jar frame at `time` [s], which is `mill_time` [s] of the mill at
-  /// full speed. An engine that gives its balls at fewer times than there are frames gives the same
-  /// time again: that frame is left out.
+  /// Adds a frame: the balls in the jar frame at `time` [s], which is `mill_time` [s] of the mill
+  /// at full speed. An engine that gives its balls at fewer times than there are frames gives the
+  /// same time again: that frame is left out.
   void add(double time, double mill_time, const std::vector<scene::Ball>& balls);
   bool empty() const { return times_.empty(); }
 

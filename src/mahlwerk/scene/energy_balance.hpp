@@ -30,12 +30,12 @@ struct EnergyBalance {
   std::int64_t tc_collisions = 0;     ///< made more elastic by the TC rule
   double lost_within = 0;  ///< part of the losses: in collisions within t_c of another of a body
   double withheld = 0;     ///< restitution would have dissipated it; the TC rule kept it
-  std::int64_t hits_within = 0;   ///< collisions within t_c, above the threshold
+  std::int64_t hits_within = 0;  ///< collisions within t_c, above the threshold
   // Of a mill that a motor turns (kin.26).
-  double motor_work = 0;     ///< of the motor on the mill
-  double drive_kinetic = 0;  ///< now, of jar and drive without balls
-  double mill_speed = 0;     ///< [rad/s] now
-  double mill_angle = 0;     ///< [rad] turned since the start
+  double motor_work = 0;          ///< of the motor on the mill
+  double drive_kinetic = 0;       ///< now, of jar and drive without balls
+  double mill_speed = 0;          ///< [rad/s] now
+  double mill_angle = 0;          ///< [rad] turned since the start
   std::int64_t search_steps = 0;  ///< steps of the touch search
   std::int64_t time_steps = 0;    ///< time steps of the soft engine
 

@@ -19,8 +19,8 @@ using geometry::Section;
 
 /// An L, a comb and a triangle, clockwise or not.
 const Section ell{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}};
-const Section comb{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {2, 1}, {2, 3}, {3, 3}, {3, 1},
-                   {4, 1}, {4, 3}, {5, 3}, {5, 0}};
+const Section comb{{0, 0}, {0, 3}, {1, 3}, {1, 1}, {2, 1}, {2, 3},
+                   {3, 3}, {3, 1}, {4, 1}, {4, 3}, {5, 3}, {5, 0}};
 const Section wedge{{0.9, -0.1}, {1, 0}, {0.9, 0.1}};
 
 TEST(Prism, is_a_closed_surface_whose_volume_is_area_times_length) {

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Mills whose speed a motor and the charge decide (kin.24 to kin.26).
+#include "mahlwerk/kinematics/drive.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "crowd.hpp"
-#include "mahlwerk/kinematics/drive.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
 #include "mahlwerk/soft/walls/moving_wall.hpp"
 #include "one_ball.hpp"
@@ -47,10 +48,8 @@ TEST(Drive, without_load_comes_to_speed_exponentially) {
 }
 
 TEST(Drive, of_an_induction_motor_has_the_torque_of_Kloss) {
-  const Motor motor{.kind = Motor::Kind::induction,
-                    .inertia = 1,
-                    .torque = 30,
-                    .breakdown_slip = 0.25};
+  const Motor motor{
+      .kind = Motor::Kind::induction, .inertia = 1, .torque = 30, .breakdown_slip = 0.25};
   states("at breakdown slip [N m]", motor.torque_at(0.75), 30, 1e-12, "largest torque");
   states("without load [N m]", motor.torque_at(1), 0, 1e-12, "no slip");
   states("at standstill [N m]", motor.torque_at(0), 30 * 2 / (1 / 0.25 + 0.25), 1e-12, "Kloss");
@@ -84,8 +83,8 @@ std::unique_ptr<scene::Engine> engine_of(const scene::Chamber& mill,
   soft::Settings settings{of_law(contact::HertzMindlin{}, contact::Rolling::cdt), time_step, true};
   settings.few_ball_limit = few;
   settings.threads = threads;
-  return soft::make_engine(mill, balls, settings,
-                           contact::PairTable(1, wall->faces(), some_pair()), 0.37);
+  return soft::make_engine(mill, balls, settings, contact::PairTable(1, wall->faces(), some_pair()),
+                           0.37);
 }
 
 double angular_momentum(const std::vector<scene::Ball>& balls) {
@@ -103,8 +102,7 @@ TEST(Drive, of_a_free_jar_keeps_angular_momentum_and_energy_of_jar_and_balls) {
   for (const std::size_t few : {64, 0}) {
     const auto engine = engine_of(drum(free, 12, {}), balls, few);
     const auto momentum = [&] {
-      return angular_momentum(engine->balls()) +
-             free.inertia * engine->energy_balance().mill_speed;
+      return angular_momentum(engine->balls()) + free.inertia * engine->energy_balance().mill_speed;
     };
     const double before = momentum();
     Recorder none;

@@ -171,7 +171,7 @@ Table series(const Outcome& outcome) {
     };
     table.rows.push_back({mean([](const DriveSample& s) { return s.time; }),
                           mean([](const DriveSample& s) { return s.speed / rpm; }),
-         mean([](const DriveSample& s) { return s.angle; }),
+                          mean([](const DriveSample& s) { return s.angle; }),
                           mean([&](const DriveSample& s) { return torque_at(c, s.speed); }),
                           mean([](const DriveSample& s) { return s.motor_work; }),
                           mean([](const DriveSample& s) { return s.wall_work; })});
