@@ -62,10 +62,22 @@ TEST(MixingRecord, has_the_packing_of_the_lattice_and_a_profile_of_it) {
   states("mean of the profile", sum / points, packing, 1e-12, "the same points");
 }
 
+double points_of(const MixingRecord& record) {
+  double points = 0;
+  for (const PackingAtHeight& one : record.profile()) points += one.points;
+  return points;
+}
+
 TEST(MixingRecord, counts_a_part_as_a_wall) {
-  // A hole of the bar's size, unless it is a wall: the spheres would lie in it in part.
-  states("packing fraction", Filled(true).record().samples()[0].packing, std::numbers::pi / 6,
-         0.005, "cubic lattice");
+  const MixingRecord with = Filled(true).record(), without = Filled(false).record();
+  // The points are in 11 x 11 diameters, without a circle of the radii of the bar and of a sphere.
+  // About 30 of 300 points in a plane are at the edge of the circle: sqrt(30)/300. Were the bar a
+  // hole, where other balls fit, the circle would be of the radius 4.2.
+  states("share of points", points_of(with) / points_of(without),
+         1 - std::numbers::pi * 3 * 3 / (11 * 11), 0.04, "a radius from the bar");
+  // Lines of the grid beside the bar are a third as long as those of the whole box.
+  states("packing fraction", with.samples()[0].packing, std::numbers::pi / 6, 3 * 0.005,
+         "cubic lattice");
 }
 
 TEST(MixingRecord, tells_segregation_along_the_axis_as_across) {
