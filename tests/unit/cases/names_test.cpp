@@ -133,9 +133,11 @@ TEST(Names, every_mill_of_the_catalogue_runs_by_its_name_or_says_what_is_missing
       if (most != entry.values.end())
         chosen += std::string(key) + " = \"" + most->second.text + "\"\n";
     }
-    const std::string text = "[mill]\nmodel = \"" + name + "\"\n" + chosen +
-                             "[jar]\nkind = \"cylinder\"\ndiameter = \"40 mm\"\nheight = \"40 "
-                             "mm\"\n[[balls]]\ndiameter = \"5 mm\"\nmaterial = \"WC\"\n[run]\ntime "
+    const std::string jar =  // the parts of a mill have their places in its jar
+        entry.parts.empty() ? "kind = \"cylinder\"\ndiameter = \"40 mm\"\nheight = \"40 mm\"\n"
+                            : "model = \"" + entry.jars.front() + "\"\n";
+    const std::string text = "[mill]\nmodel = \"" + name + "\"\n" + chosen + "[jar]\n" + jar +
+                             "[[balls]]\ndiameter = \"5 mm\"\nmaterial = \"WC\"\n[run]\ntime "
                              "= \"1 s\"\n";
     try {
       read_shipped(text);
