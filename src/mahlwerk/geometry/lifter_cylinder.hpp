@@ -116,13 +116,6 @@ struct LifterCylinder {
     return {select<V>(of_bar, at_bar.distance, at_shell.distance),
             select<V>(of_bar, at_bar.inward, at_shell.inward)};
   }
-  double distance(int face, const Vec3& p, double within) const {
-    return gap(face, p, within).distance;
-  }
-  void distances(const Vec3& p, double within, std::span<double> out) const {
-    for (int face = 0; face < faces; ++face)
-      out[static_cast<std::size_t>(face)] = gap(face, p, within).distance;
-  }
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
     return face < 3 ? shell().normal_rate(face, p, v) : Vec3{};  // bars are flat
   }

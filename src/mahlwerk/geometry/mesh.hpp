@@ -4,10 +4,10 @@
 
 #include <array>
 #include <memory>
-#include <numbers>
 #include <span>
 #include <string>
 
+#include "mahlwerk/geometry/crease_angle.hpp"
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/geometry/surface.hpp"
@@ -29,13 +29,7 @@ struct Mesh {
       "the inside of a closed surface of triangles from a file";
   static constexpr bool axisymmetric = false;
   static std::string face_name(int face) { return std::to_string(face + 1); }
-  static constexpr auto fields() {
-    return std::array{Field<Mesh>{
-        "crease_angle", "rad", &Mesh::crease_angle,
-        Range{.least = 0, .most = std::numbers::pi, .without_least = true, .without_most = true},
-        "triangles that bend by less belong to one face of the wall", std::numbers::pi / 6,
-        "30 deg: facets of a round wall bend by less, edges of parts by more"}};
-  }
+  static constexpr auto fields() { return std::array{crease_angle_field<Mesh>()}; }
 
   Mesh() = default;
   /// `surface` must be without a flaw (flaw_of()); `crease_angle` [rad].

@@ -4,8 +4,8 @@
 
 #include <array>
 #include <memory>
-#include <numbers>
 
+#include "mahlwerk/geometry/crease_angle.hpp"
 #include "mahlwerk/geometry/shape.hpp"
 #include "mahlwerk/geometry/surface.hpp"
 
@@ -23,13 +23,7 @@ struct MeshSolid {
   static constexpr std::string_view name = "mesh";
   static constexpr std::string_view about =
       "triangles from a file, of solids or of sheets without thickness";
-  static constexpr auto fields() {
-    return std::array{Field<MeshSolid>{
-        "crease_angle", "rad", &MeshSolid::crease_angle,
-        Range{.least = 0, .most = std::numbers::pi, .without_least = true, .without_most = true},
-        "triangles that bend by less belong to one face", std::numbers::pi / 6,
-        "30 deg: facets of a round surface bend by less, edges by more"}};
-  }
+  static constexpr auto fields() { return std::array{crease_angle_field<MeshSolid>()}; }
 
   MeshSolid() = default;
   /// `surface` must be without a flaw (flaw_of_part()); `crease_angle` [rad].

@@ -60,13 +60,6 @@ struct PeriodicLifterCylinder {
     const V zero{};
     return drum.gaps(select<V>(less(face, zero + 0.5), face, face + (zero + 2.0)), p);
   }
-  double distance(int face, const Vec3& p, double within) const {
-    return gap(face, p, within).distance;
-  }
-  void distances(const Vec3& p, double within, std::span<double> out) const {
-    for (int face = 0; face < faces; ++face)
-      out[static_cast<std::size_t>(face)] = gap(face, p, within).distance;
-  }
   Vec3 normal_rate(int face, const Vec3& p, const Vec3& v) const {
     return drum.normal_rate(of_drum(face), p, v);
   }

@@ -142,7 +142,7 @@ void distances(const S& shape, const Vec3& p, double within, std::span<double> o
     shape.distances(p, within, out);
   else
     for (int face = 0; face < shape.faces; ++face)
-      out[static_cast<std::size_t>(face)] = shape.gap(face, p).distance;
+      out[static_cast<std::size_t>(face)] = gap_near(shape, face, p, within).distance;
 }
 
 /// Distance of one face [m], as distances().
@@ -151,7 +151,7 @@ double distance(const S& shape, int face, const Vec3& p, double within) {
   if constexpr (requires { shape.distance(face, p, within); })
     return shape.distance(face, p, within);
   else
-    return shape.gap(face, p).distance;
+    return gap_near(shape, face, p, within).distance;
 }
 
 /// Calls `f(face, gap)` for the faces that a ball of `radius` [m] at `p` can touch: at least for
