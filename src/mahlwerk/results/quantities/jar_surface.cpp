@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -241,6 +242,23 @@ void add(JarMesh& mesh, const Round& solid, double, Index facets) {
   const geometry::Frustum f = solid.frustum();
   const double half = 0.5 * f.length;
   add_revolved(mesh, {{0, -half}, {f.low_radius, -half}, {f.high_radius, half}, {0, half}}, facets);
+}
+/// The four edges of the ring, and the bands between them.
+void add(JarMesh& mesh, const geometry::RingSolid& ring, double, Index facets) {
+  const double inner = 0.5 * ring.hole, outer = 0.5 * ring.diameter, half = 0.5 * ring.thickness;
+  const std::array<ProfilePoint, 4> edges{
+      {{inner, -half}, {outer, -half}, {outer, half}, {inner, half}}};
+  for (const ProfilePoint& edge : edges)
+    for (Index k = 0; k < facets; ++k) {
+      const SinCos at = sin_cos(2 * std::numbers::pi * k / facets);
+      mesh.vertices.push_back({edge.rho * at.cos, edge.rho * at.sin, edge.z});
+    }
+  for (Index e = 0; e < 4; ++e)
+    for (Index k = 0; k < facets; ++k) {
+      const Index from = e * facets, to = (e + 1) % 4 * facets, next = (k + 1) % facets;
+      mesh.triangles.push_back({from + k, from + next, to + next});
+      mesh.triangles.push_back({from + k, to + next, to + k});
+    }
 }
 void add(JarMesh& mesh, const geometry::BladeSolid& solid, double, Index) {
   add_box(mesh, solid.length, solid.thickness, solid.height);
