@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/cases/sections/vector_key.hpp"
 #include "mahlwerk/geometry/solids.hpp"
+#include "mahlwerk/scene/chamber.hpp"
 
 // [[parts]]: bodies of the mill in the jar.
 namespace mahlwerk::cases {
