@@ -41,6 +41,9 @@ double reach_along(const geometry::AnySolid& any, const Vec3& u) {
           double most = 0;
           for (const Vec3& p : solid.surface().points) most = std::max(most, std::abs(dot(p, u)));
           return most;
+        } else if constexpr (std::is_same_v<S, geometry::RingSolid>) {
+          return reach_along(
+              geometry::Frustum{0.5 * solid.diameter, 0.5 * solid.diameter, solid.thickness}, u);
         } else {
           return reach_along(solid.frustum(), u);
         }
@@ -86,6 +89,8 @@ bool spans(const geometry::AnySolid& any, const Vec3& u, double half) {
                  along(u.z, solid.height);
         } else if constexpr (std::is_same_v<S, geometry::MeshSolid>) {
           return is_bar_along(solid, u, half);
+        } else if constexpr (std::is_same_v<S, geometry::RingSolid>) {
+          return along(u.z, solid.thickness);
         } else {
           const geometry::Frustum f = solid.frustum();
           return f.low_radius == f.high_radius && along(u.z, f.length);
