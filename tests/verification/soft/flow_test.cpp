@@ -190,8 +190,9 @@ TEST(Flow, a_ball_outside_touches_nothing_and_stays) {
   for (std::size_t k = hits; k < seen.hits.size(); ++k)
     if (seen.hits[k].time > 0.1) {
       EXPECT_FALSE(before[static_cast<std::size_t>(seen.hits[k].ball)].outside);
-      if (seen.hits[k].other >= 0)
+      if (seen.hits[k].other >= 0) {
         EXPECT_FALSE(before[static_cast<std::size_t>(seen.hits[k].other)].outside);
+      }
     }
 }
 
