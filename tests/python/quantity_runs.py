@@ -77,11 +77,9 @@ CASES = {
                "balls": [{**BALLS, "count": 200}], "contact": {"restitution": 0.5, "friction": 0},
                "mixing": {"colour": "height", "interval": "10 ms"},
                "run": {"engine": "soft", "time": "0.1 s", "settle": "0.5 s", "replicates": 1}},
-    # Balls that run through a hole and enter again above, in 0.1 s on average.
+    # Balls that rain through the jar and enter again above.
     "hopper": {"mill": {"kind": "still"}, "jar": JAR,
                "balls": [{**BALLS, "count": 40, "diameter": "3 mm", "youngs_modulus": "20 MPa"}],
-               "parts": [{"name": "floor", "kind": "ring", "diameter": "46 mm", "hole": "20 mm", "thickness": "3 mm",
-                          "position": ["0 mm", "0 mm", "-8 mm"]}],
                "contact": {"restitution": 0.5, "friction": 0.1},
                "flow": {"outlet": ["0 mm", "0 mm", "-12 mm"], "feed": "recirculate", "interval": "1 ms",
                         "inlet": ["0 mm", "0 mm", "10 mm"], "inlet_size": ["20 mm", "20 mm", "10 mm"]},

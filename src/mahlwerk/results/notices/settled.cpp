@@ -47,7 +47,9 @@ struct TurnedOver {
   }
   bool is_rounding(double energy) const { return !(std::abs(energy) > 1e-9 * kinetic); }
   bool is_nothing() const { return is_rounding(lost) && is_rounding(drawn); }
-  double lost = 0, drawn = 0, kinetic = 0;  // [J]; the kinetic energy summed over the windows
+  double imbalance() const { return drawn / lost - 1; }
+  // [J]; drawn with what a feed gives; the kinetic energy summed over the windows
+  double lost = 0, drawn = 0, kinetic = 0;
 };
 
 /// What lets a mill settle before it is counted.
@@ -79,7 +81,8 @@ void not_steady(const Outcome& outcome, Notices& list) {
   if (energy.size() < fewest || TurnedOver(chosen).is_nothing()) return;
   const double settling = quantity(outcome, "settling_time"),
                time = quantity(outcome, "simulated_time"),
-               imbalance = quantity(outcome, "power_imbalance");
+               imbalance = outcome.mill_case.flow ? TurnedOver(chosen).imbalance()
+                                                  : quantity(outcome, "power_imbalance");
   const double windows = settling / chosen.front()->windows.front().length;
   if (!(settling > much * time) || !(std::abs(imbalance) > balanced) ||
       !start_differs(energy, static_cast<std::size_t>(windows + 0.5)))
