@@ -27,7 +27,8 @@ def asked(line: str, compute: Callable[[Result], Any], result: Result) -> Any:
     try:
         return compute(result)
     except Exception as error:
-        raise InputError([_core.Fault(line, f"{compute.__name__} fails for {result.folder}: {error}",
+        name = getattr(compute, "__name__", compute)
+        raise InputError([_core.Fault(line, f"{name} fails for {result.folder}: {error}",
                                       "correct the function; finished runs are kept", "bad-paper")]) from error
 
 
