@@ -7,6 +7,7 @@ A folder with a paper.py, as those of papers/ and validation/, is run by `mahlwe
 from __future__ import annotations
 
 from .paper import Paper, PaperCampaign
+from .runs import run_paper
 from .verdict import Verdict
 
-__all__ = ["Paper", "PaperCampaign", "Verdict"]
+__all__ = ["Paper", "PaperCampaign", "Verdict", "run_paper"]

@@ -7,7 +7,7 @@ from __future__ import annotations
 import runpy
 import sys
 import traceback
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Optional, Union
@@ -15,6 +15,7 @@ from typing import Any, Optional, Union
 from .. import _core
 from ..errors import InputError
 from .captures import CapturesInBounds
+from .computed import Computed, Maps
 from .curves import Curve
 from .lines import Where
 from .measured import STATUSES, Agreement, MeasuredValue, Measurement
@@ -114,6 +115,11 @@ class PaperCampaign:
         """Balls and grains at the end of this time."""
         return Pictures(self.name, "snapshots", selector(at),
                         one_of(seen_from, "seen_from", ("carrier", "jar")))
+
+    def maps(self, compute: Callable[[Any], tuple[Any, float]], *, at: At = None) -> Maps:
+        """Maps of a field over the jar. `compute(result)` gives it for each point: an array by x and y, and
+        the width of a cell in m."""
+        return Maps(self.name, "maps", selector(at), "jar", compute, calling_line())
 
     # Tables
 
@@ -230,6 +236,7 @@ class Paper:
     checks: list[Check] = field(default_factory=list, init=False)
     tables: list[Table] = field(default_factory=list, init=False)
     measurements: list[Measurement] = field(default_factory=list, init=False)
+    computed: list[Computed] = field(default_factory=list, init=False)
     folder: Path = field(default=Path(), init=False)
 
     def campaign(self, name: str) -> PaperCampaign:
@@ -238,6 +245,15 @@ class Paper:
             raise ValueError(f"{name!r} is not the name of a campaign: name the case file beside this one, "
                              "without .toml")
         return PaperCampaign(name)
+
+    def quantity(self, campaign: PaperCampaign, name: str,
+                 compute: Callable[[Any], tuple[float, float]], *, unit: str = "") -> str:
+        """A quantity that the program does not give. `compute(result)` gives it for each point, with the
+        half-width of its interval, in `unit`; `result` is a mahlwerk.Result. Returns its name."""
+        if not name.isidentifier():
+            raise ValueError(f"{name!r} is not the name of a quantity: use letters, digits and _")
+        self.computed.append(Computed(campaign.name, name, compute, unit, calling_line()))
+        return name
 
     def figure(self, number: str, title: str, drawing: Union[Curve, Pictures], *,
                about: str = "") -> None:

@@ -57,6 +57,12 @@ class References:
                    f"do you mean {near[0]}?" if near else "docs/formats.md lists them",
                    "paper-unknown-quantity")
 
+    def computed(self, name: str) -> None:
+        """The paper computes no quantity that the results have."""
+        if name in self.units:
+            self.fault(f"a result of {self.name}.toml has a quantity {name} already", "give yours another name",
+                       "bad-paper")
+
     def capture(self) -> None:
         """The campaign has captures whose bounds are known."""
         if not has_bounds(self.case):
@@ -110,7 +116,13 @@ def reference_faults(paper: Paper, cases: dict[str, Case]) -> list[Any]:
     faults: list[Any] = []
 
     def references(line: str, campaign: str) -> References:
-        return References(line, campaign, cases[campaign], faults)
+        made = References(line, campaign, cases[campaign], faults)
+        made.units.update({one.name: one.unit for one in paper.computed if one.campaign == campaign})
+        return made
+
+    for one in paper.computed:
+        if one.campaign in cases:
+            References(one.line, one.campaign, cases[one.campaign], faults).computed(one.name)
 
     for figure in paper.figures:
         drawing = figure.drawing

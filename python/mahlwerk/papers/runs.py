@@ -16,6 +16,7 @@ from .. import _core
 from ..campaign import Campaign
 from ..case import Case
 from ..errors import InputError, RunError
+from .computed import add_computed
 from .figures import captions_markdown, made_figures
 from .lines import points_of
 from .page import PaperResult, checks_csv, checks_markdown, page, paper_data
@@ -68,7 +69,8 @@ class PaperJob:
         for name in OURS:
             (self.out / name).unlink(missing_ok=True)
         failed: Optional[RunError] = None
-        filmed = {f.drawing.campaign for f in self.paper.figures if isinstance(f.drawing, Pictures)}
+        filmed = {f.drawing.campaign for f in self.paper.figures
+                  if isinstance(f.drawing, Pictures) and f.drawing.kind != "maps"}
         for name, case in self.cases.items():
             try:
                 case.sweep(out=self.out / name, force=self.settings.force, threads=self.settings.threads,
@@ -102,6 +104,8 @@ class PaperJob:
 def result_of(paper: Paper, campaigns: Mapping[str, Campaign], changes: Mapping[str, str]) -> PaperResult:
     """The figures, tables and verdicts of a paper from campaigns that have run."""
     points = {name: points_of(campaign) for name, campaign in campaigns.items()}
+    for name in points:
+        add_computed([one for one in paper.computed if one.campaign == name], points[name])
     lines, boxes, notices = _core.notice_texts([os.fspath(c.folder) for c in campaigns.values()], "point")
     return PaperResult(
         paper, [check.rule.judge(points[check.rule.campaign]) for check in paper.checks],
