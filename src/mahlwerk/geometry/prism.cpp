@@ -73,9 +73,10 @@ std::vector<std::array<PlanePoint, 3>> filled(Section s) {
 std::string flaw_of(const Section& s) {
   const std::size_t n = s.size();
   if (n < 3) return "a section needs three corners or more";
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i)
     if (s[i] == s[(i + 1) % n])
       return fmt::format("corners {} and {} are one", i + 1, (i + 1) % n + 1);
+  for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 2; j < n; ++j)
       if ((j + 1) % n != i && meet(s[i], s[i + 1], s[j], s[(j + 1) % n]))
         return fmt::format("its sides after corners {} and {} meet", i + 1, j + 1);

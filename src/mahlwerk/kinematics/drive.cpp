@@ -29,12 +29,8 @@ Drive::Drive(const Motor& motor, double speed) : motor_(motor), speed_(speed) {
   restart(0);
 }
 
-double Drive::rate_scale() const {
-  return std::max(1.0, std::abs(motor_.start_speed / speed_));
-}
-
 double Drive::acceleration_bound() const {
-  return motor_.torque * largest_rate / (motor_.inertia * std::abs(speed_));
+  return 1 / shortest_time();
 }
 
 void Drive::restart(double time) {
@@ -89,8 +85,14 @@ double Drive::motor_work(double time) const {
   return motor_work_ + motor_.torque_at(middle) * middle * std::abs(speed_) * step;
 }
 
+double Drive::shortest_time() const {
+  // Largest slope of the torque over the rate: linear, or of Kloss at the speed without load.
+  const double slope = motor_.kind == Motor::Kind::linear ? 1 : 2 / motor_.breakdown_slip;
+  return motor_.inertia * std::abs(speed_) / (std::max(slope, largest_rate) * motor_.torque);
+}
+
 bool Drive::too_fast() const {
-  return !(std::abs(now().rate) <= rate_bound());
+  return !(std::abs(now().rate) <= largest_rate);
 }
 
 void Drive::serialize(Archive& archive) {

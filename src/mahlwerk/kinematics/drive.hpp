@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <cmath>
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
@@ -31,15 +31,13 @@ struct Motor {
 /// all who hold the motion of this run see it. Not thread-safe while it advances.
 class Drive {
  public:
-  /// Largest rate, in that of the speed without load or of the start.
-  static constexpr double largest_rate = 1.25;
+  static constexpr double largest_rate = 1.25;  ///< of the speed without load
 
   /// `speed` [rad/s] of the mill without load, not 0.
   Drive(const Motor& motor, double speed);
 
   /// Time of the mill at full speed, at the time `t` [s] of the run.
   Clock clock(double t) const;
-  double rate_bound() const { return largest_rate * rate_scale(); }
   double acceleration_bound() const;  ///< [1/s] of the motor alone
 
   void restart(double time);
@@ -49,11 +47,14 @@ class Drive {
   void advance(double time, double impulse, bool keep);
 
   // At a time not before the last advance().
-  double speed(double time) const { return speed_ * now().at(time).rate; }  ///< [rad/s]
-  double angle(double time) const { return speed_ * now().at(time).time; }  ///< [rad]
-  double kinetic(double time) const;                                        ///< [J] without balls
-  double motor_work(double time) const;                                     ///< [J] since restart()
-  bool too_fast() const;                                                    ///< beyond rate_bound()
+  /// [rad/s], [rad] In the sense of the mill.
+  double speed(double time) const { return std::abs(speed_) * now().at(time).rate; }
+  double angle(double time) const { return std::abs(speed_) * now().at(time).time; }
+  double kinetic(double time) const;     ///< [J] without balls
+  double motor_work(double time) const;  ///< [J] since restart()
+  /// [s] In which the motor alone would change the rate by 1 at most; infinite without a motor.
+  double shortest_time() const;
+  bool too_fast() const;  ///< beyond largest_rate
   const Motor& motor() const { return motor_; }
 
   void serialize(Archive& archive);
@@ -68,7 +69,6 @@ class Drive {
     }
   };
   const State& now() const { return recent_.back(); }
-  double rate_scale() const;
   /// [1/s] of the rate over the next `step` [s], under the torque `load` [N m] of the balls.
   double acceleration(double rate, double load, double step) const;
 

@@ -36,7 +36,7 @@ namespace {
 
 /// Bounds of the running mill, widened so that they hold while a motor turns it.
 Bounds driven_bounds(Bounds b, const Drive& drive) {
-  const double rate = drive.rate_bound(), change = drive.acceleration_bound();
+  const double rate = Drive::largest_rate, change = drive.acceleration_bound();
   b.acceleration = rate * rate * b.acceleration + b.speed * change * Vec3{1, 1, 1};
   b.angular_acceleration = rate * rate * b.angular_acceleration + b.spin * change;
   b.speed *= rate, b.spin *= rate;

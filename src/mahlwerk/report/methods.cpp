@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/solids.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "mahlwerk/report/text/readable.hpp"
@@ -77,6 +78,47 @@ class MethodsText {
                               c_.jar.model.empty() ? "" : fmt::format(" ({})", c_.jar.model),
                               sizes.empty() ? "" : ", ", sizes, fmt::format("{:.3g}", volume * 1e6),
                               c_.jar.material.empty() ? "" : ", " + c_.jar.material);
+  }
+
+  /// The parts in the jar: "rotor (cylinder, turning)".
+  std::string bodies() const {
+    static constexpr std::array motions{"fixed", "turning", "oscillating", "swinging", "tabulated"};
+    constexpr std::size_t most = 8;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(most, c_.machine_parts.size()); ++i) {
+      const cases::MachinePart& part = c_.machine_parts[i];
+      list += fmt::format("{}{} ({}, {})", i > 0 ? ", " : "", part.name,
+                          geometry::name_of(*part.body.solid),
+                          motions[static_cast<std::size_t>(part.body.motion.kind)]);
+    }
+    if (list.empty()) return "";
+    const std::size_t more = c_.machine_parts.size() - std::min(most, c_.machine_parts.size());
+    return fmt::format("Parts in the jar: {}{}. ", list,
+                       more > 0 ? fmt::format(" and {} more", more) : "");
+  }
+
+  std::string drive() const {
+    if (!c_.drive) return "";
+    const kinematics::Motor& m = *c_.drive;
+    const std::string inertia = value("drive.inertia", m.inertia, "kg m2");
+    if (m.torque == 0)
+      return fmt::format("The jar, of a moment of inertia of {}, turns freely from {:.4g} rad/s. ",
+                         inertia, m.start_speed);
+    return fmt::format(
+        "A motor turns the jar, of a moment of inertia of {}; this is its speed without load. Its "
+        "torque {} {}. ",
+        inertia,
+        m.kind == kinematics::Motor::Kind::linear ? "falls linearly from standstill, from"
+                                                  : "follows the formula of Kloss, with at most",
+        value("drive.torque", m.torque, "N m"));
+  }
+
+  std::string flow() const {
+    if (!c_.flow) return "";
+    static constexpr std::array feeds{"", ", and enter it again at an inlet",
+                                      ", and enter it again at an inlet at a rate"};
+    return fmt::format("Balls that pass an outlet leave the jar{}. ",
+                       feeds[static_cast<std::size_t>(c_.flow->feed)]);
   }
 
   std::string charge() const {
@@ -233,8 +275,9 @@ std::string methods(const Case& c, cases::EngineName engine, const CountedRuns& 
   const MethodsText say(c);
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(c, engine));
-  text += say.mill() + say.charge() + say.contact(engine) + say.liquid() + say.powder() +
-          say.kinetics() + extent_words(runs, c);
+  text += say.mill() + say.bodies() + say.drive() + say.flow() + say.charge() +
+          say.contact(engine) + say.liquid() + say.powder() + say.kinetics() +
+          extent_words(runs, c);
   if (text.find('*') != std::string::npos)
     text += " * Assumed, not measured: a default of the program.";
   return text;

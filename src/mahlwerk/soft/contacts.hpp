@@ -64,6 +64,7 @@ inline void add_loads(std::span<scene::WallLoad> sum, std::span<const scene::Wal
     sum[k].impulse += more[k].impulse;
     sum[k].angular_impulse += more[k].angular_impulse;
     sum[k].work += more[k].work;
+    sum[k].about_mill_axis += more[k].about_mill_axis;
   }
 }
 

@@ -13,6 +13,9 @@ namespace mahlwerk::soft {
 /// lag of the torque does not excite a light drum.
 constexpr std::int64_t drive_interval = 4;
 
+/// Begins a run at `time` [s]. Throws InputError if steps of `time_step` [s] are too long for it.
+void start_drive(kinematics::Drive& drive, double time, double time_step);
+
 /// Advances a drive to `time` [s]; `given` [N m s] is what the mill has given the balls about its
 /// axis so far. Throws RunError if the mill turns too fast for the neighbour lists.
 void advance_drive(kinematics::Drive& drive, double time, double given, bool keep);

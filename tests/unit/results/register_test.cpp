@@ -40,8 +40,8 @@ TEST(Ranges, of_all_quantities_begin_at_zero_but_those_of_signed_ones) {
       "parts_torque",
       "driven_speed",  // a mill may turn the other way
       "driven_speed_end",
-      "motor_torque",
-      "motor_power",
+      "drive_torque",
+      "drive_power",
       "lacey_index",  // of a charge less mixed than a segregated one
       "segregation_radial",
       "segregation_vertical",

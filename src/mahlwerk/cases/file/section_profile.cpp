@@ -29,6 +29,8 @@ std::optional<double> number(std::string_view cell) {
 geometry::Section read_section_profile(std::string_view text, double scale) {
   geometry::Section section;
   bool header = false;
+  constexpr std::string_view mark = "\xEF\xBB\xBF";  // of UTF-8, as tables of spreadsheets have it
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
   for (std::size_t from = 0, line = 1; from < text.size(); ++line) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
     const std::string_view row = trimmed(text.substr(from, to - from));
@@ -48,6 +50,8 @@ geometry::Section read_section_profile(std::string_view text, double scale) {
       throw MeshFileError(fmt::format("the section has more than {} corners", most_corners));
   }
   if (section.size() > 1 && section.front() == section.back()) section.pop_back();
+  if (section.size() > most_corners)
+    throw MeshFileError(fmt::format("the section has more than {} corners", most_corners));
   if (const std::string flaw = geometry::flaw_of(section); !flaw.empty())
     throw MeshFileError("the section is no simple polygon: " + flaw);
   return section;

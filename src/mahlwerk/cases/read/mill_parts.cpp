@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "mahlwerk/cases/read/case_tree.hpp"
 
@@ -33,8 +36,17 @@ bool same_name(const Node& one, const Node& other) {
   return a != nullptr && b != nullptr && a->text == b->text;
 }
 
-/// Replaces the values of the keys that `given` has, and adds the others.
+constexpr std::string_view keys_of_motion[] = {"motion", "moves_with", "speed",     "motion_axis",
+                                               "pivot",  "amplitude",  "frequency", "phase",
+                                               "swing",  "motion_file"};
+
+/// Replaces the values of the keys that `given` has, and adds the others. Another motion leaves
+/// nothing of the mill's.
 void overlay(Node& table, const Node& given) {
+  if (given.find("motion") != nullptr || given.find("moves_with") != nullptr)
+    std::erase_if(table.members, [](const Member& own) {
+      return std::ranges::find(keys_of_motion, own.key) != std::end(keys_of_motion);
+    });
   for (const Member& own : given.members) {
     if (Node* found = table.find(own.key))
       *found = own.value;
@@ -67,13 +79,16 @@ void CaseTree::add_parts_of_mill(const std::vector<Override>& overrides) {
   Node* own = root_.find("parts");
   if (own == nullptr) return root_.members.push_back({"parts", std::move(list)});
   if (own->kind != Node::Kind::list) return;  // a fault of [[parts]]
+  std::vector<bool> overlaid(list.items.size());
   for (Node& part : own->items) {
-    const auto known =
-        std::ranges::find_if(list.items, [&](const Node& other) { return same_name(part, other); });
-    if (known != list.items.end())
-      overlay(*known, part);
-    else
-      list.items.push_back(std::move(part));
+    std::size_t k = 0;
+    while (k < overlaid.size() && !same_name(part, list.items[k])) ++k;
+    if (k < overlaid.size() && !overlaid[k]) {
+      overlay(list.items[k], part);
+      overlaid[k] = true;
+    } else {
+      list.items.push_back(std::move(part));  // two of one name are a fault of [[parts]]
+    }
   }
   *own = std::move(list);
 }

@@ -75,8 +75,10 @@ std::optional<MeshTriangles> read_mesh_triangles(SectionReader& in, std::string_
     return found;
   } catch (const MeshFileError& error) {
     in.fault(*in.find("file"), fmt::format("{}: {}", found.path, error.what()),
-             "export the surface again as STL, OBJ or PLY, with fewer triangles if they are too "
-             "many",
+             file->ends_with(".csv")
+                 ? "write the corners of a closed polygon, one \"x,y\" in each line after the first"
+                 : "export the surface again as STL, OBJ or PLY, with fewer triangles if they are "
+                   "too many",
              "bad-mesh-file");
     return std::nullopt;
   }

@@ -77,14 +77,18 @@ void describe_part_mesh(KeyVisitor& v, MachinePart& part) {
             .required = true,
             .presentation = {.start = "mm"}},
            [&] { return in_quotes(part.unit); });
-  if (is_section(part.file) || v.visits_all()) describe_section(v, part);
+  if (is_section(part.file)) return describe_section(v, part);
+  if (!v.visits_all()) return;
+  MachinePart bar;  // for lists of keys
+  bar.length = 1;
+  describe_section(v, bar);
 }
 
 void read_part_mesh(SectionReader& in, MachinePart& part) {
   const Node* file_key = in.find("file");
   const bool section = file_key != nullptr && is_section(file_key->text);
   if (section) describe_section(in, part);
-  if (section && !(part.length > 0)) return in.ignore_unknown_keys();  // after a fault
+  if (section && (!(part.length > 0) || part.rows < 1)) return in.ignore_unknown_keys();
   auto found = read_mesh_triangles(
       in, "the triangles of the part",
       [&](std::string_view bytes, const std::string& file, double scale) {

@@ -61,6 +61,8 @@ void describe(cases::KeyVisitor& v, Motor& motor, const Case& c) {
               Motor().breakdown_slip,
               "usual: 0.1 to 0.3"},
              motor.breakdown_slip);
+  else
+    v.refuse({"breakdown_slip"}, "of a linear motor", "remove it, or write motor = \"induction\"");
   cases::NumberSpec start("start_speed", "rad/s", any_number, "speed at which a run begins");
   const auto* drum = cases::drum_motion(c);
   if (v.reader() == nullptr)
@@ -80,8 +82,17 @@ void check(const Case& c, std::vector<Fault>& found) {
   };
   const auto* drum = cases::drum_motion(c);
   if (drum == nullptr || drum->speed == 0)
-    return fault("[drive] needs a drum that turns about its own axis",
-                 "write mill.kind = \"tumbling\" and a mill.speed, or remove [drive]");
+    return fault(
+        "[drive] needs a drum that turns about its own axis, lying",
+        "write mill.kind = \"tumbling\" and a mill.speed, with mill.jar_axis as such mills "
+        "have it, or remove [drive]");
+  if (std::abs(c.drive->start_speed) > kinematics::Drive::largest_rate * std::abs(drum->speed))
+    fault(fmt::format("drive.start_speed is more than {} times mill.speed, the speed without load",
+                      kinematics::Drive::largest_rate),
+          "give a higher mill.speed, also of a jar without a motor");
+  if (c.mill.jars_carried > 1)
+    fault("the motor would turn several jars, and one is simulated",
+          "write jars_carried = 1, and the motor's torque and inertia for one jar");
   if (c.run.start == cases::StartLayout::ramp)
     fault("run.start = \"ramp\" prescribes the speed of a mill that has a motor",
           "remove run.start, or [drive]");
@@ -113,7 +124,7 @@ double per_time(const Replicate& r, double DriveSample::*member) {
 /// [N m] Of the motor, at a speed of the mill.
 double torque_at(const Case& c, double speed) {
   const auto* drum = cases::drum_motion(c);
-  return drum == nullptr ? results::undefined : c.drive->torque_at(speed / drum->speed);
+  return drum == nullptr ? results::undefined : c.drive->torque_at(speed / std::abs(drum->speed));
 }
 
 double mean_torque(const Case& c, const Replicate& r) {
@@ -140,12 +151,12 @@ results::Measures quantities() {
         "its speed at the end",
         [](const Case&, const Replicate& r) { return last_speed(r) / rpm; },
         {.range = results::any_value, .equation = "kin.24"}},
-       {"motor_torque",
+       {"drive_torque",
         "N m",
         "mean torque of the motor on the mill, in its sense",
         mean_torque,
         {.range = results::any_value, .equation = "kin.25"}},
-       {"motor_power",
+       {"drive_power",
         "W",
         "mean power of the motor: what the charge takes, and what speeds up jar and drive",
         [](const Case&, const Replicate& r) { return per_time(r, &DriveSample::motor_work); },

@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/vector_key.hpp"
+#include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/setup/obstacles.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/any_motion.hpp"
@@ -54,6 +55,7 @@ class FlowCheck {
             "final_state = true: with [flow] some balls are outside the jar at the end, and no run "
             "can start from there",
             "leave final_state out");
+    interval();
     periodic();
     outlet();
     if (flow_.feed != Feed::none) inlet();
@@ -62,6 +64,22 @@ class FlowCheck {
  private:
   void fault(const char* key, std::string what, std::string remedy) {
     found_.push_back({cases::location_of(c_, key), std::move(what), std::move(remedy), "bad-flow"});
+  }
+  void interval() {
+    const double counted = cases::counted_time(c_);
+    constexpr double most_rows = 1000;
+    if (!flow_.interval) return;
+    if (*flow_.interval > counted)
+      fault("flow.interval",
+            fmt::format("an interval of {} is longer than the counted time ({})",
+                        show_rounded(*flow_.interval, "s"), show_rounded(counted, "s")),
+            "give a shorter interval, or leave it out");
+    else if (*flow_.interval < counted / most_rows * (1 - 1e-9))
+      fault("flow.interval",
+            fmt::format("a row every {} makes more than {} rows",
+                        show_rounded(*flow_.interval, "s"), most_rows),
+            fmt::format("write interval = \"{}\" or more, or leave it out",
+                        show_rounded(1.05 * counted / most_rows, "s")));
   }
   bool has_left(const Vec3& p) const { return dot(p - flow_.outlet, flow_.outlet_normal) > 0; }
 

@@ -79,6 +79,12 @@ void check(const Case& c, std::vector<Fault>& found) {
   if (cases::balls_count(c.balls) < 2)
     found.push_back({cases::location_of(c, "mixing.colour"), "one ball has no degree of mixing",
                      "remove [mixing], or give more balls", "one-colour"});
+  if (m.interval && *m.interval > cases::counted_time(c))
+    found.push_back(
+        {cases::location_of(c, "mixing.interval"),
+         fmt::format("an interval of {} is longer than the counted time ({})",
+                     show_rounded(*m.interval, "s"), show_rounded(cases::counted_time(c), "s")),
+         "give a shorter interval, or leave it out", "too-few-readings"});
   const double least = cases::counted_time(c) / most_samples;
   if (m.interval && *m.interval < least * (1 - 1e-9))
     found.push_back({cases::location_of(c, "mixing.interval"),

@@ -100,6 +100,11 @@ bool are_numbers(std::string_view text, std::string_view mark) {
          is_of(digits, text.substr(at + mark.size()));
 }
 
+/// Whether the name is that of a file of a part in the jar: "part-stirrer.stl".
+bool is_of_part(std::string_view name) {
+  return !between(name, "part-", ".stl").empty() || !between(name, "part-", ".csv").empty();
+}
+
 /// Whether the name is that of a shard, as "campaign.shard-2-of-8.sqlite", its journal or lock.
 bool is_of_shard(std::string_view name) {
   constexpr std::array endings{".sqlite", ".sqlite-journal", ".lock"};
@@ -119,7 +124,7 @@ bool is_our_name(const fs::path& folder, std::string_view name) {
   return std::ranges::find(our_files, name) != our_files.end() ||
          is_numbered(name, "frames-", ".xyz") || is_numbered(name, "frames-", ".pvd") ||
          is_numbered(name, "stopped-", ".csv") || is_numbered(name, "final-", ".csv") ||
-         is_of_shard(name) || is_of_slurm(folder, name);
+         is_of_part(name) || is_of_shard(name) || is_of_slurm(folder, name);
 }
 
 std::string beginning(const fs::path& file) {

@@ -54,6 +54,23 @@ void not_certain(const Outcome& outcome, Notices& list) {
           outcome.mill_case.run.until->quantity, 100 * outcome.mill_case.run.until->within)));
 }
 
+/// Names parts that no ball has touched since the start of the run.
+void untouched_parts(const Outcome& outcome, Notices& list) {
+  const auto chosen = averaged_replicates(outcome);
+  std::string names;
+  for (std::size_t i = 0; i < outcome.mill_case.machine_parts.size(); ++i)
+    if (!chosen.empty() && std::ranges::all_of(chosen, [&](const Replicate* r) {
+          return i + 1 < r->loads.size() && norm(r->loads[i + 1].impulse) == 0;
+        }))
+      names += (names.empty() ? "" : ", ") + outcome.mill_case.machine_parts[i].name;
+  if (!names.empty())
+    list.push_back(warning(
+        "part-untouched",
+        fmt::format("No ball touched these parts: {}. They may lie outside the jar, or above the "
+                    "charge.",
+                    names)));
+}
+
 /// Says what intervals mean if parameters vary from replicate to replicate.
 void drawn_parameters(const Outcome& outcome, Notices& list) {
   constexpr std::size_t few = 8;
@@ -201,6 +218,7 @@ Notices warnings(const Outcome& outcome) {
   append(list, state_notices(outcome.summary));
   append(list, motion_state_notices(outcome));
   flight_and_rolling(outcome, list);
+  untouched_parts(outcome, list);
   drawn_parameters(outcome, list);
   append(list, reversal_notices(outcome));
   append(list, settling_warnings(outcome));

@@ -61,7 +61,7 @@ FewBodySolver::FewBodySolver(std::unique_ptr<const MovingWall> jar,
   // A wall that moves towards the balls uses up a thin skin within some fifty steps.
   skin_ = (jar_->max_wall_speed() > 0 ? 0.1 : 0.03) * smallest;
   loads_.resize(jar_->load_count());
-  if (kinematics::Drive* drive = jar_->drive()) drive->restart(start);
+  if (kinematics::Drive* drive = jar_->drive()) start_drive(*drive, start, settings.time_step);
   if (liquid_) start_in_liquid();
   build_gather_maps();  // of no packets
   rebuild_neighbour_list();

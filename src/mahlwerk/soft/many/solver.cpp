@@ -65,7 +65,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   }
   skin_ = 0.5 * classes.smallest;
   loads_.resize(jar_->load_count());
-  if (kinematics::Drive* drive = jar_->drive()) drive->restart(start);
+  if (kinematics::Drive* drive = jar_->drive()) start_drive(*drive, start, settings.time_step);
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   wall_axes_ = jar_->axes(mill_time(0));
   initialize_rows(balls);
