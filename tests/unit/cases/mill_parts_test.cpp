@@ -81,6 +81,21 @@ TEST(MillParts, have_the_keys_that_the_case_gives_under_their_name) {
   EXPECT_EQ(set.machine_parts[3].body.motion, c.machine_parts[3].body.motion);
 }
 
+TEST(MillParts, that_the_case_gives_twice_are_refused) {
+  const std::string two =
+      "[[parts]]\nname = \"a\"\nkind = \"disc\"\ndiameter = \"9 mm\"\n"
+      "thickness = \"2 mm\"\n";
+  EXPECT_NE(complaint(mixer(two + two)).find("two parts have the name \"a\""), std::string::npos)
+      << complaint(mixer(two + two));
+}
+
+TEST(MillParts, that_the_case_stops_lose_the_motion_of_the_mill) {
+  const Case made =
+      read_shipped(mixer("[[parts]]\nname = \"" + read_shipped(mixer()).machine_parts.front().name +
+                         "\"\nmotion = \"fixed\"\n"));
+  EXPECT_FALSE(made.machine_parts.front().body.motion.moves());
+}
+
 TEST(MillParts, of_a_mill_that_the_command_names_are_those_of_that_mill) {
   const Case c = read_shipped(mixer(), {{"mill.model", "minicer-pins", ValueSource::command}});
   EXPECT_EQ(c.machine_parts.size(), 8U);
