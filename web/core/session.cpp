@@ -83,7 +83,7 @@ Json origins_json(const std::vector<cases::Origin>& origins) {
 std::string first_picture(const cases::Case& mill_case) {
   const std::vector<scene::Ball> balls = cases::starting_balls(mill_case, 0);
   observe::Replay film(cases::chamber(mill_case), balls.size(), 0, mill_case.run.time);
-  film.add(0, balls);
+  film.add(0, 0, balls);
   return report::replay_data(mill_case, film);
 }
 
