@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"
@@ -336,7 +337,7 @@ void ReplicateRun::serialize(Archive& archive) {
   r.stream.serialize(archive);
   for (const auto& recorder : r.recorders.all()) recorder->serialize(archive);
   archive(r.windows)(r.energy_balance)(r.at_settled)(r.stop_reason)(r.balls_at_stop)(r.cpu_seconds);
-  if (!mill_case_->machine_parts.empty()) archive(r.loads_at_settled);
+  if (!setup_->chamber.parts.empty()) archive(r.loads_at_settled);
   archive(last_)(all_)(above_)(window_length_)(converged_);
   for (const auto& sampler : samplers_) sampler->serialize(archive);
   engine_->serialize(archive);
