@@ -92,7 +92,8 @@ class PlyData {
       return type.size == 4
                  ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))
                  : std::bit_cast<double>(bits);
-    const std::uint64_t sign = std::uint64_t{1} << (8 * type.size - 1);
+    const std::size_t bytes = std::max<std::size_t>(type.size, 1);
+    const std::uint64_t sign = std::uint64_t{1} << (8 * bytes - 1);
     if (type.kind == 'i' && (bits & sign) != 0)
       return -static_cast<double>((~bits + 1) & ((sign << 1) - 1));
     return static_cast<double>(bits);
