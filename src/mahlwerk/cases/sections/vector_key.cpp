@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/file/section_reader.hpp"
 
 namespace mahlwerk::cases {

@@ -68,6 +68,15 @@ struct CatalogueArguments {
   bool json = false;
 };
 
+/// Whether a value of an entry has a weak source.
+bool is_weak(const cases::CatalogueEntry& entry) {
+  return std::any_of(entry.values.begin(), entry.values.end(),
+                     [](const auto& v) { return v.second.unverified || v.second.assumed; }) ||
+         std::ranges::any_of(entry.parts, [](const cases::CataloguePart& part) {
+           return part.unverified || part.assumed;
+         });
+}
+
 int list(const CatalogueArguments& given) {
   if (given.name == "keys") {
     given.json ? json_to_stdout(keys_as_json(all_sections()))
@@ -91,12 +100,7 @@ int list(const CatalogueArguments& given) {
     if (!given.json) fmt::print("{}\n", category);
     for (const std::string& name : all.names(category)) {
       const cases::CatalogueEntry entry = all.find(category, name);
-      const bool weak =
-          std::any_of(entry.values.begin(), entry.values.end(),
-                      [](const auto& v) { return v.second.unverified || v.second.assumed; }) ||
-          std::ranges::any_of(entry.parts, [](const cases::CataloguePart& part) {
-            return part.unverified || part.assumed;
-          });
+      const bool weak = is_weak(entry);
       if (given.json)
         json.push_back(Json::object(
             {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
