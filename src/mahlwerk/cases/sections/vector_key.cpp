@@ -10,8 +10,8 @@
 
 #include "mahlwerk/base/number_text.hpp"
 #include "mahlwerk/base/units.hpp"
-#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/file/section_reader.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 
 namespace mahlwerk::cases {
 namespace {
