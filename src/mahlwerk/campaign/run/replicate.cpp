@@ -89,10 +89,6 @@ double first_window_length(const cases::Case& mill_case) {
                   mill_case.run.time / ReplicateRun::max_windows);
 }
 
-}  // namespace
-
-namespace {
-
 /// The motion of a mill that a motor turns differs from replicate to replicate.
 std::shared_ptr<const RunSetup> with_own_drive(std::shared_ptr<const RunSetup> setup) {
   if (kinematics::drive_of(*setup->chamber.motion) == nullptr) return setup;
