@@ -97,6 +97,8 @@ TEST_F(CardRuns, say_what_is_missing) {
   refused("--set run.engine=event", "engine = \"event\" does not compute on a graphics card");
   refused("--set run.engine=auto", "engine = \"auto\" does not compute on a graphics card");
   refused("--set contact.curved_walls=true", "does not compute the curvature of walls");
+  refused("--set drive.inertia='1 kg m2' --set drive.torque='1 N m'",
+          "does not compute a mill that a motor turns");
   setenv("MAHLWERK_CARD_MEMORY", "500000", 1);
   refused("", "about 1.2e+02 fit");
   EXPECT_NE(mahlwerk("check case.toml").output.find("need about 1.2 MB"), std::string::npos);

@@ -25,7 +25,7 @@ double free_card_memory() {
 double card_memory_per_ball(const Settings&) {
   return 0;
 }
-std::string device_lacks(const Settings&) {
+std::string device_lacks(const scene::Chamber&, const Settings&) {
   return {};
 }
 std::unique_ptr<scene::Engine> make_device_engine(const scene::Chamber&,

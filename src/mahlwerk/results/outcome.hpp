@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -157,6 +158,15 @@ double mean_over(const std::vector<const Replicate*>& replicates, const Of& of) 
   double sum = 0;
   for (const Replicate* r : replicates) sum += of(*r);
   return sum / static_cast<double>(replicates.size());
+}
+
+/// The least of `of(replicate)`, a number of samples; 0 without replicates.
+template <class Of>
+std::size_t fewest_over(const std::vector<const Replicate*>& replicates, const Of& of) {
+  if (replicates.empty()) return 0;
+  std::size_t least = of(*replicates.front());
+  for (const Replicate* r : replicates) least = std::min(least, of(*r));
+  return least;
 }
 
 /// True if there are replicates, and all of them ran to their end.

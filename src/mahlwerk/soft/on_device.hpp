@@ -23,7 +23,7 @@ std::shared_ptr<Device> graphics_card();
 std::string graphics_card_name();
 double free_card_memory();
 /// What of a run kernels do not compute, in words; empty if they compute all.
-std::string device_lacks(const Settings& settings);
+std::string device_lacks(const scene::Chamber& chamber, const Settings& settings);
 
 /// Memory of a card for each ball of a dense charge [bytes] (docs/performance.md): more where
 /// contacts have more history, or reach across gaps.

@@ -6,6 +6,7 @@
 
 #include "mahlwerk/campaign/run/memory.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -50,12 +51,9 @@ std::vector<Fault> device_faults(const cases::Case& mill_case) {
         fmt::format("device = \"gpu\": engine = \"{}\" does not compute on a graphics card",
                     cases::name_of(mill_case.run.engine)),
         "write engine = \"soft\", or device = \"cpu\"");
-  if (!mill_case.machine_parts.empty() || mill_case.drive)
-    return fault(fmt::format("device = \"gpu\" does not compute {} yet",
-                             mill_case.drive ? "a mill that a motor turns ([drive])"
-                                             : "parts in the jar ([[parts]])"),
-                 "write device = \"cpu\"");
-  if (const std::string lacks = soft::device_lacks(soft_settings(mill_case).rules); !lacks.empty())
+  if (const std::string lacks =
+          soft::device_lacks(cases::chamber(mill_case), soft_settings(mill_case).rules);
+      !lacks.empty())
     return fault(fmt::format("device = \"gpu\" does not compute {} yet", lacks),
                  "write device = \"cpu\"");
   try {

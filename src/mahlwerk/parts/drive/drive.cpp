@@ -174,8 +174,8 @@ Table series(const Outcome& outcome) {
               {}};
   const Case& c = outcome.mill_case;
   const auto chosen = results::averaged_replicates(outcome);
-  std::size_t least = chosen.empty() ? 0 : SIZE_MAX;
-  for (const Replicate* r : chosen) least = std::min(least, samples_of(*r).size());
+  const std::size_t least =
+      results::fewest_over(chosen, [](const Replicate& r) { return samples_of(r).size(); });
   for (std::size_t i = 0; i < least; ++i) {
     const auto mean = [&](const auto& of) {
       return results::mean_over(chosen, [&](const Replicate& r) { return of(samples_of(r)[i]); });

@@ -123,8 +123,8 @@ Table series(const Outcome& outcome) {
                {"mass_inside", "kg", "mass in the jar"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
-  std::size_t least = chosen.empty() ? 0 : SIZE_MAX;
-  for (const Replicate* r : chosen) least = std::min(least, record_of(*r).times().size());
+  const std::size_t least =
+      results::fewest_over(chosen, [](const Replicate& r) { return record_of(r).times().size(); });
   for (std::size_t i = 0; i < least; ++i)
     for (std::size_t set = 0; set < record_of(*chosen.front()).sets(); ++set) {
       const auto of = [&](Amount Holdup::*what, double Amount::*member) {

@@ -220,8 +220,8 @@ Table series(const Outcome& outcome) {
                {"bed_height", "m", "of all but the highest 2 % of the balls"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
-  std::size_t least = chosen.empty() ? 0 : SIZE_MAX;
-  for (const Replicate* r : chosen) least = std::min(least, samples_of(*r).size());
+  const std::size_t least =
+      results::fewest_over(chosen, [](const Replicate& r) { return samples_of(r).size(); });
   for (std::size_t i = 0; i < least; ++i) {
     const auto of = [&](double MixingSample::*member) {
       return results::mean_over(chosen,

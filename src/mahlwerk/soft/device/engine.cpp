@@ -18,7 +18,10 @@ double card_memory_per_ball(const Settings& settings) {
              : more;
 }
 
-std::string device_lacks(const Settings& settings) {
+std::string device_lacks(const scene::Chamber& chamber, const Settings& settings) {
+  if (kinematics::drive_of(*chamber.motion) != nullptr)
+    return "a mill that a motor turns ([drive])";
+  if (!chamber.parts.empty()) return "parts in the jar ([[parts]])";
   if (settings.liquid) return "a liquid";
   if (settings.flow) return "balls that leave the jar and enter it ([flow])";
   if (settings.model.curved_walls) return "the curvature of walls (contact.curved_walls)";

@@ -68,6 +68,15 @@ void ManyBodySolver::begin_counting() {
         }
 }
 
+/// Energy of a ball in laboratory axes; `frame` is that of the jar at this step.
+ManyBodySolver::BallEnergy ManyBodySolver::energy_of(std::size_t row, const Vec3& body_kick_change,
+                                                     const kinematics::FrameMotion& frame) const {
+  const Species& of = pairs_.species(species_[row]);
+  const Vec3 v = velocity(row, body_kick_change) + frame.velocity;
+  return {0.5 * (of.mass * squared(v) + of.inertia * squared(spin(row))),
+          -(of.mass * dot(jar_->gravity(), rows_[row].position() + frame.centre))};
+}
+
 scene::EnergyBalance ManyBodySolver::energy_balance() const {
   scene::EnergyBalance a = energy_balance_;
   for (const Chunk& chunk : chunks_) add_sums(a, chunk);
@@ -87,10 +96,8 @@ scene::EnergyBalance ManyBodySolver::energy_balance() const {
     Sum& sum = sums[static_cast<std::size_t>(c)];
     for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
       const auto k = static_cast<std::size_t>(row);
-      const Species& of = pairs_.species(species_[k]);
-      const Vec3 v = velocity(k, change) + frame.velocity;
-      sum.kinetic += 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(k)));
-      sum.potential -= of.mass * dot(jar_->gravity(), rows_[k].position() + frame.centre);
+      const BallEnergy energy = energy_of(k, change, frame);
+      sum.kinetic += energy.kinetic, sum.potential += energy.potential;
     }
     sum.open = open_contacts(chunk);
   });

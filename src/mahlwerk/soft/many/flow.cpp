@@ -28,15 +28,6 @@ void ManyBodySolver::move_flow(scene::Observer& observer) {
   observer.passages(passages);
 }
 
-/// [J] Kinetic and potential energy of a ball.
-double ManyBodySolver::energy_of(std::size_t row, const Vec3& body_kick_change) const {
-  const Species& of = pairs_.species(species_[row]);
-  const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
-  const Vec3 v = velocity(row, body_kick_change) + frame.velocity;
-  return 0.5 * (of.mass * squared(v) + of.inertia * squared(spin(row))) -
-         of.mass * dot(jar_->gravity(), rows_[row].position() + frame.centre);
-}
-
 scene::Passage ManyBodySolver::passage(std::size_t row, bool entered) const {
   const Species& of = pairs_.species(species_[row]);
   return {time_of(step_), of.mass, id_[row], of.kind, entered ? 1 : 0};
@@ -48,14 +39,16 @@ void ManyBodySolver::take_out_balls(std::vector<scene::Passage>& passages) {
   for (std::size_t k = 0; k < rows_.size(); ++k)
     if (settings_.flow->has_left(jar_->within_period(rows_[k].position()))) leaving.push_back(k);
   std::ranges::sort(leaving, {}, [&](std::size_t k) { return id_[k]; });
-  const Vec3 change = leaving.empty() ? Vec3{} : body_kick_change();
+  if (leaving.empty()) return;
+  const Vec3 change = body_kick_change();
+  const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
   for (const std::size_t k : leaving) {
     leaves_[k] = true;
-    energy_balance_.flow -= energy_of(k, change);
+    energy_balance_.flow -= energy_of(k, change, frame).total();
     outside_.push_back({jar_->within_period(rows_[k].position()), id_[k], 0});
     passages.push_back(passage(k, false));
   }
-  if (!leaving.empty()) end_contacts_of_leaving();
+  end_contacts_of_leaving();
 }
 
 /// Ends the contacts of balls that leave. What their compression stores leaves with them; what
@@ -129,7 +122,8 @@ scene::Passage ManyBodySolver::put_in(std::int32_t ball, const Vec3& x) {
   const double dt = settings_.time_step;
   const std::int32_t species = pairs_.species_index(static_cast<std::size_t>(ball));
   const std::vector<DriveSample> drive = drive_samples(step_, step_ + 1);
-  const Vec3 v = -jar_->frame_motion(mill_time(step_)).velocity;
+  const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
+  const Vec3 v = -frame.velocity;
   const Vec3 half = v + 0.5 * dt * drive[0].body_acceleration,
              predicted = half + 0.5 * dt * drive[1].body_acceleration, next = x + dt * half;
   const double radius = pairs_.species(species).radius;
@@ -140,7 +134,7 @@ scene::Passage ManyBodySolver::put_in(std::int32_t ball, const Vec3& x) {
   half_step_.push_back({half.x, half.y, half.z, 0, 0, 0, 0, 0});
   id_.push_back(ball), species_.push_back(species), contacts_of_.push_back(0);
   leaves_.push_back(false);
-  energy_balance_.flow += energy_of(rows_.size() - 1, body_kick_change());
+  energy_balance_.flow += energy_of(rows_.size() - 1, body_kick_change(), frame).total();
   return passage(rows_.size() - 1, true);
 }
 

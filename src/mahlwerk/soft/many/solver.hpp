@@ -57,6 +57,12 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   [[noreturn]] void stop(std::size_t row, const char* why) const;
 
   // Energy (energy.cpp).
+  struct BallEnergy {
+    double kinetic = 0, potential = 0;  // [J]
+    double total() const { return kinetic + potential; }
+  };
+  BallEnergy energy_of(std::size_t row, const Vec3& body_kick_change,
+                       const kinematics::FrameMotion& frame) const;
   struct OpenContacts {
     StoredEnergy stored;
     double work_done = 0;  // [J] since their onset: dissipated, and stored across the normal
@@ -71,7 +77,6 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   // Balls that leave and enter (flow.cpp).
   void move_flow(scene::Observer& observer);
-  double energy_of(std::size_t row, const Vec3& body_kick_change) const;
   scene::Passage passage(std::size_t row, bool entered) const;
   void take_out_balls(std::vector<scene::Passage>& passages);
   void end_contacts_of_leaving();
