@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/parts/drive/drive_record.hpp"
+#include "mahlwerk/results/notices/warnings.hpp"
 #include "statement.hpp"
 
 namespace mahlwerk::campaign::drive_test {
@@ -86,6 +87,20 @@ TEST(DrivenRun, replays_show_the_jar_where_the_motor_has_turned_it) {
     states("angle of the jar [rad]", full * r.replay.mill_times()[i], angle,
            3 * 0.0015 * 0.0015 / 8 * 300, "integral of the speed");
   }
+}
+
+TEST(DrivenRun, names_the_numbers_that_are_of_the_speed_without_load) {
+  const auto told = [](const std::string& text) {
+    const results::Outcome outcome = run(case_of_text(text));
+    return std::ranges::any_of(results::warnings(outcome),
+                               [](const Notice& one) { return one.code == "driven-speed"; });
+  };
+  constexpr std::string_view inertia = "inertia = \"1e-4 kg m2\"";
+  std::string heavy{drum};
+  heavy.replace(heavy.find(inertia), inertia.size(),
+                "inertia = \"1e4 kg m2\"\nstart_speed = \"120 rpm\"");
+  EXPECT_TRUE(told(std::string(drum)));
+  EXPECT_FALSE(told(heavy));
 }
 
 TEST(DrivenRun, is_refused_where_no_motor_can_turn_the_mill) {

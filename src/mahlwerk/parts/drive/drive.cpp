@@ -194,6 +194,26 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
   return {{"drive", "speed of the mill and torque of its motor over time", series(outcome)}};
 }
 
+/// Says which numbers are of the speed without load, if the mill was slower or faster.
+Notices notices(const Outcome& outcome) {
+  constexpr double alike = 0.01;
+  const auto chosen = results::averaged_replicates(outcome);
+  const auto* drum = cases::drum_motion(outcome.mill_case);
+  if (chosen.empty() || drum == nullptr) return {};
+  const double full = std::abs(drum->speed),
+               mean = results::mean_over(
+                   chosen, [](const Replicate&r) { return per_time(r, &DriveSample::angle); });
+  if (!(std::abs(mean / full - 1) > alike)) return {};
+  return {warning(
+      "driven-speed",
+      fmt::format(
+          "The mill turned at {:.4g} rpm on average, and mill.speed, without load, is {:.4g} "
+          "rpm. What is computed with the speed of the mill takes the latter: shaft_torque, "
+          "wall_slip_ratio, jar_lag, froude_number, the regime and the formulas of mill "
+          "power. drive_torque and drive_power are those of the motor.",
+          mean / rpm, full / rpm))};
+}
+
 std::string panel(const Outcome& outcome) {
   const Table table = series(outcome);
   return report::figure({.title = "Drive",
@@ -220,6 +240,7 @@ const cases::Part& part() {
       .recorder = recorder,
       .quantities = quantities,
       .tables = tables,
+      .notices = notices,
       .heading = "Drive",
       .panel = panel};
   return made;
