@@ -20,6 +20,8 @@ __all__ = ["CampaignPlots", "ResultPlots"]
 ENERGIES = {"normal": "normal energy", "contact_point": "contact-point energy",
             "centre": "energy of the centres", "lost": "energy lost"}
 
+DEPTHS = {"wear_depth_rate_m_per_s": "m/s"}  # columns of maps that are not summed over an area
+
 
 def axes(ax: Optional[Axes], **options: Any) -> Axes:
     if ax is not None:
@@ -38,6 +40,26 @@ def words(name: str) -> str:
 def unit_text(unit: str) -> str:
     """ "W" as " (W)"; units with a stroke as they are."""
     return "" if unit in ("", "1") else f" ({unit})"
+
+
+def cells(table: Any, low: str, high: str, value: str) -> tuple[Any, Any, Any]:
+    """Edges along and across of the cells of a surface, and their values, per area unless a depth."""
+    import numpy as np
+
+    a = np.unique(np.concatenate([table[low], table[high]]))
+    b = np.unique(np.concatenate([table["across_low_m"], table["across_high_m"]]))
+    grid = np.full((len(b) - 1, len(a) - 1), np.nan)
+    over = np.where(table["area_m2"] > 0, 1 if value in DEPTHS else table["area_m2"], np.nan)
+    grid[np.searchsorted(b, table["across_low_m"]), np.searchsorted(a, table[low])] = table[value] / over
+    return a, b, grid
+
+
+def draw_cells(ax: Axes, x: Any, y: Any, grid: Any, value: str) -> None:
+    ax.grid(False)
+    mesh = ax.pcolormesh(x, y, grid, cmap="viridis", rasterized=True)
+    unit = DEPTHS.get(value) or ("1/(s m²)" if value == "rate_per_s" else value.rpartition("_")[2] + "/m²")
+    name = re.sub(r"_(W|per_s|N_m_per_s|m_per_s)$", "", value)
+    ax.figure.colorbar(mesh, ax=ax, label=f"{words(name)} ({unit})")
 
 
 class ResultPlots:
@@ -79,7 +101,8 @@ class ResultPlots:
     def wall_map(self, part: str = "side", *, ax: Optional[Axes] = None,
                  value: str = "power_normal_W") -> Axes:
         """Where the balls hit the wall: a column of the table "wall_map" per area. `part` is "side",
-        "bottom" or "top"; `value` for instance "rate_per_s", "power_normal_W", "power_lost_W"."""
+        "bottom" or "top"; `value` for instance "rate_per_s", "power_normal_W", "power_lost_W", or, of
+        a case with [wear], "wear_depth_rate_m_per_s", which is no value per area."""
         import numpy as np
 
         table = self._result.table("wall_map")
@@ -91,19 +114,8 @@ class ResultPlots:
         ax = axes(ax, subplot_kw={} if flat else {"projection": "polar"})
         if (ax.name == "polar") == flat:
             raise ValueError(f"{part} needs {'plain' if flat else 'polar'} axes")
-        a = np.unique(np.concatenate([table["angle_low_rad"], table["angle_high_rad"]]))
-        b = np.unique(np.concatenate([table["across_low_m"], table["across_high_m"]]))
-        grid = np.full((len(b) - 1, len(a) - 1), np.nan)
-        i = np.searchsorted(a, table["angle_low_rad"])
-        j = np.searchsorted(b, table["across_low_m"])
-        with np.errstate(invalid="ignore", divide="ignore"):
-            grid[j, i] = np.where(table["area_m2"] > 0, table[value] / table["area_m2"], np.nan)
-        x, y = (np.degrees(a), 1e3 * b) if flat else (a, 1e3 * b)
-        ax.grid(False)
-        mesh = ax.pcolormesh(x, y, grid, cmap="viridis", rasterized=True)
-        unit = "1/(s m²)" if value == "rate_per_s" else value.rpartition("_")[2] + "/m²"
-        name = re.sub(r"_(W|per_s|N_m_per_s|m_per_s)$", "", value)
-        ax.figure.colorbar(mesh, ax=ax, label=f"{words(name)} ({unit})")
+        a, b, grid = cells(table, "angle_low_rad", "angle_high_rad", value)
+        draw_cells(ax, np.degrees(a) if flat else a, 1e3 * b, grid, value)
         if flat:
             ax.set_xlabel("angle about the axis (°)")
             ax.set_ylabel("height (mm)")
@@ -111,6 +123,28 @@ class ResultPlots:
         else:
             ax.set_title(f"{part}, radius in mm")
             ax.tick_params("y", labelcolor="white")
+        return ax
+
+    def part_map(self, part: str, side: str = "plus_z", *, ax: Optional[Axes] = None,
+                 value: str = "power_normal_W") -> Axes:
+        """Where the balls hit a part in the jar: a column of the table "part_map" per area, in the
+        part's own axes. `part` is its name, `side` the direction that the surface faces ("minus_x" to
+        "plus_z"), `value` as in wall_map()."""
+        table = self._result.table("part_map")
+        if part not in table["part"]:
+            raise ValueError(f"there is no part {part!r}; there are "
+                             + ", ".join(sorted(set(table["part"]))))
+        table = table[table["part"] == part]
+        if side not in table["side"]:
+            raise ValueError(f"{part} has no surface {side!r}; it has "
+                             + ", ".join(sorted(set(table["side"]))))
+        ax = axes(ax)
+        a, b, grid = cells(table[table["side"] == side], "along_low_m", "along_high_m", value)
+        draw_cells(ax, 1e3 * a, 1e3 * b, grid, value)
+        along, across = [axis for axis in "xyz" if axis != side[-1]]
+        ax.set_xlabel(f"{along} (mm)")
+        ax.set_ylabel(f"{across} (mm)")
+        ax.set_aspect("equal")
         return ax
 
     def trajectory(self, *balls: int, ax: Optional[Axes] = None, plane: Optional[str] = None,

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 import mahlwerk
+from quantity_runs import CASES
 
 
 @pytest.fixture(autouse=True)
@@ -36,6 +37,22 @@ def test_the_wall_map_holds_the_power_of_the_wall(ball):
                                    np.sort(table["power_normal_W"] / table["area_m2"]))
     with pytest.raises(ValueError, match="bottom, side, top"):
         result.plot.wall_map("lid")
+
+
+def test_the_map_of_a_part_holds_its_power(ball):
+    result = mahlwerk.Case({**CASES["blades"], "run": {**CASES["blades"]["run"], "time": "0.05 s"}}).run()
+    table = result.table("part_map")
+    table = table[(table["side"] == "plus_y") & (table["area_m2"] > 0)]
+    deep = result.plot.part_map("paddle", "plus_y", value="wear_depth_rate_m_per_s")
+    assert np.nanmax(deep.collections[0].get_array()) == pytest.approx(table["wear_depth_rate_m_per_s"].max())
+    ax = result.plot.part_map("paddle", "plus_y")
+    drawn = np.ma.masked_invalid(np.ma.asarray(ax.collections[0].get_array()).ravel()).compressed()
+    np.testing.assert_allclose(np.sort(drawn), np.sort(table["power_normal_W"] / table["area_m2"]))
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x (mm)", "z (mm)")
+    with pytest.raises(ValueError, match="paddle"):
+        result.plot.part_map("lid")
+    with pytest.raises(ValueError, match="minus_x, minus_y"):
+        result.plot.part_map("paddle", "up")
 
 
 def test_the_trajectory_stays_in_the_jar(ball):

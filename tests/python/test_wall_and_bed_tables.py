@@ -6,7 +6,8 @@ import math
 import numpy as np
 import pytest
 
-from quantity_runs import run_of
+import mahlwerk
+from quantity_runs import CASES, run_of
 from test_quantities import energies
 from test_tables import EXACT, is_same, rates
 
@@ -181,3 +182,28 @@ def test_the_occupied_share_counts_cells_with_a_tenth_of_an_even_charge(bed):
     within = bed.density[np.hypot(x, y) < DRUM_RADIUS - 4e-3]
     even = bed.density.sum() / len(within)
     assert run_of("drum")["occupied_share"] == pytest.approx(np.mean(within > 0.1 * even), rel=1e-12)
+
+
+@pytest.mark.parametrize("replicates", (1, 40))  # many are summed up as they end
+def test_the_map_of_a_part_holds_its_hits_and_its_wear(replicates):
+    case = mahlwerk.Case({**CASES["blades"], "run": {**CASES["blades"]["run"], "time": "0.05 s",
+                                                     "replicates": replicates}})
+    result = case.run()
+    rows = result.table("part_map")
+    pairs = result.table("collisions_by_pair")
+    hits = pairs[pairs["other"] == "parts.paddle"]
+    assert set(rows["part"]) == {"paddle"}
+    assert rows["rate_per_s"].sum() == pytest.approx(hits["collision_rate_per_s"].sum(), rel=EXACT)
+    lost = (hits["collision_power_normal_W"] + hits["collision_power_tangential_W"]).sum()
+    assert rows["power_lost_W"].sum() == pytest.approx(lost, rel=EXACT)
+    worn = (rows["wear_depth_rate_m_per_s"] * rows["area_m2"]).sum() * 7730  # kg/m3
+    assert worn == pytest.approx(result["wear_rate_parts"].value, rel=EXACT)
+    areas = {side: rows["area_m2"][rows["side"] == side].sum() for side in set(rows["side"])}
+    for axis, area in (("x", 4 * 20), ("y", 40 * 20), ("z", 40 * 4)):
+        assert areas["minus_" + axis] == pytest.approx(area * 1e-6) == areas["plus_" + axis]
+    # It turns anticlockwise: the half with x > 0 pushes with the face to +y, the other with that to -y.
+    def pushed(side, sign):
+        chosen = rows[(rows["side"] == side) & (sign * rows["along_low_m"] >= 0)]
+        return chosen["power_normal_W"].sum()
+    assert pushed("plus_y", 1) > 5 * pushed("minus_y", 1)
+    assert pushed("minus_y", -1) > 5 * pushed("plus_y", -1)

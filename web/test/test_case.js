@@ -135,6 +135,57 @@ async function back_brings_a_left_case_back({ page, url }) {
   await page.waitForFunction(() => document.querySelector("#case-text").value.includes("retsch-mm400"), { timeout: limit });
 }
 
+async function parts_motor_and_flow_have_fields({ page, url, engine }) {
+  if (engine === "mock") throw new Skip("the engine of the tests draws no parts");
+  await open(page, url);
+  await writeCase(page, `[mill]
+kind = "tumbling"
+speed = "60 rpm"
+
+[drive]
+inertia = "1e-3 kg m2"
+torque = "0.05 N m"
+
+[jar]
+kind = "cylinder"
+diameter = "100 mm"
+height = "60 mm"
+
+[[parts]]
+name = "bar"
+kind = "blade"
+length = "8 mm"
+height = "50 mm"
+thickness = "4 mm"
+position = ["44 mm", "0 mm", "0 mm"]
+
+[[balls]]
+count = 20
+diameter = "6 mm"
+density = "7800 kg/m3"
+
+[contact]
+restitution = 0.5
+friction = 0.4
+softening = 1e-3
+
+[run]
+engine = "soft"
+time = "0.2 s"
+settle = "0.1 s"
+replicates = 1
+`);
+  await tab(page, "form");
+  const number = (key) => page.locator(`.field[data-address="${key}"] input[type="number"]`);
+  expect("the torque of the motor", await number("drive.torque").inputValue(), "0.05");
+  expect("the length of the blade", await number("parts.1.length").inputValue(), "8");
+  await number("parts.1.length").fill("9");
+  expect("the text", (await caseText(page)).includes('length = "9 mm"'));
+  expect("no fault", (await page.textContent("#case-faults")).trim(), "");
+  await page.click('button[aria-label="Remove: Part: bar"]');
+  expect("a removed part", (await caseText(page)).includes("[[parts]]"), false);
+}
+
 async function engines_that_a_browser_has_not_are_not_offered({ page, url }) {
   await open(page, url);
   const offered = await page.locator('.field[data-address="run.engine"] option').evaluateAll((all) =>
@@ -245,4 +296,4 @@ export const caseTests = [every_example_is_a_case, drawn(every_example_is_drawn)
   a_changed_text_reaches_the_form, faults_are_shown_at_their_line, broken_text_does_no_harm,
   a_title_with_markup_does_no_harm, mills_and_jars_can_be_chosen, a_link_holds_the_whole_case,
   a_damaged_link_is_no_fault, a_changed_case_survives_a_reload, back_brings_a_left_case_back,
-  engines_that_a_browser_has_not_are_not_offered, other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];
+  engines_that_a_browser_has_not_are_not_offered, parts_motor_and_flow_have_fields, other_line_ends_and_odd_characters_do_no_harm, what_the_page_lacks_is_said];

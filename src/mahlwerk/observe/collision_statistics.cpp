@@ -58,8 +58,7 @@ void CollisionStatistics::add(const scene::Collision& c, const CollisionBatch& b
     above.between_balls += counts ? 1 : 0;
     return;
   }
-  if (~c.other >= wall_map.grid().faces) return;  // of a part
-  WallSums& cell = wall_map.at(batch.cell[i]);
+  WallSums& cell = cell_of(c, batch, i, pair);
   ++cell.count;
   cell.energy_normal += batch.energy_normal[i];
   cell.lost += batch.lost[i];
@@ -67,17 +66,27 @@ void CollisionStatistics::add(const scene::Collision& c, const CollisionBatch& b
   cell.erosion += batch.erosion[i];
 }
 
+WallSums& CollisionStatistics::cell_of(const scene::Collision& c, const CollisionBatch& batch,
+                                       std::size_t i, int pair) {
+  if (~c.other < wall_map.grid().faces) return wall_map.at(batch.cell[i]);
+  const int first = by_pair.faces() - static_cast<int>(part_maps.size());
+  PartMap& part = part_maps[static_cast<std::size_t>(by_pair.kinds_of(pair).face() - first)];
+  return part.at(part.grid().cell_of(c.where, -1.0 * c.normal));
+}
+
 void CollisionStatistics::merge(const CollisionStatistics& other) {
   all.merge(other.all);
   above.merge(other.above);
   by_pair.merge(other.by_pair);
   wall_map.merge(other.wall_map);
+  for (std::size_t k = 0; k < part_maps.size(); ++k) part_maps[k].merge(other.part_maps[k]);
 }
 
 void CollisionStatistics::serialize(Archive& archive) {
   archive(all)(above);
   by_pair.serialize(archive);
   wall_map.serialize(archive);
+  for (PartMap& one : part_maps) one.serialize(archive);
 }
 
 Spectra CollisionStatistics::total_spectra() const {

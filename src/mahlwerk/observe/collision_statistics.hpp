@@ -4,8 +4,10 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "mahlwerk/observe/pair_statistics.hpp"
+#include "mahlwerk/observe/part_map.hpp"
 #include "mahlwerk/observe/wall_map.hpp"
 #include "mahlwerk/scene/observer.hpp"
 
@@ -25,8 +27,13 @@ struct CollisionSums {
 /// Collision statistics of one replicate, in fixed memory.
 class CollisionStatistics : public scene::Observer {
  public:
-  explicit CollisionStatistics(double threshold, BallKinds kinds = {}, const WallGrid& wall = {})
-      : by_pair(std::move(kinds)), wall_map(wall), threshold_(threshold) {}
+  /// `parts`: one of each part; they are the last ones of the distinguished faces of `kinds`.
+  explicit CollisionStatistics(double threshold, BallKinds kinds = {}, const WallGrid& wall = {},
+                               const std::vector<PartGrid>& parts = {})
+      : by_pair(std::move(kinds)),
+        wall_map(wall),
+        part_maps(parts.begin(), parts.end()),
+        threshold_(threshold) {}
   void collisions(std::span<const scene::Collision> finished) override;
 
   void merge(const CollisionStatistics& other);  ///< of the same kinds, grid and threshold
@@ -34,11 +41,13 @@ class CollisionStatistics : public scene::Observer {
   void pack() {
     by_pair.pack();
     wall_map.pack();
+    for (PartMap& one : part_maps) one.pack();
   }
-  /// Forgets spectra and map, but not the sums.
+  /// Forgets spectra and maps, but not the sums.
   void let_go() {
     by_pair.let_go();
     wall_map.let_go();
+    for (PartMap& one : part_maps) one.let_go();
   }
   void serialize(Archive& archive);
 
@@ -48,9 +57,13 @@ class CollisionStatistics : public scene::Observer {
   CollisionSums all, above;  // above: collisions with u_n >= threshold
   StatisticsByPair by_pair;
   WallMap wall_map;
+  std::vector<PartMap> part_maps;
 
  private:
   void add(const scene::Collision& c, const CollisionBatch& batch, std::size_t i);
+  /// The sums of the cell that a hit on a wall belongs to.
+  WallSums& cell_of(const scene::Collision& c, const CollisionBatch& batch, std::size_t i,
+                    int pair);
   double threshold_;
 };
 

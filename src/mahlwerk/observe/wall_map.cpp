@@ -26,14 +26,4 @@ WallGrid::Bounds WallGrid::bounds(int cell) const {
           {std::sqrt(squares[0]), std::sqrt(squares[1])}};
 }
 
-void WallMap::merge(const WallMap& other) {
-  cells_.merge(other.cells_, [](WallSums& mine, const WallSums& more) {
-    mine.count += more.count;
-    mine.energy_normal += more.energy_normal;
-    mine.lost += more.lost;
-    mine.load_distance += more.load_distance;
-    mine.erosion += more.erosion;
-  });
-}
-
 }  // namespace mahlwerk::observe

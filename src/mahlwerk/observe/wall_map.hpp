@@ -41,6 +41,14 @@ struct WallSums {
   double energy_normal = 0, lost = 0;  ///< [J]
   double load_distance = 0;            ///< [N m] integral of normal force over sliding distance
   double erosion = 0;                  ///< [J] sum of m u^2 f(alpha) (wea.4)
+
+  static void add_to(WallSums& mine, const WallSums& more) {
+    mine.count += more.count;
+    mine.energy_normal += more.energy_normal;
+    mine.lost += more.lost;
+    mine.load_distance += more.load_distance;
+    mine.erosion += more.erosion;
+  }
 };
 
 /// Map of hits on the jar's wall and their effects, in fixed memory of 0.1 MB.
@@ -50,7 +58,8 @@ class WallMap {
   const WallGrid& grid() const { return grid_; }
   WallSums& at(std::int64_t cell) { return cells_[static_cast<std::size_t>(cell)]; }
   WallSums operator[](int cell) const { return cells_[static_cast<std::size_t>(cell)]; }
-  void merge(const WallMap& other);   ///< of the same grid
+  /// Adds a map of the same grid.
+  void merge(const WallMap& other) { cells_.merge(other.cells_, WallSums::add_to); }
   void pack() { cells_.pack(); }      ///< nothing is added from then on
   void let_go() { cells_.let_go(); }  ///< the sums are forgotten
   void serialize(Archive& archive) { cells_.serialize(archive); }

@@ -5,14 +5,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
+#include "mahlwerk/results/quantities/part_map.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
@@ -65,6 +69,29 @@ MapPanel wall_part(const results::WallRates& rates, int first, int count) {
   return panel;
 }
 
+/// What of a part faces one way.
+MapPanel part_view(const results::PartRates& rates, observe::PartGrid::Side side) {
+  static constexpr std::array axis_names{"x (mm)", "y (mm)", "z (mm)"};
+  constexpr double widest = 300, margin = 60;  // [px]
+  const auto [columns, rows] = rates.grid.counts(side);
+  const auto [along, across] = observe::PartGrid::axes(side);
+  const int first = rates.grid.first(side);
+  const auto low = rates.grid.bounds(first), high = rates.grid.bounds(first + columns * rows - 1);
+  MapPanel panel;
+  panel.title = fmt::format("{}{}", side % 2 == 0 ? "−" : "+", "xyz"[side / 2]);
+  panel.x = {.label = axis_names[static_cast<std::size_t>(along)],
+             .edges = edges(low.along[0] / millimetre, high.along[1] / millimetre, columns)};
+  panel.y = {.label = axis_names[static_cast<std::size_t>(across)],
+             .edges = edges(low.across[0] / millimetre, high.across[1] / millimetre, rows)};
+  for (int cell = first; cell < first + columns * rows; ++cell) {
+    const auto i = static_cast<std::size_t>(cell);
+    panel.values.push_back(rates.area[i] > 0 ? rates.lost[i] / rates.area[i] : NAN);
+  }
+  panel.width = margin + widest * columns / observe::PartGrid::along_longest;
+  panel.shape = static_cast<double>(rows) / columns;
+  return panel;
+}
+
 bool has_value(const MapPanel& panel) {
   return std::ranges::any_of(panel.values, [](double v) { return std::isfinite(v); });
 }
@@ -108,6 +135,34 @@ std::optional<ColourMap> wall_power_map(const results::Outcome& outcome) {
                                      wall_part(rates, WallGrid::side_cells, WallGrid::disc_cells)})
     if (has_value(panel)) map.panels.push_back(panel);
   return map;
+}
+
+std::vector<ColourMap> part_power_maps(const results::Outcome& outcome, std::size_t most) {
+  const std::vector<results::PartRates> parts = results::part_rates(outcome);
+  std::vector<std::pair<double, std::size_t>> order;  // by power, the highest first
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    order.emplace_back(-std::accumulate(parts[k].lost.begin(), parts[k].lost.end(), 0.0), k);
+  std::ranges::sort(order);
+  std::vector<ColourMap> maps;
+  for (const auto& [power, k] : order) {
+    if (!(power < 0) || maps.size() == most) break;
+    const results::PartRates& part = parts[k];
+    std::vector<double> all;
+    for (std::size_t i = 0; i < part.lost.size(); ++i)
+      if (part.area[i] > 0) all.push_back(part.lost[i] / part.area[i]);
+    ColourMap map{.title = fmt::format("Impacts on {}", outcome.mill_case.machine_parts[k].name),
+                  .quantity = "power lost per area",
+                  .unit = "W/m²",
+                  // Edges have many hits and little area.
+                  .most = nearly_highest(all, 20),
+                  .note = "a twentieth of the cells is above the scale"};
+    for (int side = 0; side < observe::PartGrid::sides; ++side)
+      if (MapPanel view = part_view(part, static_cast<observe::PartGrid::Side>(side));
+          std::ranges::any_of(view.values, [](double v) { return v > 0; }))
+        map.panels.push_back(std::move(view));
+    if (map.most > 0 && !map.panels.empty()) maps.push_back(std::move(map));
+  }
+  return maps;
 }
 
 std::optional<ColourMap> charge_map(const results::Outcome& outcome) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "mahlwerk/report/plot/map.hpp"
 #include "mahlwerk/results/outcome.hpp"
@@ -12,6 +14,10 @@ namespace mahlwerk::report {
 
 /// The jar's wall, unrolled, and its two ends, coloured by the power lost by impacts per area.
 std::optional<ColourMap> wall_power_map(const results::Outcome& outcome);
+
+/// The parts in the jar that lose most power by impacts, seen along their own axes, coloured by it
+/// per area: one map of each, at most `most`.
+std::vector<ColourMap> part_power_maps(const results::Outcome& outcome, std::size_t most = 4);
 
 /// Mass and mean velocity of the charge in the plane of motion, in the frames of the carrier and of
 /// the jar.

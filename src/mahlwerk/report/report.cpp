@@ -140,6 +140,11 @@ std::string maps_section(const Outcome& outcome) {
       figure(wall_power_map(outcome),
              "Power lost by impacts on the jar per area of the wall, in axes fixed to the jar. "
              "wall_map.csv has the numbers. Losses of sustained contacts are not included.");
+  for (const ColourMap& map : part_power_maps(outcome))
+    text += figure(map,
+                   "Power lost by impacts on the part per area of its surface, each view by the "
+                   "direction of the part's own axes that it faces. part_map.csv has the numbers "
+                   "of all parts.");
   text += figure(charge_map(outcome),
                  "Mean over the counted time in the plane of motion: mass per area as colour, "
                  "mean velocity as arrows. fields.csv has the numbers.");

@@ -87,8 +87,9 @@ struct ReadBefore {
 /// Result of one replicate. Sums are over the counted time; `energy_balance` is over the whole run.
 struct Replicate {
   explicit Replicate(double threshold, observe::BallKinds kinds = {},
-                     const observe::WallGrid& wall = {})
-      : tally(threshold, std::move(kinds), wall) {}
+                     const observe::WallGrid& wall = {},
+                     const std::vector<observe::PartGrid>& parts = {})
+      : tally(threshold, std::move(kinds), wall, parts) {}
   observe::CollisionStatistics tally;
   observe::Charge charge;        ///< density and velocity fields of the charge
   observe::MotionStates motion;  ///< of a lying jar that is shaken

@@ -10,7 +10,8 @@ import { kindsOf, withJar, withKind, withMill } from "./mill_choice.js";
 import { QuantityField } from "./quantity_field.js";
 import { removeSection } from "./toml_text.js";
 
-const shown = ["mill", "jar", "balls", "powder", "contact", "run"];
+const shown = ["mill", "drive", "jar", "parts", "balls", "powder", "flow", "contact", "run"];
+const listed = new Set(["parts", "balls"]); // sections of which a case may have several
 
 class SelectField {
   constructor(label, groups, change, { about = "", seen = true } = {}) {
@@ -44,7 +45,7 @@ export class Form {
     return sections.filter(({ name }) => shown.includes(name))
       .map((section) => {
         const kind = ["mill", "jar"].includes(section.name)
-          ? kindOf(sections, section.name, this.catalogue) : null;
+          ? kindOf(sections, section.name, this.catalogue) : section.keys.get("kind")?.value ?? null;
         return { section, kind, fields: fieldsOf(this.vocabulary, section, kind) };
       });
   }
@@ -80,8 +81,7 @@ export class Form {
   }
 
   group({ section, fields }, many) {
-    const name = section.name === "balls" && many
-      ? text.ballSet(section.address.split(".").pop()) : text.section(section.name);
+    const name = this.nameOf(section, many);
     const group = element("fieldset", {}, element("legend", {}, name));
     if (section.name === "mill" || section.name === "jar") {
       this.choices[section.name] = this.catalogueChoice(section.name);
@@ -93,11 +93,16 @@ export class Form {
       this.fields.set(field.address, made);
       group.append(made.root);
     }
-    if (section.name === "balls" && many)
-      group.append(button(text.removeBalls, () => this.store.setText(
+    if (listed.has(section.name) && (many || section.name !== "balls"))
+      group.append(button(text.remove, () => this.store.setText(
         removeSection(this.store.text, section.address), "form"), { className: "quiet remove",
-        "aria-label": `${text.removeBalls}: ${name}` }));
+        "aria-label": `${text.remove}: ${name}` }));
     return group;
+  }
+
+  nameOf({ name, address, keys }, many) {
+    if (name === "parts") return text.part(keys.get("name")?.value ?? address.split(".").pop());
+    return name === "balls" && many ? text.ballSet(address.split(".").pop()) : text.section(name);
   }
 
   make(field) {

@@ -9,7 +9,7 @@ const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
 
 const sections = { mill: "Mill", jar: "Jar", balls: "Balls", powder: "Powder", contact: "Contact",
-  run: "Run" };
+  run: "Run", drive: "Motor of the mill", flow: "Flow through the jar" };
 const counters = { collisions: "Collisions computed", simulated: "Time simulated",
   power: "Power dissipated", rate: "Hits above the threshold" };
 const severities = { invalid: "Outside the validity:", warning: "Warning:", note: "Note:" };
@@ -84,8 +84,9 @@ export const text = {
   replay: "Balls in the moving jar",
   section: (name) => sections[name] ?? plain(name),
   ballSet: (number) => `Balls, set ${number}`,
+  part: (name) => `Part: ${name}`,
   addBalls: "Add a set of balls",
-  removeBalls: "Remove",
+  remove: "Remove",
   label: (label) => label[0].toUpperCase() + label.slice(1),
   word: (word) => words[word] ?? plain(word),
   kind: (kind) => words[kind] ?? plain(kind),

@@ -178,10 +178,9 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
 
 std::vector<results::WallColumn> wall_columns() {
   return {{{"wear_depth_rate", "m/s", "depth of wall worn off per second"},
-           [](const Case& of, const results::WallRates& rates, std::size_t cell) {
+           [](const Case& of, const results::HitRates& rates, std::size_t cell, double hardness) {
              if (!(rates.area[cell] > 0)) return 0.0;
-             return worn(of, rates.slid[cell], rates.erosion[cell], of.jar.substance.hardness) /
-                    rates.area[cell];
+             return worn(of, rates.slid[cell], rates.erosion[cell], hardness) / rates.area[cell];
            }}};
 }
 

@@ -10,6 +10,7 @@
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/part_loads.hpp"
+#include "mahlwerk/results/quantities/part_map.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/tables.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
@@ -51,6 +52,7 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
   unless_empty("durations", "contacts per bin of duration", durations(outcome));
   unless_empty("flashes", "collisions per bin of flash temperature rise", flashes(outcome));
   unless_empty("wall_map", "hits and wear by cell of the jar's wall", wall_map(outcome));
+  unless_empty("part_map", "hits and wear by cell of the parts in the jar", part_map(outcome));
   unless_empty("fields", "density and velocity of the charge", fields(outcome));
   unless_empty("bed", "density and velocity along the line through the bed of a drum",
                bed_table(outcome));

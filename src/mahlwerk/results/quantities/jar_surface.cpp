@@ -271,14 +271,20 @@ void add(JarMesh& mesh, const geometry::MeshSolid& solid, double, Index) {
 
 }  // namespace
 
-std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, Index facets) {
+std::vector<JarMesh> own_part_surfaces(const scene::Chamber& mill, Index facets) {
   std::vector<JarMesh> made;
   const double reach = geometry::reach(*mill.shape);
   for (const scene::MachinePart& part : mill.parts) {
     JarMesh& mesh = made.emplace_back(JarMesh{.name = "part", .vertices = {}, .triangles = {}});
     std::visit([&](const auto& s) { add(mesh, s, reach, facets); }, *part.solid);
-    for (Vec3& p : mesh.vertices) p = part.position + part.axes * p;
   }
+  return made;
+}
+
+std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, Index facets) {
+  std::vector<JarMesh> made = own_part_surfaces(mill, facets);
+  for (std::size_t k = 0; k < made.size(); ++k)
+    for (Vec3& p : made[k].vertices) p = mill.parts[k].position + mill.parts[k].axes * p;
   return made;
 }
 

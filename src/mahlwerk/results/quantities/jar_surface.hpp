@@ -28,8 +28,9 @@ struct JarMesh {
 /// triangles. A jar from a mesh file keeps its triangles. A periodic box is a box.
 std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, std::uint32_t facets = 96);
 
-/// The parts of a chamber, each in its frame before its motion: see scene::part_pose(). A plane is
-/// drawn as wide as the jar.
+/// The parts of a chamber, each in its own axes. A plane is drawn as wide as the jar.
+std::vector<JarMesh> own_part_surfaces(const scene::Chamber& mill, std::uint32_t facets = 48);
+/// The same, each in its frame before its motion: see scene::part_pose().
 std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, std::uint32_t facets = 48);
 
 /// Rotation of the rotor in the jar's own axes at `time` [s] since the start.

@@ -35,6 +35,21 @@ observe::WallGrid wall_grid(const cases::Case& mill_case) {
 
 /// Flash factors (hea.7) and Hertz times (hea.9) by bins of normal energy, each at the geometric
 /// mean of its edges.
+/// Of each part, a box about it in its own axes.
+std::vector<observe::PartGrid> part_grids(const cases::Case& mill_case) {
+  std::vector<observe::PartGrid> made;
+  if (mill_case.machine_parts.empty()) return made;
+  for (const JarMesh& mesh : own_part_surfaces(cases::chamber(mill_case))) {
+    Vec3 least = mesh.vertices.front(), most = least;
+    for (const Vec3& p : mesh.vertices) {
+      least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+      most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+    }
+    made.emplace_back(least, most);
+  }
+  return made;
+}
+
 void set_flash_factors(observe::PairFactors& factors, const powder::FlashPair& pair) {
   using observe::LogHistogram;
   for (int bin = 0; bin < LogHistogram::bins; ++bin) {
@@ -78,7 +93,8 @@ Replicate empty_replicate(const cases::Case& mill_case) {
   observe::BallKinds kinds(
       mill_case.balls.size() == 1 ? std::vector<std::int32_t>{} : std::move(of_ball),
       static_cast<int>(mill_case.balls.size()), faces);
-  Replicate made(mill_case.observe.threshold, std::move(kinds), wall_grid(mill_case));
+  Replicate made(mill_case.observe.threshold, std::move(kinds), wall_grid(mill_case),
+                 part_grids(mill_case));
   const contact::BounceTable rules = cases::bounce_table(mill_case);
   observe::StatisticsByPair& pairs = made.tally.by_pair;
   for (int pair = 0; pair < pairs.pairs(); ++pair) {

@@ -27,6 +27,7 @@ SummingUp::SummingUp(Outcome& outcome)
   sums_->expected = static_cast<double>(outcome.replicates.size());
   sums_->by_pair.resize(static_cast<std::size_t>(any.by_pair.pairs()));
   sums_->wall = no_wall_rates(any.wall_map.grid());
+  sums_->parts = no_part_rates(any);
 }
 
 /// Two complete replicates settle that means are over complete ones (averaged_replicates()).
@@ -65,6 +66,7 @@ void SummingUp::add(std::size_t replicate) {
   for (std::size_t pair = 0; pair < sums_->by_pair.size(); ++pair)
     sums_->by_pair[pair].add(r.tally.by_pair[static_cast<int>(pair)].spectra, r.time());
   add_hits(sums_->wall, r, sums_->expected);
+  add_hits(sums_->parts, r, sums_->expected);
   sums_->charge.merge(r.charge);
   r.tally.let_go();
   r.charge.let_go();

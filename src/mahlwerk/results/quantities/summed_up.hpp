@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/part_map.hpp"
 #include "mahlwerk/results/quantities/spectra.hpp"
 #include "mahlwerk/results/quantities/wall.hpp"
 
@@ -24,6 +25,7 @@ struct SummedUp {
   MeanSpectra spectra;
   std::vector<MeanSpectra> by_pair;
   WallRates wall;
+  std::vector<PartRates> parts;
   observe::Charge charge;
 };
 

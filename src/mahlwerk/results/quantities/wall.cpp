@@ -199,54 +199,67 @@ double wall_area(const geometry::AnyShape& shape) {
   return area;
 }
 
-WallRates no_wall_rates(const WallGrid& grid) {
-  const std::vector<double> none(std::size_t{WallGrid::cells});
-  return {.grid = grid,
-          .area = {},
-          .rate = none,
-          .energy_normal = none,
-          .lost = none,
-          .slid = none,
-          .erosion = none};
+void HitRates::add(std::size_t cell, const observe::WallSums& sums, double per) {
+  rate[cell] += per * static_cast<double>(sums.count);
+  energy_normal[cell] += per * sums.energy_normal;
+  lost[cell] += per * sums.lost;
+  slid[cell] += per * sums.load_distance;
+  erosion[cell] += per * sums.erosion;
+}
+
+void HitRates::scale(double factor) {
+  for (std::vector<double>* one : {&rate, &energy_normal, &lost, &slid, &erosion})
+    for (double& value : *one) value *= factor;
+}
+
+WallRates no_wall_rates(const observe::WallGrid& grid) {
+  return {HitRates(std::size_t{WallGrid::cells}), grid};
 }
 
 void add_hits(WallRates& rates, const Replicate& replicate, double count) {
   const double per = 1 / (replicate.time() * count);
-  for (std::size_t i = 0; i < rates.rate.size(); ++i) {
-    const observe::WallSums& sums = replicate.tally.wall_map[static_cast<int>(i)];
-    rates.rate[i] += per * static_cast<double>(sums.count);
-    rates.energy_normal[i] += per * sums.energy_normal;
-    rates.lost[i] += per * sums.lost;
-    rates.slid[i] += per * sums.load_distance;
-    rates.erosion[i] += per * sums.erosion;
-  }
+  for (std::size_t i = 0; i < rates.rate.size(); ++i)
+    rates.add(i, replicate.tally.wall_map[static_cast<int>(i)], per);
 }
-
-namespace {
-
-/// The rates of the replicates that are summed up, as a part of means over `count` replicates.
-WallRates summed_up_rates(const SummedUp& sums, double count) {
-  WallRates rates = sums.wall;
-  if (count == sums.expected) return rates;
-  for (std::vector<double>* one :
-       {&rates.rate, &rates.energy_normal, &rates.lost, &rates.slid, &rates.erosion})
-    for (double& value : *one) value *= sums.expected / count;
-  return rates;
-}
-
-}  // namespace
 
 WallRates wall_rates(const Outcome& outcome) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   const auto count = static_cast<double>(chosen.size());
   WallRates rates =
       outcome.summed_up
-          ? summed_up_rates(*outcome.summed_up, count)
+          ? outcome.summed_up->wall
           : no_wall_rates(chosen.empty() ? WallGrid{} : chosen.front()->tally.wall_map.grid());
+  // The replicates that are summed up, as a part of means over `count`.
+  if (outcome.summed_up && count != outcome.summed_up->expected)
+    rates.scale(outcome.summed_up->expected / count);
   rates.area = wall_areas(*outcome.mill_case.jar.shape, rates.grid);
   for (const Replicate* r : chosen)
     if (!r->read_before) add_hits(rates, *r, count);
   return rates;
+}
+
+std::vector<WallColumn> wall_columns(const cases::Case& mill_case) {
+  std::vector<WallColumn> all;
+  for (const cases::Part* part : cases::parts_of(mill_case))
+    if (part->wall_columns != nullptr)
+      std::ranges::move(part->wall_columns(), std::back_inserter(all));
+  return all;
+}
+
+std::vector<Column> hit_columns() {
+  return {{"area", "m2", "area of the surface in the cell"},
+          {"rate", "1/s", "hits per second"},
+          {"power_normal", "W", "sum of m u_n^2/2 of the hits per second"},
+          {"power_lost", "W", "power that the hits dissipate"},
+          {"slid", "N m/s", "normal force times sliding distance, per second"}};
+}
+
+void add_cells(std::vector<double>& row, const cases::Case& mill_case, const HitRates& rates,
+               std::size_t cell, double hardness, const std::vector<WallColumn>& more) {
+  for (const std::vector<double>* one :
+       {&rates.area, &rates.rate, &rates.energy_normal, &rates.lost, &rates.slid})
+    row.push_back((*one)[cell]);
+  for (const WallColumn& one : more) row.push_back(one.value(mill_case, rates, cell, hardness));
 }
 
 Table wall_map(const Outcome& outcome) {
@@ -254,17 +267,10 @@ Table wall_map(const Outcome& outcome) {
                {"angle_low", "rad", "lower angle about the jar's own axis"},
                {"angle_high", "rad", "upper angle about the jar's own axis"},
                {"across_low", "m", "lower height along the axis (side) or radius (disc)"},
-               {"across_high", "m", "upper height along the axis (side) or radius (disc)"},
-               {"area", "m2", "area of the wall in the cell"},
-               {"rate", "1/s", "hits per second"},
-               {"power_normal", "W", "sum of m u_n^2/2 of the hits per second"},
-               {"power_lost", "W", "power that the hits dissipate"},
-               {"slid", "N m/s", "normal force times sliding distance, per second"}},
+               {"across_high", "m", "upper height along the axis (side) or radius (disc)"}},
               {}};
-  std::vector<WallColumn> more;
-  for (const cases::Part* part : cases::parts_of(outcome.mill_case))
-    if (part->wall_columns != nullptr)
-      std::ranges::move(part->wall_columns(), std::back_inserter(more));
+  std::ranges::move(hit_columns(), std::back_inserter(table.columns));
+  const std::vector<WallColumn> more = wall_columns(outcome.mill_case);
   for (const WallColumn& one : more) table.columns.push_back(one.column);
   if (averaged_replicates(outcome).empty()) return table;
   const WallRates rates = wall_rates(outcome);
@@ -273,10 +279,9 @@ Table wall_map(const Outcome& outcome) {
     if (rates.area[i] == 0 && rates.rate[i] == 0) continue;
     const WallGrid::Bounds b = rates.grid.bounds(cell);
     table.rows.push_back({table.columns[0].number_of(part_name(cell)), b.angle[0], b.angle[1],
-                          b.across[0], b.across[1], rates.area[i], rates.rate[i],
-                          rates.energy_normal[i], rates.lost[i], rates.slid[i]});
-    for (const WallColumn& one : more)
-      table.rows.back().push_back(one.value(outcome.mill_case, rates, i));
+                          b.across[0], b.across[1]});
+    add_cells(table.rows.back(), outcome.mill_case, rates, i,
+              outcome.mill_case.jar.substance.hardness, more);
   }
   return table;
 }
