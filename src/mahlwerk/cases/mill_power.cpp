@@ -103,9 +103,16 @@ std::optional<MillNumbers> mill_numbers(const Case& c) {
   return m;
 }
 
-Notices mill_power_notices(const Case& c) {
-  const std::optional<MillNumbers> mill = mill_numbers(c);
+bool may_hold(const FormulaRange& range, const Case& c) {
+  std::optional<MillNumbers> mill = mill_numbers(c);
+  if (mill && c.drive) mill->speed = range.least_speed;
+  return mill && range.has(*mill);
+}
+
+Notices mill_power_notices(const Case& c, std::optional<double> rate) {
+  std::optional<MillNumbers> mill = mill_numbers(c);
   if (!mill) return {};
+  mill->speed *= rate.value_or(1);
   std::string missing;
   for (const FormulaRange& range : formula_ranges)
     if (!range.has(*mill))
@@ -118,9 +125,10 @@ Notices mill_power_notices(const Case& c) {
   return {
       note("formula-out-of-range",
            fmt::format("Formulas of mill power that do not hold for this mill have no value. It "
-                       "turns at {} of the critical speed of its shell, and its charge fills {} "
+                       "turns at {} of the critical speed of its shell{}, and its charge fills {} "
                        "of it in bulk; {}.",
-                       percent_text(mill->speed), percent_text(mill->filling), missing))};
+                       percent_text(mill->speed), c.drive && !rate ? " without load" : "",
+                       percent_text(mill->filling), missing))};
 }
 
 }  // namespace mahlwerk::cases

@@ -58,7 +58,12 @@ double morrell_no_load_power(const MillNumbers& mill);
 /// The mill of a case; none if it is no drum that turns about a lying axis with balls in it.
 std::optional<MillNumbers> mill_numbers(const Case& c);
 
-/// Which formulas give no power for the mill of the case, and why.
-Notices mill_power_notices(const Case& c);
+/// Whether a run of the case may have a power by the formula: the filling is in its range, and the
+/// speed, unless that is known after the run.
+bool may_hold(const FormulaRange& range, const Case& c);
+
+/// Which formulas give no power for the mill of the case, and why. `rate`: mean speed of its run
+/// over that of the case; none: before the run.
+Notices mill_power_notices(const Case& c, std::optional<double> rate = std::nullopt);
 
 }  // namespace mahlwerk::cases

@@ -12,9 +12,10 @@
 #include "lammps_cases.hpp"
 #include "mahlwerk/campaign/run/run.hpp"
 #include "mahlwerk/campaign/run/soft_settings.hpp"
+#include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/parts/drive/drive_record.hpp"
-#include "mahlwerk/results/notices/warnings.hpp"
 #include "statement.hpp"
+#include "unit/results/table_of.hpp"
 
 namespace mahlwerk::campaign::drive_test {
 namespace {
@@ -89,18 +90,55 @@ TEST(DrivenRun, replays_show_the_jar_where_the_motor_has_turned_it) {
   }
 }
 
-TEST(DrivenRun, names_the_numbers_that_are_of_the_speed_without_load) {
-  const auto told = [](const std::string& text) {
-    const results::Outcome outcome = run(case_of_text(text));
-    return std::ranges::any_of(results::warnings(outcome),
-                               [](const Notice& one) { return one.code == "driven-speed"; });
-  };
-  constexpr std::string_view inertia = "inertia = \"1e-4 kg m2\"";
-  std::string heavy{drum};
-  heavy.replace(heavy.find(inertia), inertia.size(),
-                "inertia = \"1e4 kg m2\"\nstart_speed = \"120 rpm\"");
-  EXPECT_TRUE(told(std::string(drum)));
-  EXPECT_FALSE(told(heavy));
+/// 180 rpm is 1.04 of the critical speed of the shell; the motor brings the drum to less than 0.9
+/// of it.
+TEST(DrivenRun, quantities_are_of_the_mean_speed_of_each_replicate) {
+  std::string fast = drum + "[power_meter]\ninterval = \"0.1 s\"\n";
+  fast.replace(fast.find("120 rpm"), 7, "180 rpm");
+  fast.replace(fast.find("0.03 N m"), 8, "0.06 N m");
+  const results::Outcome outcome = run(case_of_text(fast));
+  ASSERT_EQ(outcome.replicates.size(), 2U);
+  const double full = 180 * std::numbers::pi / 30, critical = std::sqrt(2 * 9.81 / 0.06);
+  for (const results::Replicate& r : outcome.replicates) {
+    const auto value = [&](std::string_view name) { return results::value_of(outcome, r, name); };
+    const scene::EnergyBalance &begin = r.at_settled, &end = r.energy_balance;
+    const double speed = (end.mill_angle - begin.mill_angle) / (end.time - begin.time);
+    EXPECT_LT(speed, 0.9 * full);
+    states("drum_speed [rad/s]", value("drum_speed") * std::numbers::pi / 30, speed, 1e-12 * full,
+           "angle over time");
+    states("torque times speed [W]", value("shaft_torque") * speed, value("drawn_power"), 1e-15,
+           "(obs.7)");
+    states("Froude number", value("froude_number"), speed * speed * (0.03 - 0.004) / 9.81, 1e-12,
+           "speed^2 r/g");
+    states("slip at the wall [m/s]", value("wall_slip_ratio") * speed * 0.03,
+           r.charge.wall_slip / r.charge.mass_at_wall, 1e-12, "mean slip");
+    states("speed seen from the jar [m/s]", value("jar_lag") * speed * 0.03,
+           value("ball_speed_seen_from_jar"), 1e-12, "jar_lag times the wall's speed");
+    auto mill = cases::mill_numbers(outcome.mill_case).value();
+    mill.speed = speed / critical;
+    const double mass = 40 * std::numbers::pi / 6 * 0.008 * 0.008 * 0.008 * 7850;
+    states("power by Bond [W]", value("bond_power"), cases::bond_power(mill, mass), 1e-12,
+           "(mil.1) at the mean speed");
+    states("toe by Morrell [deg]", value("morrell_toe_angle"),
+           cases::morrell_charge(mill).toe * 180 / std::numbers::pi - 270, 1e-9, "(mil.3)");
+  }
+  for (const Notice& one : outcome.notices) EXPECT_NE(one.code, "formula-out-of-range");
+}
+
+/// The motor's mill turns faster from reading to reading.
+TEST(DrivenRun, the_power_meter_reads_the_torque_at_the_speed_of_each_reading) {
+  const results::Outcome outcome =
+      run(case_of_text(drum + "[power_meter]\ninterval = \"75 ms\"\n"));
+  const results::Table meter = results::table_of(outcome, "power_meter");
+  ASSERT_EQ(meter.rows.size(), 4U);
+  const auto& own = samples(outcome.replicates.front());
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t to = (i + 1) * (own.size() - 1) / 4, from = i * (own.size() - 1) / 4;
+    const double speed = (own[to].angle - own[from].angle) / (own[to].time - own[from].time);
+    // Readings and samples are up to a step of 20 us apart, of 75 ms.
+    states("torque times speed [W]", meter.rows[i][3] * speed, meter.rows[i][1],
+           5e-4 * std::abs(meter.rows[i][1]), "(sns.2)");
+  }
 }
 
 TEST(DrivenRun, is_refused_where_no_motor_can_turn_the_mill) {

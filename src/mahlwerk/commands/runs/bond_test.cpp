@@ -26,6 +26,7 @@
 #include "mahlwerk/results/files/json.hpp"
 #include "mahlwerk/results/files/json_value.hpp"
 #include "mahlwerk/results/quantities/grinding.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -96,7 +97,9 @@ powder::LockedCycleTest locked_cycles(const results::Outcome& outcome,
   const powder::StressSpectrum stresses = results::stress_spectrum(c, of);
   const powder::SizeGrid grid = results::size_grid(c);
   const powder::CaptureTable beds = results::beds(c, stresses);
-  const double turn = 2 * std::numbers::pi / cases::shaft_speed(c).value();
+  const double rate =
+      results::mean_over(of, [&](const results::Replicate& r) { return results::mill_rate(c, r); });
+  const double turn = 2 * std::numbers::pi / (cases::shaft_speed(c).value() * rate);
   const bool mixed = c.grinding->bed == powder::Bed::mixed;
   const auto grind = [&](const std::vector<double>& shares, double turns) {
     powder::PopulationBalance balance(cases::process(c), stresses, grid, shares,

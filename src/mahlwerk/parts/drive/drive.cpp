@@ -141,16 +141,11 @@ double last_speed(const Replicate& r) {
 results::Measures quantities() {
   return results::where(
       [](const Case& c) { return c.drive.has_value(); }, "with `[drive]`",
-      {{"driven_speed",
+      {{"driven_speed_end",
         "rpm",
-        "mean speed of a mill that a motor turns",
-        [](const Case&, const Replicate& r) { return per_time(r, &DriveSample::angle) / rpm; },
-        {.range = results::any_value, .equation = "kin.24", .heading = "Drive"}},
-       {"driven_speed_end",
-        "rpm",
-        "its speed at the end",
+        "speed of the mill at the end; drum_speed is the mean",
         [](const Case&, const Replicate& r) { return last_speed(r) / rpm; },
-        {.range = results::any_value, .equation = "kin.24"}},
+        {.range = results::any_value, .equation = "kin.24", .heading = "Drive"}},
        {"drive_torque",
         "N m",
         "mean torque of the motor on the mill, in its sense",
@@ -194,26 +189,6 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
   return {{"drive", "speed of the mill and torque of its motor over time", series(outcome)}};
 }
 
-/// Says which numbers are of the speed without load, if the mill was slower or faster.
-Notices notices(const Outcome& outcome) {
-  constexpr double alike = 0.01;
-  const auto chosen = results::averaged_replicates(outcome);
-  const auto* drum = cases::drum_motion(outcome.mill_case);
-  if (chosen.empty() || drum == nullptr) return {};
-  const double full = std::abs(drum->speed),
-               mean = results::mean_over(
-                   chosen, [](const Replicate&r) { return per_time(r, &DriveSample::angle); });
-  if (!(std::abs(mean / full - 1) > alike)) return {};
-  return {warning(
-      "driven-speed",
-      fmt::format(
-          "The mill turned at {:.4g} rpm on average, and mill.speed, without load, is {:.4g} "
-          "rpm. What is computed with the speed of the mill takes the latter: shaft_torque, "
-          "wall_slip_ratio, jar_lag, froude_number, the regime and the formulas of mill "
-          "power. drive_torque and drive_power are those of the motor.",
-          mean / rpm, full / rpm))};
-}
-
 std::string panel(const Outcome& outcome) {
   const Table table = series(outcome);
   return report::figure({.title = "Drive",
@@ -240,7 +215,6 @@ const cases::Part& part() {
       .recorder = recorder,
       .quantities = quantities,
       .tables = tables,
-      .notices = notices,
       .heading = "Drive",
       .panel = panel};
   return made;

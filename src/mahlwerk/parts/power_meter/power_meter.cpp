@@ -19,6 +19,7 @@
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/files/result_tables.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::parts::power_meter {
 namespace {
@@ -78,8 +79,9 @@ void check(const Case& c, std::vector<Fault>& found) {
 
 /// State of a run at a reading.
 struct WorkReading {
-  double time = 0;  ///< [s] since the start of the run
-  double work = 0;  ///< [J] of the jar on the balls until then
+  double time = 0;   ///< [s] since the start of the run
+  double work = 0;   ///< [J] of the jar on the balls until then
+  double angle = 0;  ///< [rad] that a motor has turned the mill until then
 };
 
 /// Reads the work of the jar at the intervals of the meter.
@@ -95,7 +97,7 @@ class Readings final : public observe::Recorder {
     return begin_ + (std::abs(at - end_) < rounding * interval_ ? end_ : at);
   }
   void take(const scene::EnergyBalance& now) override {
-    readings_.push_back({now.time, now.wall_work});
+    readings_.push_back({now.time, now.wall_work, now.mill_angle});
     while (next() <= now.time) ++count_;
   }
   void serialize(Archive& archive) override { archive(readings_)(count_); }
@@ -121,13 +123,18 @@ double motor_power(const Case& c, double drawn) {
 /// A mean over the time between two readings.
 struct PowerReading {
   double time, drawn;  ///< [s] of its end since counting began; [W] by one jar
+  double rate;         ///< [1] speed of the mill over that of the case
 };
 
-std::vector<PowerReading> readings(const Replicate& r) {
+std::vector<PowerReading> readings(const Case& c, const Replicate& r) {
   std::vector<PowerReading> all;
-  WorkReading last{r.at_settled.time, r.at_settled.wall_work};
+  const auto state = [](const WorkReading& at) {
+    return scene::EnergyBalance{.time = at.time, .mill_angle = at.angle};
+  };
+  WorkReading last{r.at_settled.time, r.at_settled.wall_work, r.at_settled.mill_angle};
   for (const WorkReading& now : r.recorders.find<Readings>()->readings()) {
-    all.push_back({now.time - r.at_settled.time, (now.work - last.work) / (now.time - last.time)});
+    all.push_back({now.time - r.at_settled.time, (now.work - last.work) / (now.time - last.time),
+                   results::mill_rate(c, state(last), state(now))});
     last = now;
   }
   return all;
@@ -135,7 +142,7 @@ std::vector<PowerReading> readings(const Replicate& r) {
 
 /// [W] Standard deviation of the motor's power over the readings.
 double scatter_of_readings(const Case& c, const Replicate& r) {
-  const std::vector<PowerReading> all = readings(r);
+  const std::vector<PowerReading> all = readings(c, r);
   if (all.size() < 2) return results::undefined;
   double mean = 0, squares = 0;
   for (const PowerReading& one : all)
@@ -178,10 +185,11 @@ Table power_readings(const Outcome& outcome) {
   const std::optional<double> speed = cases::shaft_speed(c);
   if (speed)
     table.columns.push_back({"torque", "N m", "torque of the balls of all jars on the shaft"});
-  for (const PowerReading& one : readings(*chosen.front())) {
+  for (const PowerReading& one : readings(c, *chosen.front())) {
     table.rows.push_back({one.time, one.drawn, motor_power(c, one.drawn)});
     if (speed)  // (sns.2)
-      table.rows.back().push_back(static_cast<double>(c.mill.jars_carried) * one.drawn / *speed);
+      table.rows.back().push_back(
+          results::share(static_cast<double>(c.mill.jars_carried) * one.drawn, *speed * one.rate));
   }
   return table;
 }

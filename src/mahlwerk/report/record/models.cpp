@@ -197,11 +197,10 @@ class Chosen {
   }
   /// Those that a result has beside the power of a drum.
   void power_formulas() {
-    const auto mill = cases::mill_numbers(c_);
-    if (!mill) return;
-    if (cases::bond_range.has(*mill)) add("power by formula", "bond");
-    if (cases::hogg_fuerstenau_range.has(*mill)) add("power by formula", "hogg-fuerstenau");
-    if (cases::morrell_range.has(*mill)) add("power by formula", "morrell-c");
+    if (cases::may_hold(cases::bond_range, c_)) add("power by formula", "bond");
+    if (cases::may_hold(cases::hogg_fuerstenau_range, c_))
+      add("power by formula", "hogg-fuerstenau");
+    if (cases::may_hold(cases::morrell_range, c_)) add("power by formula", "morrell-c");
   }
   void powder() {
     constexpr std::array methods{"balance", "statistical", "both"};

@@ -14,6 +14,7 @@
 #include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -51,6 +52,11 @@ struct TurnedOver {
   // [J]; drawn with what a feed gives; the kinetic energy summed over the windows
   double lost = 0, drawn = 0, kinetic = 0;
 };
+
+/// [s] Of the mill, at its mean speed in the counted time.
+double period_in_run(const Outcome& outcome) {
+  return cases::mill_period(outcome.mill_case) / std::abs(mill_rate(outcome));
+}
 
 /// What lets a mill settle before it is counted.
 std::string remedy(const Outcome& outcome) {
@@ -127,8 +133,7 @@ void automatic_settling(const Outcome& outcome, Notices& list) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   if (chosen.empty() || !cases::settles(outcome.mill_case)) return;
   if (says(list, "not-settled") || says(list, "powers-apart")) return;
-  const double periods =
-      quantity(outcome, "simulated_time") / cases::mill_period(outcome.mill_case);
+  const double periods = quantity(outcome, "simulated_time") / period_in_run(outcome);
   list.push_back(note(
       "settled", fmt::format("Counting began after {}, when dissipated and drawn power, hits and "
                              "stored energy had no certain trend. Periods of the mill counted: "
@@ -138,8 +143,7 @@ void automatic_settling(const Outcome& outcome, Notices& list) {
 
 /// Warns if less than one period of the mill was counted.
 void part_of_a_period(const Outcome& outcome, Notices& list) {
-  const double counted = quantity(outcome, "simulated_time"),
-               period = cases::mill_period(outcome.mill_case);
+  const double counted = quantity(outcome, "simulated_time"), period = period_in_run(outcome);
   if (!complete(outcome) || !std::isfinite(period) || !(counted < 0.999 * period)) return;
   list.push_back(warning(
       "part-of-a-period",

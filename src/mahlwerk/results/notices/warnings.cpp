@@ -14,6 +14,7 @@
 #include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/states.hpp"
 
@@ -208,7 +209,7 @@ Notices warnings(const Outcome& outcome) {
   Notices list;
   cut_short(outcome, list);
   append(list, cases::jar_warnings(outcome.mill_case));
-  append(list, cases::mill_power_notices(outcome.mill_case));
+  append(list, cases::mill_power_notices(outcome.mill_case, mill_rate(outcome)));
   append(list, cases::unusual_values(outcome.mill_case));
   append(list, cases::ignored_keys(outcome.mill_case, outcome.engine));
   energy_gained(outcome, list);

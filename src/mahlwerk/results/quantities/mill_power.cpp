@@ -8,6 +8,7 @@
 
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -18,21 +19,13 @@ using cases::MillNumbers;
 bool is_mill(const Case& c) {
   return cases::mill_numbers(c).has_value();
 }
-MillNumbers numbers(const Case& c) {
-  return cases::mill_numbers(c).value_or(MillNumbers());
+MillNumbers numbers(const Case& c, const Replicate& r) {
+  MillNumbers mill = cases::mill_numbers(c).value_or(MillNumbers());
+  mill.speed *= mill_rate(c, r);
+  return mill;
 }
 double drawn(const Replicate& r) {
   return per_time(r, &scene::EnergyBalance::wall_work);
-}
-
-double bond(const Case& c) {
-  return cases::bond_power(numbers(c), cases::balls_mass(c.balls));
-}
-double hogg_fuerstenau(const Case& c) {
-  return cases::hogg_fuerstenau_power(numbers(c), cases::usual_lift_angle);
-}
-double morrell(const Case& c) {
-  return cases::morrell_losses * cases::morrell_charge(numbers(c)).power;
 }
 
 /// [deg] An angle of Morrell's, from 3 o'clock, as one from the lowest point.
@@ -40,49 +33,77 @@ double from_lowest(double angle) {
   return angle * 180 / std::numbers::pi + 90;
 }
 
+double bond(const Case& c, const MillNumbers& mill) {
+  return cases::bond_power(mill, cases::balls_mass(c.balls));
+}
+double hogg_fuerstenau(const Case&, const MillNumbers& mill) {
+  return cases::hogg_fuerstenau_power(mill, cases::usual_lift_angle);
+}
+double morrell(const Case&, const MillNumbers& mill) {
+  return cases::morrell_losses * cases::morrell_charge(mill).power;
+}
+double morrell_toe(const Case&, const MillNumbers& mill) {
+  return from_lowest(cases::morrell_charge(mill).toe) - 360;
+}
+double morrell_shoulder(const Case&, const MillNumbers& mill) {
+  return from_lowest(cases::morrell_charge(mill).shoulder);
+}
+
 template <const cases::FormulaRange& range>
 bool in_range(const Case& c) {
-  return range.has(numbers(c));
+  return cases::may_hold(range, c);
 }
 constexpr std::string_view only_in_range = "in the range of the formula";
 
+using Formula = double (*)(const Case&, const MillNumbers&);
+
+/// By a formula, at the mean speed of the run; NaN outside its range.
+template <Formula formula, const cases::FormulaRange& range>
+double in_run(const Case& c, const Replicate& r) {
+  const MillNumbers mill = numbers(c, r);
+  return range.has(mill) ? formula(c, mill) : undefined;
+}
+
 /// A power by a formula, and the simulated one over it.
-template <double (*formula)(const Case&), const cases::FormulaRange& range>
+template <Formula formula, const cases::FormulaRange& range>
 Measures beside(const char* name, const char* about, const char* ratio, const char* about_ratio,
                 const char* equation) {
   return {{name,
            "W",
            about,
-           [](const Case& c, const Replicate&) { return formula(c); },
+           in_run<formula, range>,
            {.equation = equation, .applies = in_range<range>, .only = only_in_range}},
           {ratio,
            "1",
            about_ratio,
-           [](const Case& c, const Replicate& r) { return share(drawn(r), formula(c)); },
+           [](const Case& c, const Replicate& r) {
+             return share(drawn(r), in_run<formula, range>(c, r));
+           },
            {.equation = equation, .applies = in_range<range>, .only = only_in_range}}};
 }
 
 }  // namespace
 
 Measures mill_power_measures() {
-  Measures all{
-      {"power_per_charge",
-       "kW/t",
-       "drawn power per mass of balls",
-       [](const Case& c, const Replicate& r) {
-         return share(drawn(r), cases::balls_mass(c.balls));
-       },
-       {.heading = "Power of the mill"}},
-      {"power_per_length", "kW/m", "drawn power per length of the drum",
-       [](const Case& c, const Replicate& r) { return share(drawn(r) / 1000, numbers(c).length); }},
-      {"power_of_whole_mill",
-       "W",
-       "drawn power times the length of the whole mill over that of the slice",
-       [](const Case& c, const Replicate& r) {
-         return drawn(r) * c.jar.mill_length.value_or(undefined) / numbers(c).length;
-       },
-       {.applies = [](const Case& c) { return c.jar.mill_length.has_value(); },
-        .only = "with `mill_length` in `[jar]`"}}};
+  Measures all{{"power_per_charge",
+                "kW/t",
+                "drawn power per mass of balls",
+                [](const Case& c, const Replicate& r) {
+                  return share(drawn(r), cases::balls_mass(c.balls));
+                },
+                {.heading = "Power of the mill"}},
+               {"power_per_length", "kW/m", "drawn power per length of the drum",
+                [](const Case& c, const Replicate& r) {
+                  return share(drawn(r) / 1000, numbers(c, r).length);
+                }},
+               {"power_of_whole_mill",
+                "W",
+                "drawn power times the length of the whole mill over that of the slice",
+                [](const Case& c, const Replicate& r) {
+                  return drawn(r) * c.jar.mill_length.value_or(undefined) / numbers(c, r).length;
+                },
+                {.applies = [](const Case& c) { return c.jar.mill_length.has_value(); },
+                 .only = "with `mill_length` in `[jar]`"}}};
   const auto add = [&](Measures more) {
     for (Measure& m : more) all.push_back(std::move(m));
   };
@@ -98,9 +119,7 @@ Measures mill_power_measures() {
   all.push_back({"morrell_toe_angle",
                  "deg",
                  "toe of the charge by Morrell's C model, from the lowest point",
-                 [](const Case& c, const Replicate&) {
-                   return from_lowest(cases::morrell_charge(numbers(c)).toe) - 360;
-                 },
+                 in_run<morrell_toe, cases::morrell_range>,
                  {.range = any_value,
                   .equation = "mil.3",
                   .applies = in_range<cases::morrell_range>,
@@ -108,9 +127,7 @@ Measures mill_power_measures() {
   all.push_back({"morrell_shoulder_angle",
                  "deg",
                  "shoulder of the charge by Morrell's C model, from the lowest point",
-                 [](const Case& c, const Replicate&) {
-                   return from_lowest(cases::morrell_charge(numbers(c)).shoulder);
-                 },
+                 in_run<morrell_shoulder, cases::morrell_range>,
                  {.range = any_value,
                   .equation = "mil.4",
                   .applies = in_range<cases::morrell_range>,

@@ -15,6 +15,7 @@
 #include "mahlwerk/kinematics/still.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -28,6 +29,11 @@ double impacts_per_ball(const Case& c, const Replicate& r, const observe::Collis
 
 double drawn(const Replicate& r) {
   return per_time(r, &scene::EnergyBalance::wall_work);
+}
+
+/// [N m] (obs.7), (obs.16)
+double shaft_torque(const Case& c, const Replicate& r) {
+  return drawn(r) / mill_speed(c, r);
 }
 
 /// The jar's stirrer, if it has one that turns in a vessel at rest; else null.
@@ -89,32 +95,31 @@ Measures charge_measures() {
 
 /// Speed and filling of a drum, as comminution states them.
 Measures drum_measures() {
-  return where(is_tumbling, "tumbling mills",
-               {{"drum_speed",
-                 "rpm",
-                 "speed of the drum",
-                 [](const Case& c, const Replicate&) {
-                   return cases::shaft_speed(c).value_or(0) * 30 / std::numbers::pi;
-                 },
-                 {.label = "speed of the drum", .symbol = "$n$"}},
-                {"bulk_filling",
-                 "1",
-                 "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
-                 [](const Case& c, const Replicate&) {
-                   return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
-                 },
-                 {.label = "bulk filling of balls", .symbol = "$J$", .equation = "obs.14"}},
-                {"void_filling",
-                 "1",
-                 "U: bulk volume of the powder over the voids between the balls at rest",
-                 [](const Case& c, const Replicate&) {
-                   return *cases::void_filling(c);  // (obs.15)
-                 },
-                 {.label = "powder filling of the voids",
-                  .symbol = "$U$",
-                  .equation = "obs.15",
-                  .applies = [](const Case& c) { return cases::void_filling(c).has_value(); },
-                  .only = "with `[powder]` of known density"}}});
+  return where(
+      is_tumbling, "tumbling mills",
+      {{"drum_speed",
+        "rpm",
+        "mean speed of the drum, in the sense of mill.speed",
+        [](const Case& c, const Replicate& r) { return mill_speed(c, r) * 30 / std::numbers::pi; },
+        {.label = "speed of the drum", .symbol = "$n$"}},
+       {"bulk_filling",
+        "1",
+        "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
+        [](const Case& c, const Replicate&) {
+          return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
+        },
+        {.label = "bulk filling of balls", .symbol = "$J$", .equation = "obs.14"}},
+       {"void_filling",
+        "1",
+        "U: bulk volume of the powder over the voids between the balls at rest",
+        [](const Case& c, const Replicate&) {
+          return *cases::void_filling(c);  // (obs.15)
+        },
+        {.label = "powder filling of the voids",
+         .symbol = "$U$",
+         .equation = "obs.15",
+         .applies = [](const Case& c) { return cases::void_filling(c).has_value(); },
+         .only = "with `[powder]` of known density"}}});
 }
 
 Measures stirrer_measures() {
@@ -122,9 +127,7 @@ Measures stirrer_measures() {
                {{"rotor_torque",
                  "N m",
                  "drawn power over the speed of the rotor; without friction of the drive",
-                 [](const Case& c, const Replicate& r) {
-                   return drawn(r) / *cases::shaft_speed(c);  // (obs.16)
-                 },
+                 shaft_torque,
                  {.label = "torque of the rotor", .symbol = "$M$", .equation = "obs.16"}},
                 {"power_number",
                  "1",
@@ -166,10 +169,8 @@ Measures mill_measures() {
        {.range = any_value}},
       {"shaft_torque",
        "N m",
-       "drawn power over the speed of the shaft, per jar; without friction of the drive",
-       [](const Case& c, const Replicate& r) {
-         return drawn(r) / *cases::shaft_speed(c);  // (obs.7)
-       },
+       "drawn power over the mean speed of the shaft, per jar; without friction of the drive",
+       shaft_torque,
        {.symbol = "$M$",
         .equation = "obs.7",
         .applies = [](const Case& c) { return cases::shaft_speed(c) && !is_stirred(c); },

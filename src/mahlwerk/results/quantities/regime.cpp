@@ -15,6 +15,7 @@
 #include "mahlwerk/cases/reversal.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
 #include "mahlwerk/results/quantities/regime_rule.hpp"
 
@@ -120,13 +121,14 @@ double shoulder(const Case& c, const Replicate& r) {
   return ends(r.charge, reference(c)).shoulder;
 }
 
-double jar_spin(const Case& c) {
-  if (const Tumbling* drum = cases::drum_motion(c)) return drum->speed;
-  return planetary(c).jar_spin();
+/// [rad/s] Mean angular velocity of the jar.
+double jar_spin(const Case& c, const Replicate& r) {
+  const Tumbling* drum = cases::drum_motion(c);
+  return mill_rate(c, r) * (drum != nullptr ? drum->speed : planetary(c).jar_spin());
 }
 
 double wall_slip(const Case& c, const Replicate& r) {
-  const double wall = std::abs(jar_spin(c)) * r.tally.wall_map.grid().radius;
+  const double wall = std::abs(jar_spin(c, r)) * r.tally.wall_map.grid().radius;
   return share(share(r.charge.wall_slip, r.charge.mass_at_wall), wall);
 }
 
@@ -146,21 +148,20 @@ double arm(const Case& c, const Replicate& r) {
 /// Acceleration that presses the largest ball on the wall over that which pulls it off: gravity in
 /// a drum, the disc's rotation in a planetary mill.
 double pinning(const Case& c, const Replicate& r) {
-  const double spin = jar_spin(c);
-  if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion))
+  if (const auto* mill = kinematics::as<Planetary>(*c.mill.motion)) {
+    const double spin = mill->jar_spin();
     return spin * spin * arm(c, r) / (mill->speed * mill->speed * mill->orbit_radius);
+  }
+  const double spin = jar_spin(c, r);
   return share(spin * spin * arm(c, r), c.gravity);
 }
 
-/// [rad/s] Angular velocity of the jar seen from its carrier.
-double spin_on_carrier(const Case& c) {
-  const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
-  return mill != nullptr ? mill->ratio * mill->speed : jar_spin(c);
-}
-
-/// [m/s] Speed of the wall's surface seen from the carrier, which holds the jar's centre.
+/// [m/s] Mean speed of the wall's surface seen from the carrier, which holds the jar's centre.
 double wall_speed(const Case& c, const Replicate& r) {
-  return std::abs(spin_on_carrier(c)) * r.tally.wall_map.grid().radius;
+  const auto* mill = kinematics::as<Planetary>(*c.mill.motion);
+  const double spin = mill != nullptr ? mill->ratio * mill->speed * mill_rate(c, r)
+                                      : jar_spin(c, r);  // seen from the carrier
+  return std::abs(spin) * r.tally.wall_map.grid().radius;
 }
 
 /// Acceleration of the largest ball on the wall seen from the carrier, over the field.
@@ -170,8 +171,9 @@ double froude_on_carrier(const Case& c, const Replicate& r) {
   return ratio * ratio * arm(c, r) / planetary(c).orbit_radius;
 }
 
-double speed_seen_from_jar(const Case&, const Replicate& r) {
-  return speed_in_jar(r);
+/// Speed of the charge seen from the jar of a planetary mill, over the disc's at the jar.
+double speed_over_disc(const Case& c, const Replicate& r) {
+  return share(speed_in_jar(r), mill_speed(c, r) * planetary(c).orbit_radius);
 }
 
 /// Speeds over wall_speed(): of the charge seen from the jar and from its carrier, and of the slip
@@ -196,20 +198,15 @@ double intermittency(const Case&, const Replicate& r) {
   return share(share(r.charge.jar_speed_fourth, r.charge.in_jar.time()), squared * squared);
 }
 
-/// The jar is at rest on its carrier, and the charge in the jar: nothing moves it.
-bool rests(const Case& c, double speed_seen_from_jar) {
-  if (spin_on_carrier(c) != 0) return false;
-  constexpr double little = 0.01;  // of the disc's speed at the jar
-  const Planetary& mill = planetary(c);
-  return speed_seen_from_jar < little * std::abs(mill.speed) * mill.orbit_radius;
-}
-
 using Sign = double (*)(const Case&, const Replicate&);
 
-/// The word by the numbers that `value_of` gives.
+/// The word by the numbers that `value_of` gives. "resting": the jar is at rest on its carrier, and
+/// the charge in the jar.
 template <class ValueOf>
 std::string named(const Case& c, const ValueOf& value_of) {
-  if (rests(c, value_of(speed_seen_from_jar))) return "resting";
+  constexpr double little = 0.01;
+  if (!is_drum(c) && planetary(c).ratio == 0 && value_of(speed_over_disc) < little)
+    return "resting";
   return std::string(regime_word({.froude = value_of(froude_on_carrier),
                                   .flight_share = value_of(flight_share),
                                   .airborne_share = value_of(airborne_share),
