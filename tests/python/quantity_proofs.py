@@ -171,6 +171,8 @@ def inside(column):
 HOPPER = {
     "discharge_rate": (passed("left"), 1e-4),  # a window ends at a step
     "discharge_mass_rate": (lambda run: run["discharge_rate"] * 7850 * math.pi / 6 * 3e-3**3, 1e-6),
+    "feed_rate": (passed("entered"), 1e-4),
+    "feed_mass_rate": (lambda run: run["feed_rate"] * 7850 * math.pi / 6 * 3e-3**3, 1e-6),
     "holdup": (inside("inside"), 2e-3),
     "holdup_mass": (lambda run: run["holdup"] * 7850 * math.pi / 6 * 3e-3**3, 1e-6),
     "residence_time": (lambda run: run["holdup"] / run["discharge_rate"], 1e-6),

@@ -9,6 +9,7 @@ import {
 } from "three";
 import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { speciesColours, speedColour } from "./colours.js";
+import { isInJar } from "./data.js";
 import { between } from "./motion.js";
 
 const trianglesInAll = 2.5e6; // estimate: a laptop draws this number smoothly
@@ -40,9 +41,6 @@ export class Balls {
     this.mesh.frustumCulled = false; // the bounds of the mesh do not follow the balls
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * data.count), 3);
-    const matrix = this.mesh.instanceMatrix.array;
-    for (let i = 0; i < data.count; ++i)
-      matrix[16 * i] = matrix[16 * i + 5] = matrix[16 * i + 10] = data.radius[i];
     this.species = speciesColours.map((colour) => new Color(colour).toArray());
   }
 
@@ -57,16 +55,19 @@ export class Balls {
   }
 
   place({ low, high, part }) {
-    const { count, positions, positionScale } = this.data;
+    const { count, positions, positionScale, radius } = this.data;
     const matrix = this.mesh.instanceMatrix.array;
     const a = 3 * count * low;
     const b = 3 * count * high;
-    for (let i = 0; i < count; ++i)
+    for (let i = 0; i < count; ++i) {
+      const shown = isInJar(positions, a + 3 * i) && isInJar(positions, b + 3 * i);
+      matrix[16 * i] = matrix[16 * i + 5] = matrix[16 * i + 10] = shown ? radius[i] : 0;
       for (let k = 0; k < 3; ++k) {
         const from = positions[a + 3 * i + k];
         const to = positions[b + 3 * i + k];
         matrix[16 * i + 12 + k] = positionScale * (from + part * (to - from));
       }
+    }
   }
 
   colourBySpeed({ low, high, part }) {

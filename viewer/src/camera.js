@@ -5,6 +5,7 @@
 // of motion) and distance.
 
 import { Quaternion, Vector3 } from "three";
+import { isInJar } from "./data.js";
 import { axisOfTurning, frameOfView, poseAt, wayOfCentre } from "./motion.js";
 
 const up = new Vector3(0, 0, 1);
@@ -79,7 +80,8 @@ export function outlineOf(data, view) {
 function ballCorners(data) {
   let reach = 1e-6;
   for (let i = 0; i < 3 * data.count; ++i)
-    reach = Math.max(reach, Math.abs(data.positions[i] * data.positionScale));
+    if (isInJar(data.positions, i))
+      reach = Math.max(reach, Math.abs(data.positions[i] * data.positionScale));
   return [-reach, reach].flatMap((x) => [-reach, reach].flatMap((y) =>
     [-reach, reach].map((z) => new Vector3(x, y, z))));
 }

@@ -63,6 +63,9 @@ function readTimes(times) {
   return times;
 }
 
+/// Whether the ball whose position begins at `at` is in the jar: others have the lowest number.
+export const isInJar = (positions, at) => positions[at] !== -32768;
+
 /// Reads the JSON text `text`. Lengths in m, times in s, speeds in m/s. Throws an Error with a
 /// message for the reader if the text violates the format.
 export function read(text) {

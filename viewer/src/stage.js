@@ -12,6 +12,7 @@ import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment
 import { Balls } from "./balls.js";
 import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
 import { carrierOf, plateOf, rimOf } from "./carrier.js";
+import { isInJar } from "./data.js";
 import { partOf, vesselOf } from "./jar.js";
 import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
 
@@ -29,6 +30,7 @@ function reachOf({ vertices }) {
 function reachOfBalls({ count, radius, positions, positionScale }) {
   let reach = 1e-6;
   for (let i = 0; i < count; ++i) {
+    if (!isInJar(positions, 3 * i)) continue;
     const [x, y, z] = positions.subarray(3 * i, 3 * i + 3);
     reach = Math.max(reach, radius[i] + positionScale * Math.hypot(x, y, z));
   }

@@ -69,9 +69,13 @@ class Picture:
         return list(self.replicate["balls"])
 
     def places(self, ball: dict[str, Any]) -> tuple[list[float], list[float], list[float]]:
-        """x, y in the plane of motion and the height above it, by frame [m]."""
-        x, y, height = ball[self.drawing.seen_from]
+        """x, y in the plane of motion and the height above it, by frame [m]; NaN while the ball is not in the jar."""
+        x, y, height = ([math.nan if a is None else a for a in one] for one in ball[self.drawing.seen_from])
         return x, y, height
+
+    def last_in_jar(self) -> list[dict[str, Any]]:
+        """The balls that are in the jar in the last frame."""
+        return [ball for ball in self.balls if not math.isnan(self.places(ball)[0][-1])]
 
     # Numbers
 
@@ -85,12 +89,12 @@ class Picture:
                 continue
             x, y, _ = self.places(ball)
             text += "".join(f"{number},{ball['number']},{t:.6g},{a:.6g},{b:.6g}\n"
-                            for t, a, b in zip(self.replicate["times_s"], x, y))
+                            for t, a, b in zip(self.replicate["times_s"], x, y) if not math.isnan(a))
         return text
 
     def snapshot_csv(self) -> str:
         text = "replicate,ball,kind,time_s,radius_m,x_m,y_m,height_m,speed_m_per_s\n"
-        for ball in self.balls:
+        for ball in self.last_in_jar():
             x, y, height = self.places(ball)
             text += (f"{self.replicate['replicate']},{ball['number']},{'grain' if ball['grain'] else 'ball'},"
                      f"{self.replicate['times_s'][-1]:.6g},{ball['radius_m']:.6g},{x[-1]:.6g},{y[-1]:.6g},"
@@ -132,9 +136,10 @@ class Picture:
 
         if not self.replicate["times_s"]:
             return
-        speeds = [ball["speed_m_per_s"] for ball in self.balls if ball["grain"]]
+        shown = self.last_in_jar()
+        speeds = [ball["speed_m_per_s"] for ball in shown if ball["grain"]]
         fast = math.sqrt(sum(v * v for v in speeds) / len(speeds)) if speeds else 0.0
-        order = sorted(self.balls, key=lambda ball: self.places(ball)[2][-1])
+        order = sorted(shown, key=lambda ball: self.places(ball)[2][-1])
         discs = [(b["radius_m"], self.places(b)[0][-1], self.places(b)[1][-1],
                   BALL if not b["grain"] else FAST if b["speed_m_per_s"] > fast else GRAIN) for b in order]
         for radius, alike in itertools.groupby(visible(discs), lambda disc: disc[0]):

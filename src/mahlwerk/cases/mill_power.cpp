@@ -90,14 +90,15 @@ double morrell_no_load_power(const MillNumbers& m) {
 
 std::optional<MillNumbers> mill_numbers(const Case& c) {
   const kinematics::Tumbling* drum = drum_motion(c);
-  if (drum == nullptr || drum->speed == 0 || !(c.gravity > 0) || balls_mass(c.balls) == 0)
+  const std::vector<BallSet> balls = sets_at_start(c);
+  if (drum == nullptr || drum->speed == 0 || !(c.gravity > 0) || balls_mass(balls) == 0)
     return std::nullopt;
   MillNumbers m;
   m.diameter = 2 * geometry::radius_about_axis(*c.jar.shape);
   m.length = drum_length(*c.jar.shape);
   m.speed = std::abs(drum->speed) / std::sqrt(2 * across_axis(c.gravity_vector()) / m.diameter);
-  m.filling = bulk_filling(c.balls, c.jar);
-  m.density = bulk_density(c.balls);
+  m.filling = bulk_filling(balls, c.jar);
+  m.density = bulk_density(balls);
   if (!(m.length > 0) || !std::isfinite(m.speed) || !(m.filling > 0) || m.filling > 0.6)
     return std::nullopt;
   return m;

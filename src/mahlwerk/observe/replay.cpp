@@ -51,8 +51,10 @@ void Replay::add(double time, double mill_time, const std::vector<scene::Ball>& 
   mill_times_.push_back(mill_time);
   for (std::size_t i = 0; i < balls.size(); i += ball_stride_) {
     const Vec3& p = balls[i].position;
-    positions_.push_back(
-        {rounded(p.x, position_unit_), rounded(p.y, position_unit_), rounded(p.z, position_unit_)});
+    positions_.push_back(balls[i].outside ? outside
+                                          : std::array{rounded(p.x, position_unit_),
+                                                       rounded(p.y, position_unit_),
+                                                       rounded(p.z, position_unit_)});
     speeds_.push_back(static_cast<float>(norm(balls[i].velocity)));
   }
 }

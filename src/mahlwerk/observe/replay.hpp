@@ -18,6 +18,9 @@ class Replay {
  public:
   static constexpr std::size_t max_balls = 20000, max_positions = 150000;
 
+  /// The position of a ball that is not in the jar: no rounded one has these coordinates.
+  static constexpr std::array<std::int16_t, 3> outside{-32768, -32768, -32768};
+
   Replay() = default;  ///< records no frames
   /// Records from `begin` [s] about three periods of the mill or one turn of a drum, but at most
   /// `most` [s]; longer if frames are `shortest` [s] or more apart.

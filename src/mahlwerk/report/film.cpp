@@ -75,6 +75,10 @@ class FilmReplicate {
   void add(FilmPath& path, FilmView view, std::size_t frame, std::size_t ball) const {
     const double time = film_.mill_times()[frame];
     const auto& p = film_.positions()[frame * film_.balls() + ball];
+    if (p == observe::Replay::outside) {
+      for (Json* list : {&path.x, &path.y, &path.height}) list->push_back(Json(nullptr));
+      return;
+    }
     const Vec3 at = film_.position_unit() * Vec3{double(p[0]), double(p[1]), double(p[2])};
     const Rotation turn = view == FilmView::jar ? kinematics::rotation(*mill_.motion, time)
                                                 : kinematics::carrier(*mill_.motion, time).rotation;

@@ -19,7 +19,7 @@ struct Ball {
   std::int32_t kind = 0;  ///< number of its ball set
   double inertia_ratio =
       0.4;               ///< [1] I/(m R^2) (hol.2): 2/5 of a solid sphere, 2/3 of a thin shell
-  bool outside = false;  ///< it has left the jar, and stays where it left
+  bool outside = false;  ///< not in the jar: it waits to be fed, or stays where it left
 
   double mass() const { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * density; }
   double inertia() const { return inertia_ratio * mass() * radius * radius; }

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/write.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::flow_test {
@@ -107,6 +108,63 @@ TEST(FlowSection, with_the_whole_jar_beyond_the_outlet_is_refused) {
       faults_of(with(hopper, "outlet = ", "outlet = [\"0 mm\", \"0 mm\", \"31 mm\"]"));
   ASSERT_FALSE(found.empty());
   EXPECT_NE(found[0].what.find("the whole jar lies beyond the outlet"), std::string::npos);
+}
+
+const std::string fed = with(hopper, "feed",
+                             "feed = \"rate\"\nfeed_mass_rate = \"5 g/s\"\nfresh_feed = "
+                             "[\"balls.2\"]") +
+                        R"([[balls]]
+diameter = "2 mm"
+density = "2500 kg/m3"
+filling = "90 %"
+)";
+
+TEST(FreshFeed, is_read_written_and_waits_outside) {
+  const Case c = read_sample(fed);
+  EXPECT_EQ(c.flow->fresh_feed, std::vector<std::string>{"balls.2"});
+  EXPECT_EQ(c.flow->feed_mass_rate, 0.005);
+  EXPECT_FALSE(flow_in_jar_frame(c).returns);
+  EXPECT_EQ(read_sample(write(c)).flow, c.flow);
+  const std::vector<scene::Ball> balls = starting_balls(c, 0);
+  ASSERT_EQ(std::ssize(balls), c.balls[0].count + c.balls[1].count);
+  for (const scene::Ball& b : balls) EXPECT_EQ(b.outside, b.kind == 1);
+}
+
+/// 90 % of the jar as solid spheres is denser than any packing, but these balls are not in it.
+TEST(FreshFeed, may_be_more_than_the_jar_holds) {
+  EXPECT_TRUE(faults_of(fed).empty());
+  EXPECT_EQ(faults_of(with(fed, "fresh_feed", "fresh_feed = [\"balls.1\"]")).front().code,
+            "too-many-balls");
+}
+
+TEST(FreshFeed, of_all_balls_leaves_the_jar_empty) {
+  const Case c = read_sample(with(fed, "fresh_feed", "fresh_feed = [\"balls\"]"));
+  EXPECT_TRUE(sets_at_start(c).empty());
+  for (const scene::Ball& b : starting_balls(c, 0)) EXPECT_TRUE(b.outside);
+  for (const DerivedQuantity& q : derived_quantities(c))
+    EXPECT_TRUE(q.name != "filling" || q.value == 0);
+}
+
+/// The balls inside start where they do without the others.
+TEST(FreshFeed, does_not_move_the_balls_inside) {
+  const Case c = read_sample(fed);
+  const std::vector<scene::Ball> with_feed = starting_balls(c, 0),
+                                 alone = starting_balls(read_sample(hopper), 0);
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_EQ(with_feed[i].position, alone[i].position) << i;
+}
+
+TEST(FreshFeed, that_is_wrong_is_refused) {
+  const auto code = [](std::string_view key, const std::string& line) {
+    const std::vector<Fault> found = faults_of(with(fed, key, line));
+    return found.empty() ? "none" : found.front().code;
+  };
+  EXPECT_EQ(code("fresh_feed", "fresh_feed = [\"ore\"]"), "bad-flow");
+  EXPECT_EQ(code("fresh_feed", "fresh_feed = \"balls.2\""), "wrong-type");
+  EXPECT_EQ(code("fresh_feed", "recirculate = true"), "too-much") << "nothing fresh";
+  EXPECT_EQ(code("feed_mass_rate", "feed_mass_rate = \"5 g/s\"\nfeed_rate = \"3 Hz\""), "too-much");
+  EXPECT_EQ(code("filling", "positions = [[\"0 mm\", \"0 mm\", \"0 mm\"]]"), "bad-flow");
+  EXPECT_EQ(code("feed", "feed = \"none\""), "too-much");
 }
 
 TEST(FlowSection, is_refused_with_a_liquid_and_a_final_state) {

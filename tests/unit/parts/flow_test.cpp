@@ -61,7 +61,16 @@ scene::Passage passage(double time, int ball, bool entered) {
 }
 
 FlowRecord record() {
-  return {{{2, 2 * m}, {1, 2 * m}}, 3, 1.0};
+  return FlowRecord({.inside = {{2, 2 * m}, {1, 2 * m}}, .balls = 3, .interval = 1.0});
+}
+
+/// The same balls, of which the two of the first set wait outside.
+FlowRecord fresh(bool returns) {
+  return FlowRecord({.inside = {{0, 0}, {1, 2 * m}},
+                     .balls = 3,
+                     .interval = 1.0,
+                     .fresh = 2,
+                     .returns = returns});
 }
 
 scene::EnergyBalance at(double time) {
@@ -103,13 +112,34 @@ TEST(FlowRecord, follows_only_balls_that_entered_since_counting_began) {
   EXPECT_FALSE(found[1].left);
 }
 
+TEST(FlowRecord, knows_how_many_wait_how_long_and_when_the_last_has_entered) {
+  FlowRecord flow = fresh(false);
+  flow.begin(1);
+  EXPECT_EQ(flow.all().inside.count, 1) << "the balls of the other set";
+  flow.passages(std::array{passage(2, 0, true)});
+  EXPECT_FALSE(flow.exhausted().has_value());
+  flow.passages(std::array{passage(4, 1, true), passage(5, 0, false)});
+  states("waiting", flow.queue(6).mean, (2 * 1 + 1 * 2) / 5.0, 1e-15, "two for 1 s, one for 2 s");
+  states("with one or more [s]", flow.queue(6).busy_time, 3, 1e-15, "until the last entered");
+  ASSERT_TRUE(flow.exhausted().has_value());
+  states("last entry [s]", *flow.exhausted(), 4, 0, "by hand");
+}
+
+TEST(FlowRecord, what_has_left_waits_again_if_it_returns) {
+  FlowRecord flow = fresh(true);
+  flow.begin(0);
+  flow.passages(std::array{passage(1, 0, true), passage(1, 1, true), passage(3, 2, false)});
+  EXPECT_FALSE(flow.exhausted().has_value());
+  states("waiting", flow.queue(4).mean, (2 * 1 + 0 * 2 + 1 * 1) / 4.0, 1e-15, "by hand");
+}
+
 TEST(FlowRecord, goes_on_from_its_saved_state) {
-  FlowRecord whole = record(), resumed = record();
-  const std::array first{passage(1.5, 0, false)}, second{passage(2.5, 0, true)};
+  FlowRecord whole = fresh(true), resumed = fresh(true);
+  const std::array first{passage(1.5, 0, true)}, second{passage(2.5, 0, false)};
   for (FlowRecord* one : {&whole, &resumed}) one->begin(1), one->passages(first), one->take(at(2));
   Archive out;
   resumed.serialize(out);
-  resumed = record();
+  resumed = fresh(true);
   Archive in(out.bytes());
   resumed.serialize(in);
   in.finish();

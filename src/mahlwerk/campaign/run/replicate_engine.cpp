@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/run/replicate_engine.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/event/engine.hpp"
@@ -50,14 +54,18 @@ std::unique_ptr<scene::Engine> event_engine(const cases::Case& mill_case,
   return event::one_ball(mill, balls.front(), treatment);
 }
 
-/// The engine of our own: in the jar at rest the soft one stands in for LAMMPS.
+/// The engine of our own: in the jar at rest the soft one stands in for LAMMPS. `replicate`: whose
+/// outlet is open; none: it is closed.
 std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Chamber& mill,
                                           const std::vector<scene::Ball>& balls, int threads,
-                                          bool flows) {
+                                          std::optional<int> replicate) {
   if (!setup.soft) return event_engine(*setup.mill_case, mill, balls);
   soft::Settings rules = setup.soft->rules;
   rules.threads = threads;
-  if (!flows) rules.flow.reset();
+  if (!replicate)
+    rules.flow.reset();
+  else if (std::ranges::any_of(balls, &scene::Ball::outside))
+    rules.flow->seed += static_cast<std::uint64_t>(*replicate);  // an empty jar differs by its feed
   return soft::make_engine(mill, balls, rules, setup.soft->pairs);
 }
 
@@ -66,7 +74,7 @@ std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Ch
 std::vector<scene::Ball> start_of(const RunSetup& setup, int index, int threads,
                                   const std::atomic<bool>* stop) {
   const auto make = [&](const scene::Chamber& mill, const std::vector<scene::Ball>& balls) {
-    return own_engine(setup, mill, balls, threads, false);  // the outlet is closed
+    return own_engine(setup, mill, balls, threads, std::nullopt);
   };
   std::vector<scene::Ball> balls =
       balls_at_start(*setup.mill_case, setup.chamber, index, make, stop);
@@ -79,7 +87,7 @@ std::unique_ptr<scene::Engine> engine(const RunSetup& setup, int index, int thre
   const std::vector<scene::Ball> balls = start_of(setup, index, threads, stop);
   auto made = setup.steps ? lammps::make_engine(*setup.mill_case, setup.chamber, balls,
                                                 *setup.steps, launch)
-                          : own_engine(setup, setup.chamber, balls, threads, true);
+                          : own_engine(setup, setup.chamber, balls, threads, index);
   made->stop_on(stop);
   return made;
 }

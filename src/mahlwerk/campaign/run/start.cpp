@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/campaign/run/start.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "mahlwerk/base/error.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -50,14 +53,21 @@ std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scen
   if (run.settle_at_rest == 0) return balls;
   // Velocities are relative to the jar's centre, which moves once the mill has started.
   const Vec3 centre = kinematics::frame_motion(*mill.motion, 0).velocity;
-  for (scene::Ball& b : balls) b.velocity += centre;
-  const auto engine = make(at_rest(mill), balls);
+  std::vector<scene::Ball> inside;
+  std::ranges::copy_if(balls, std::back_inserter(inside),
+                       [](const scene::Ball& b) { return !b.outside; });
+  if (inside.empty()) return balls;
+  for (scene::Ball& b : inside) b.velocity += centre;
+  const auto engine = make(at_rest(mill), inside);
   engine->stop_on(stop);
   NullObserver nobody;
   engine->advance(run.settle_at_rest, nobody);
   if (stop != nullptr && *stop) throw Interrupted();
-  balls = engine->balls();
-  for (scene::Ball& b : balls) b.velocity -= centre;
+  inside = engine->balls();
+  for (scene::Ball& b : inside) b.velocity -= centre;
+  auto next = inside.begin();
+  for (scene::Ball& b : balls)
+    if (!b.outside) b = *next++;
   return balls;
 }
 

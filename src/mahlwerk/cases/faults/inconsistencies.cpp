@@ -202,11 +202,12 @@ void mill_shorter_than_slice(const Case& c, std::vector<Fault>& found) {
 }
 
 void too_many_balls(const Case& c, std::vector<Fault>& found) {
+  const std::vector<BallSet> balls = sets_at_start(c);
   double volume = 0;
-  for (const BallSet& set : c.balls) volume += static_cast<double>(set.count) * ball_volume(set);
+  for (const BallSet& set : balls) volume += static_cast<double>(set.count) * ball_volume(set);
   const double jar = jar_volume(c.jar);
   std::set<double> sizes;
-  for (const BallSet& set : c.balls) {
+  for (const BallSet& set : balls) {
     double last = 0;  // of a distribution, only sizes small enough to fill gaps count
     for (const SizeClass& size : set.sizes())
       if (size.diameter >= 2 * last) sizes.insert(last = size.diameter);

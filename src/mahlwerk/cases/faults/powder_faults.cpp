@@ -13,7 +13,7 @@ namespace mahlwerk::cases {
 
 void bad_powder(const Case& c, std::vector<Fault>& found) {
   if (!c.powder || !c.powder->density || c.powder->grain_size) return;  // grains are ball sets
-  const double powder = c.powder->mass / *c.powder->density, balls = balls_volume(c.balls);
+  const double powder = c.powder->mass / *c.powder->density, balls = balls_volume(sets_at_start(c));
   const double jar = jar_volume(c.jar);
   if (!(powder + balls > jar)) return;
   found.push_back(

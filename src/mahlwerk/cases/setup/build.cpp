@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/build.hpp"
 
+#include <algorithm>
+
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
@@ -49,6 +51,8 @@ scene::Flow flow_in_jar_frame(const Case& c) {
           .inlet = axes * f.inlet,
           .inlet_size = f.inlet_size,
           .rate = f.feed_rate,
+          .mass_rate = f.feed_mass_rate.value_or(0),
+          .returns = f.feed == Flow::Feed::recirculate || f.fresh_feed.empty() || f.recirculate,
           .seed = c.seed};
 }
 
@@ -88,6 +92,38 @@ void set_given_motion(scene::Ball& ball, const BallSet& set, std::size_t of_set,
   if (of_set < set.spins.size()) ball.spin = axes * set.spins[of_set];
 }
 
+/// The balls that are in the jar at the start, set by set, in the jar's own axes.
+std::vector<scene::Ball> placed_balls(const Case& c, Random& random, const std::atomic<bool>* stop,
+                                      const Vec3& up) {
+  const std::vector<BallSet> sets = sets_at_start(c);
+  if (sets.empty()) return {};
+  const Obstacles obstacles(c);
+  std::vector<scene::Ball> balls =
+      fill(*c.jar.shape, sets, random, stop, c.run.start == StartLayout::layers ? &up : nullptr,
+           obstacles.empty() ? nullptr : &obstacles);
+  std::vector<std::int32_t> numbers;  // of these sets among all
+  const std::vector<bool> fresh = fresh_sets(c);
+  for (std::size_t i = 0; i < fresh.size(); ++i)
+    if (!fresh[i]) numbers.push_back(static_cast<std::int32_t>(i));
+  for (scene::Ball& ball : balls) ball.kind = numbers[static_cast<std::size_t>(ball.kind)];
+  return balls;
+}
+
+/// Adds the balls of the fresh feed, which wait outside, so that all are in the order of their
+/// sets.
+std::vector<scene::Ball> with_fresh_feed(const Case& c, const std::vector<scene::Ball>& placed) {
+  const std::vector<bool> fresh = fresh_sets(c);
+  if (std::ranges::find(fresh, true) == fresh.end()) return placed;
+  std::vector<scene::Ball> all = balls_by_set(c.balls);
+  auto next = placed.begin();
+  for (scene::Ball& ball : all)
+    if (fresh[static_cast<std::size_t>(ball.kind)])
+      ball.outside = true;
+    else
+      ball = *next++;
+  return all;
+}
+
 }  // namespace
 
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
@@ -100,10 +136,7 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
   const Rotation axes = start.rotation * mount;
   const Vec3 gravity = c.gravity_vector();
   const Vec3 up = axes.apply_inverse(c.gravity == 0 ? Vec3{0, 0, 1} : -gravity / c.gravity);
-  const Obstacles obstacles(c);
-  std::vector<scene::Ball> balls =
-      fill(*c.jar.shape, c.balls, random, stop, c.run.start == StartLayout::layers ? &up : nullptr,
-           obstacles.empty() ? nullptr : &obstacles);
+  std::vector<scene::Ball> balls = placed_balls(c, random, stop, up);
   // Ball velocities are relative to the jar's centre, initial speeds to the chosen frame.
   const Vec3 frame = c.run.start_frame == StartFrame::jar ? Vec3{} : start.frame.velocity;
   std::vector<std::size_t> placed(c.balls.size());  // balls of each set so far
@@ -116,7 +149,7 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
     const auto set = static_cast<std::size_t>(ball.kind);
     set_given_motion(ball, c.balls[set], placed[set]++, axes, frame);
   }
-  return balls;
+  return with_fresh_feed(c, balls);
 }
 
 std::vector<std::int32_t> kinds_of_balls(const Case& c) {

@@ -176,20 +176,19 @@ class Derivation {
   void charge() {
     mesh();
     const double jar = jar_volume(c_.jar), mass = balls_mass(c_.balls);
-    double balls = 0, count = 0;
-    for (const BallSet& set : c_.balls) {
-      if (set.grains) continue;
-      balls += static_cast<double>(set.count) * ball_volume(set);
-      count += static_cast<double>(set.count);
-    }
+    double count = 0;
+    for (const BallSet& set : c_.balls)
+      if (!set.grains) count += static_cast<double>(set.count);
+    const std::vector<BallSet> at_start = sets_at_start(c_);
     add("jar_volume", jar, "m3", "inner volume of the empty jar");
     add("ball_count", count, "", "number of balls of all sets");
     add("ball_mass", largest_.mass(), "kg", "mass of the largest ball");
     add("total_ball_mass", mass, "kg", "mass of all balls");
-    add("filling", 100 * balls / jar, "%", "solid volume of the balls over the jar's volume");
+    add("filling", 100 * balls_volume(at_start) / jar, "%",
+        "solid volume of the balls over the jar's volume");
     const bool drum = std::holds_alternative<Tumbling>(*c_.mill.motion);
     if (drum)
-      add("bulk_filling", 100 * bulk_filling(c_.balls, c_.jar), "%",
+      add("bulk_filling", 100 * bulk_filling(at_start, c_.jar), "%",
           "J: bulk volume of the balls, with 40 % voids, over the jar's volume (obs.14)");
     if (!c_.powder) return;
     add("powder_mass", c_.powder->mass, "kg", "mass of the powder");

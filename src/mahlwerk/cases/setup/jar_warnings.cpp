@@ -29,7 +29,7 @@ std::string heaped_powder(const Case& c) {
   constexpr double packing = 0.6;  // of loose powder, about that of spheres
   if (!c.powder || !c.powder->density || c.powder->grain_size) return "";
   const double bulk = c.powder->mass / *c.powder->density / packing;
-  const double room = jar_volume(c.jar) - balls_volume(c.balls);
+  const double room = jar_volume(c.jar) - balls_volume(sets_at_start(c));
   if (!(bulk > room)) return "";
   return fmt::format(
       "The powder, packed to {} % of solid, takes {}, more than the balls leave free in the jar "

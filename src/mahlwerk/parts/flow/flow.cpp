@@ -7,10 +7,12 @@
 #include <cmath>
 #include <string>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/parts/flow/flow_record.hpp"
+#include "mahlwerk/parts/flow/notices.hpp"
 #include "mahlwerk/parts/flow/residence.hpp"
 #include "mahlwerk/parts/flow/section.hpp"
 #include "mahlwerk/report/columns.hpp"
@@ -33,23 +35,30 @@ double interval_of(const Case& c) {
   return std::max(c.flow->interval.value_or(counted / 100), counted / most_samples);
 }
 
-std::unique_ptr<observe::Recorder> recorder(const Case& c) {
-  std::vector<Amount> inside;
-  for (const cases::BallSet& set : c.balls) {
-    Amount& all = inside.emplace_back();
-    for (const cases::SizeClass& size : set.sizes()) {
-      scene::Ball ball;
-      ball.radius = 0.5 * size.diameter;
-      ball.density = set.layers().mean_density(ball.radius);
-      all.add(static_cast<double>(size.count), ball.mass());
-    }
+Amount amount_of(const cases::BallSet& set) {
+  Amount all;
+  for (const cases::SizeClass& size : set.sizes()) {
+    scene::Ball ball;
+    ball.radius = 0.5 * size.diameter;
+    ball.density = set.layers().mean_density(ball.radius);
+    all.add(static_cast<double>(size.count), ball.mass());
   }
-  return std::make_unique<FlowRecord>(inside, static_cast<std::size_t>(cases::balls_count(c.balls)),
-                                      interval_of(c));
+  return all;
 }
 
-const FlowRecord& record_of(const Replicate& r) {
-  return *r.recorders.find<FlowRecord>();
+std::unique_ptr<observe::Recorder> recorder(const Case& c) {
+  FlowRecord::Setup setup{.inside = {},
+                          .balls = static_cast<std::size_t>(cases::balls_count(c.balls)),
+                          .interval = interval_of(c),
+                          .fresh = 0,
+                          .returns = cases::flow_in_jar_frame(c).returns};
+  const std::vector<bool> fresh = cases::fresh_sets(c);
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    const Amount all = amount_of(c.balls[i]);
+    setup.inside.push_back(fresh[i] ? Amount() : all);
+    setup.fresh += fresh[i] ? all.count : 0;
+  }
+  return std::make_unique<FlowRecord>(setup);
 }
 
 /// By number and by mass (flo.4); of a hole in a floor they follow Beverloo (flo.8).
@@ -59,6 +68,12 @@ double discharge_rate(const Case&, const Replicate& r) {
 double discharge_mass_rate(const Case&, const Replicate& r) {
   return results::share(record_of(r).all().left.mass, r.time());
 }
+double feed_rate(const Case&, const Replicate& r) {
+  return results::share(record_of(r).all().entered.count, r.time());
+}
+double feed_mass_rate(const Case&, const Replicate& r) {
+  return results::share(record_of(r).all().entered.mass, r.time());
+}
 double holdup(const Case&, const Replicate& r) {
   return r.time() > 0 ? record_of(r).mean_inside(r.energy_balance.time).count : results::undefined;
 }
@@ -66,16 +81,9 @@ double holdup_mass(const Case&, const Replicate& r) {
   return r.time() > 0 ? record_of(r).mean_inside(r.energy_balance.time).mass : results::undefined;
 }
 
-bool is_fed(const Case& c) {
-  return c.flow && c.flow->feed != cases::Flow::Feed::none;
-}
-
 /// [s] Little's law (flo.5).
 double residence_time(const Case& c, const Replicate& r) {
   return results::share(holdup(c, r), discharge_rate(c, r));
-}
-ResidenceTimes of_tracers(const Replicate& r) {
-  return residence_times(record_of(r).tracers(r.energy_balance.time));
 }
 
 results::Measures quantities() {
@@ -92,6 +100,16 @@ results::Measures quantities() {
         "mass of the balls that left per second",
         discharge_mass_rate,
         {.equation = "flo.4"}},
+       {"feed_rate",
+        "1/s",
+        "balls that entered per second",
+        feed_rate,
+        {.equation = "flo.4", .applies = is_fed, .only = "with a feed in `[flow]`"}},
+       {"feed_mass_rate",
+        "kg/s",
+        "mass of the balls that entered per second",
+        feed_mass_rate,
+        {.equation = "flo.4", .applies = is_fed, .only = "with a feed in `[flow]`"}},
        {"holdup", "1", "mean number of balls in the jar", holdup, {.equation = "flo.2"}},
        {"holdup_mass", "kg", "mean mass of the balls in the jar", holdup_mass, {}},
        {"residence_time",
@@ -165,26 +183,6 @@ std::vector<results::NamedTable> tables(const Outcome& outcome) {
   if (is_fed(outcome.mill_case))
     all.push_back({"residence", "distribution of the residence times", residence(outcome)});
   return all;
-}
-
-Notices notices(const Outcome& outcome) {
-  double left = 0, none = 0;
-  const auto chosen = results::averaged_replicates(outcome);
-  for (const Replicate* r : chosen) {
-    left += record_of(*r).all().left.count;
-    none += is_fed(outcome.mill_case) && !std::isfinite(of_tracers(*r).mean) ? 1 : 0;
-  }
-  if (chosen.empty()) return {};
-  if (left == 0)
-    return {warning("nothing-left",
-                    "No ball left the jar while it was counted: none came to the outlet, the "
-                    "opening is blocked, or run.time is too short.")};
-  if (none > 0)
-    return {warning("short-for-residence",
-                    "The counted time is too short for the spread of the residence times: more "
-                    "than 5 % of the balls that entered stayed longer than any was followed. A "
-                    "longer run.time tells.")};
-  return {};
 }
 
 std::string panel(const Outcome& outcome) {

@@ -6,15 +6,20 @@
 
 namespace mahlwerk::parts::flow {
 
-FlowRecord::FlowRecord(std::vector<Amount> inside, std::size_t balls, double interval)
-    : interval_(interval), entered_at_(balls, -1) {
-  for (const Amount& set : inside) sets_.push_back({{}, {}, set});
+FlowRecord::FlowRecord(const Setup& setup)
+    : interval_(setup.interval),
+      fresh_(setup.fresh),
+      returns_(setup.returns),
+      entered_at_(setup.balls, -1),
+      waiting_(setup.fresh) {
+  for (const Amount& set : setup.inside) sets_.push_back({{}, {}, set});
 }
 
 /// Also called when a state is read, which serialize() then replaces.
 void FlowRecord::begin(double time) {
   begin_ = summed_until_ = time;
   sum_ = {};
+  waited_ = busy_ = 0;
   for (Holdup& set : sets_) set.left = set.entered = {};
 }
 
@@ -27,6 +32,8 @@ void FlowRecord::passages(std::span<const scene::Passage> passed) {
     const bool enters = p.entered != 0;
     set.inside.add(enters ? 1 : -1, p.mass);
     (enters ? set.entered : set.left).add(1, p.mass);
+    waiting_ += enters ? -1 : returns_ ? 1 : 0;
+    if (enters) last_entry_ = p.time;
     if (!enters && since >= 0) stayed_.push_back(p.time - since);
     since = enters && p.time >= begin_ ? p.time : -1;
   }
@@ -37,6 +44,8 @@ void FlowRecord::sum_until(double time) {
   const Amount inside = all().inside;
   sum_.count += inside.count * (time - summed_until_);
   sum_.mass += inside.mass * (time - summed_until_);
+  waited_ += waiting_ * (time - summed_until_);
+  busy_ += waiting_ > 0 ? time - summed_until_ : 0;
   summed_until_ = time;
 }
 
@@ -56,6 +65,11 @@ Amount FlowRecord::mean_inside(double end) const {
   return {(sum_.count + inside.count * since) / time, (sum_.mass + inside.mass * since) / time};
 }
 
+Queue FlowRecord::queue(double end) const {
+  const double since = end - summed_until_;
+  return {(waited_ + waiting_ * since) / (end - begin_), busy_ + (waiting_ > 0 ? since : 0)};
+}
+
 std::vector<Tracer> FlowRecord::tracers(double end) const {
   std::vector<Tracer> all;
   for (const double time : stayed_) all.push_back({time, true});
@@ -73,7 +87,8 @@ void FlowRecord::take(const scene::EnergyBalance& now) {
 
 void FlowRecord::serialize(Archive& archive) {
   const std::size_t sets = sets_.size(), balls = entered_at_.size();
-  archive(begin_)(sets_)(entered_at_)(stayed_)(summed_until_)(sum_)(times_)(samples_);
+  archive(begin_)(sets_)(
+      entered_at_)(stayed_)(summed_until_)(sum_)(waiting_)(waited_)(busy_)(last_entry_)(times_)(samples_);
   if (sets_.size() != sets || entered_at_.size() != balls ||
       samples_.size() != times_.size() * sets)
     throw Archive::broken();

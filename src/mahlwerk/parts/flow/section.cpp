@@ -11,6 +11,9 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/file/section_reader.hpp"
+#include "mahlwerk/cases/pairs.hpp"
+#include "mahlwerk/cases/sections/key_reader.hpp"
 #include "mahlwerk/cases/sections/vector_key.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/setup/obstacles.hpp"
@@ -23,6 +26,62 @@ namespace {
 using cases::Case;
 using cases::Flow;
 using Feed = Flow::Feed;
+
+/// The names of `fresh_feed`; none after a fault.
+std::vector<std::string> read_names(cases::SectionReader& in) {
+  const cases::Node* at = in.find("fresh_feed");
+  std::vector<std::string> names;
+  if (at == nullptr) return names;
+  const bool sound = at->kind == cases::Node::Kind::list && !at->items.empty() &&
+                     std::ranges::all_of(at->items, [](const cases::Node& one) {
+                       return one.kind == cases::Node::Kind::text;
+                     });
+  if (!sound) {
+    in.fault(*at, "`fresh_feed` must be a list of names of ball sets",
+             "write fresh_feed = [\"balls.1\"], [\"powder\"], or the name of a material",
+             "wrong-type");
+    return names;
+  }
+  for (const cases::Node& one : at->items) names.push_back(one.text);
+  in.record_origin("fresh_feed", cases::list_text(names), at);
+  return names;
+}
+
+void describe_fresh_feed(cases::KeyVisitor& v, Flow& flow) {
+  if (cases::SectionReader* in = v.reader()) {
+    flow.fresh_feed = read_names(*in);
+    return;
+  }
+  if (flow.fresh_feed.empty() && !v.visits_all()) return;
+  v.custom({.key = "fresh_feed",
+            .about = "ball sets that are outside at the start and wait to be fed: \"balls.2\", "
+                     "\"powder\", or a material",
+            .default_text = "no ball set"},
+           [&] { return cases::list_text(flow.fresh_feed); });
+}
+
+/// The rate, by number or by mass, and whether what has left comes again.
+void describe_rate(cases::KeyVisitor& v, Flow& flow) {
+  const cases::NumberSpec by_mass = cases::NumberSpec("feed_mass_rate", "kg/s", positive,
+                                                      "mass of the balls that enter per second")
+                                        .with({.start = "10 g/s"})
+                                        .in_place_of("feed_rate");
+  cases::SectionReader* in = v.reader();
+  const bool mass = in != nullptr ? in->one_of({"feed_rate", by_mass.key}) == by_mass.key
+                                  : flow.feed_mass_rate.has_value();
+  if (mass || v.visits_all()) v.optional_number(by_mass, flow.feed_mass_rate);
+  if (!mass || v.visits_all())
+    v.number(cases::NumberSpec("feed_rate", "1/s", positive, "balls that enter per second")
+                 .with({.start = "100 1/s"}),
+             flow.feed_rate);
+  if (!flow.fresh_feed.empty() || v.visits_all())
+    v.flag({"recirculate", false, "what has left stays outside",
+            "with fresh_feed: whether what has left waits to be fed again"},
+           flow.recirculate);
+  else
+    v.refuse({"recirculate"}, "without fresh_feed: only what has left is fed",
+             "remove it, or give fresh_feed");
+}
 
 void describe_inlet(cases::KeyVisitor& v, Flow& flow) {
   cases::describe(v,
@@ -59,6 +118,7 @@ class FlowCheck {
     periodic();
     outlet();
     if (flow_.feed != Feed::none) inlet();
+    fresh_feed();
   }
 
  private:
@@ -82,6 +142,24 @@ class FlowCheck {
                         show_rounded(1.05 * counted / most_rows, "s")));
   }
   bool has_left(const Vec3& p) const { return dot(p - flow_.outlet, flow_.outlet_normal) > 0; }
+
+  void fresh_feed() {
+    if (flow_.fresh_feed.empty() || c_.balls.empty()) return;
+    for (const std::string& name : flow_.fresh_feed)
+      if (cases::pair_selector(name, c_).kinds.empty())
+        fault(
+            "flow.fresh_feed", fmt::format("no ball set is called \"{}\"", name),
+            "name ball sets as \"balls.1\", \"balls.2\", the grains as \"powder\", or a material");
+    const std::vector<bool> fresh = cases::fresh_sets(c_);
+    for (std::size_t i = 0; i < fresh.size(); ++i)
+      if (fresh[i] && !c_.balls[i].positions.empty())
+        fault("flow.fresh_feed",
+              fmt::format("{} is fed, and has positions in the jar", cases::set_name(c_, i)),
+              "give its count in place of positions, or take it out of fresh_feed");
+    if (c_.run.start_from.states)
+      fault("flow.fresh_feed", "run.start_from gives all balls a place, those that are fed too",
+            "remove start_from or fresh_feed");
+  }
 
   /// A plane that cuts across a direction in which the jar repeats has no outside.
   void periodic() {
@@ -172,21 +250,21 @@ void describe(cases::KeyVisitor& v, Flow& flow, const Case&) {
                "none",
                "the jar empties",
                "which balls enter",
-               {"none: a batch is discharged", "each ball that has left, as soon as there is room",
-                "the balls that have left, at a given rate"}},
+               {"none: a batch is discharged",
+                "the fresh feed, and each ball that has left, as soon as there is room",
+                "at a given rate: the fresh feed, or the balls that have left"}},
               flow.feed))
     return v.ignore_unknown_keys();
   if (flow.feed != Feed::none || v.visits_all())
-    describe_inlet(v, flow);
+    describe_inlet(v, flow), describe_fresh_feed(v, flow);
   else
-    v.refuse({"inlet", "inlet_size"}, "with feed = \"none\"",
+    v.refuse({"inlet", "inlet_size", "fresh_feed"}, "with feed = \"none\"",
              "remove it, or write feed = \"recirculate\" or \"rate\"");
   if (flow.feed == Feed::rate || v.visits_all())
-    v.number(cases::NumberSpec("feed_rate", "1/s", positive, "balls that enter per second")
-                 .with({.start = "100 1/s"}),
-             flow.feed_rate);
+    describe_rate(v, flow);
   else
-    v.refuse({"feed_rate"}, "without feed = \"rate\"", "remove it, or write feed = \"rate\"");
+    v.refuse({"feed_rate", "feed_mass_rate", "recirculate"}, "without feed = \"rate\"",
+             "remove it, or write feed = \"rate\"");
   v.optional_number(
       cases::NumberSpec("interval", "s", positive, "time between two rows of flow.csv")
           .with_default_text("a hundredth of the counted time"),

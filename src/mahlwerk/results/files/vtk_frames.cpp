@@ -70,16 +70,18 @@ std::string vtk_piece(std::size_t points, std::size_t verts, std::size_t polys,
 std::string balls_text(const Frame& frame) {
   Doubles places, radii, velocities, spins, forces;
   Integers numbers, species, points;
-  for (const scene::Ball& b : frame.balls) {
+  for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+    const scene::Ball& b = frame.balls[i];
+    if (b.outside) continue;
     add(places, b.position);
     radii.push_back(b.radius);
     add(velocities, b.velocity);
     add(spins, b.spin);
     species.push_back(b.kind + 1);
     points.push_back(static_cast<std::int32_t>(points.size()));
-    numbers.push_back(points.back() + 1);
+    numbers.push_back(static_cast<std::int32_t>(i) + 1);
+    if (!frame.forces.empty()) add(forces, frame.forces[i]);
   }
-  for (const Vec3& f : frame.forces) add(forces, f);
   const std::string content =
       "<PointData Scalars=\"radius\" Vectors=\"velocity\">\n" + array("radius", radii) +
       array("velocity", velocities, 3) + array("spin", spins, 3) +

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <iterator>
@@ -54,11 +55,12 @@ void XyzFrames::add(const Frame& frame) {
       "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{} "
       "Time={} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "
       "jar_x=\"{}\" jar_y=\"{}\" jar_z=\"{}\"\n",
-      frame.balls.size(), cell_, forces ? ":forces:R:3" : "", shortest(frame.time),
-      numbers(frame.centre), numbers(frame.turn.ex), numbers(frame.turn.ey),
-      numbers(frame.turn.ez));
+      std::ranges::count(frame.balls, false, &scene::Ball::outside), cell_,
+      forces ? ":forces:R:3" : "", shortest(frame.time), numbers(frame.centre),
+      numbers(frame.turn.ex), numbers(frame.turn.ey), numbers(frame.turn.ez));
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {
     const scene::Ball& b = frame.balls[i];
+    if (b.outside) continue;
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", i + 1, b.kind + 1,
                    numbers(b.position), shortest(b.radius), numbers(b.velocity), numbers(b.spin));
     if (forces) text += ' ' + numbers(frame.forces[i]);

@@ -106,7 +106,7 @@ Measures drum_measures() {
         "1",
         "J: bulk volume of the balls, with 40 % voids, over the volume of the jar",
         [](const Case& c, const Replicate&) {
-          return cases::bulk_filling(c.balls, c.jar);  // (obs.14)
+          return cases::bulk_filling(cases::sets_at_start(c), c.jar);  // (obs.14)
         },
         {.label = "bulk filling of balls", .symbol = "$J$", .equation = "obs.14"}},
        {"void_filling",

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Balls that leave the jar and enter it again (docs/theory/flow.md). A ball outside has no row: it
+// Balls that leave the jar and enter it (docs/theory/flow.md). A ball outside has no row: it
 // touches nothing and costs nothing.
 namespace mahlwerk::soft {
 namespace {
 
 constexpr int tries_of_a_ball = 20;  // places in the inlet that are tried at a time
-constexpr std::uint64_t inlet_stream = 0x696e6c6574;  // apart from other draws of the seed
+constexpr std::uint64_t inlet_stream = 0x696e6c6574,  // apart from other draws of the seed
+    order_stream = 0x6f72646572;
 
 }  // namespace
 
@@ -73,7 +75,19 @@ void ManyBodySolver::end_contacts_of_leaving() {
         }
 }
 
-/// Puts balls in, the first that left first, until the feed is met or one finds no room.
+/// Draws the order in which the balls that are outside at the start are fed, so that the feed has
+/// the composition of its sets and sizes from the first ball on.
+void ManyBodySolver::mix_fresh_feed() {
+  fresh_ = std::ssize(outside_);
+  if (!settings_.flow) return;
+  Random random(settings_.flow->seed ^ order_stream, 0);
+  for (std::size_t left = outside_.size(); left > 1; --left) {
+    const auto drawn = static_cast<std::size_t>(random.uniform() * static_cast<double>(left));
+    std::swap(outside_[left - 1], outside_[std::min(drawn, left - 1)]);
+  }
+}
+
+/// Puts balls in, the first that waits first, until the feed is met or one finds no room.
 void ManyBodySolver::put_in_balls(std::vector<scene::Passage>& passages) {
   const scene::Flow& flow = *settings_.flow;
   const double now = time_of(step_);
@@ -81,13 +95,16 @@ void ManyBodySolver::put_in_balls(std::vector<scene::Passage>& passages) {
     return flow.feed == scene::Flow::Feed::recirculate ||
            (flow.feed == scene::Flow::Feed::rate && next_feed_ <= now);
   };
+  const auto waiting = flow.returns ? outside_.size() : static_cast<std::size_t>(fresh_);
   std::size_t entered = 0;
-  for (; entered < outside_.size() && wanted(); ++entered) {
+  for (; entered < waiting && wanted(); ++entered) {
     const std::optional<Vec3> place = room_at_inlet(outside_[entered].ball);
     if (!place) break;
     passages.push_back(put_in(outside_[entered].ball, *place));
-    if (flow.feed == scene::Flow::Feed::rate) next_feed_ += 1 / flow.rate;
+    if (flow.feed == scene::Flow::Feed::rate)
+      next_feed_ += flow.feed_interval(passages.back().mass);
   }
+  fresh_ = std::max<std::int64_t>(0, fresh_ - static_cast<std::int64_t>(entered));
   outside_.erase(outside_.begin(), outside_.begin() + static_cast<std::ptrdiff_t>(entered));
   next_feed_ = std::max(next_feed_, now);  // what could not be fed is not made up for
 }

@@ -77,17 +77,25 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
 
 /// Initialises the rows of step 0, and of step 1 without contact forces (dem.26).
 void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
-  const std::size_t n = balls.size();
+  for (std::size_t ball = 0; ball < balls.size(); ++ball) {
+    mass_ += pairs_.species_of(ball).mass;
+    const auto number = static_cast<std::int32_t>(ball);
+    if (balls[ball].outside)
+      outside_.push_back({balls[ball].position, number, 0});
+    else
+      id_.push_back(number);
+  }
+  mix_fresh_feed();
+  const std::size_t n = id_.size();
   rows_.resize(n), next_rows_.resize(n), reference_positions_.resize(n), spins_.resize(n),
       next_spins_.resize(n);
-  half_step_.resize(n), id_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
+  half_step_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<DriveSample> b = drive_samples(0, 1);
   const double dt = settings_.time_step;
   for (std::size_t k = 0; k < n; ++k) {
-    const scene::Ball& ball = balls[k];
-    mass_ += pairs_.species_of(k).mass;
-    id_[k] = static_cast<std::int32_t>(k);
-    species_[k] = pairs_.species_index(k);
+    const auto number = static_cast<std::size_t>(id_[k]);
+    const scene::Ball& ball = balls[number];
+    species_[k] = pairs_.species_index(number);
     const Vec3& x = ball.position;
     rows_[k] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
   }

@@ -81,6 +81,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void take_out_balls(std::vector<scene::Passage>& passages);
   void end_contacts_of_leaving();
   void put_in_balls(std::vector<scene::Passage>& passages);
+  void mix_fresh_feed();
   std::optional<Vec3> room_at_inlet(std::int32_t ball);
   scene::Passage put_in(std::int32_t ball, const Vec3& position);
   void rebuild_after_flow();
@@ -221,7 +222,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
     Vec3 position;  // [m] at which it left
     std::int32_t ball = 0, zero = 0;
   };
-  std::vector<OutsideBall> outside_;  // in the order in which they left
+  std::vector<OutsideBall> outside_;  // fresh balls, then those that left, in their order
+  std::int64_t fresh_ = 0;            // balls that have never been inside
   std::vector<bool> leaves_;          // by row, while balls are taken out; else empty
   bool keeps_next_rows_ = false;      // rows of the next step move with those of this one
   std::int64_t tries_ = 0;            // places in the inlet that were tried

@@ -80,7 +80,7 @@ void ManyBodySolver::serialize(Archive& archive) {
     return take(state);
   }
   const std::size_t balls = rows_.size() + outside_.size();
-  if (settings_.flow) archive(outside_)(tries_)(next_feed_);
+  if (settings_.flow) archive(outside_)(fresh_)(tries_)(next_feed_);
   archive(step_)(reference_step_)(
       skin_)(largest_coordinate_)(used_skin_)(tests_at_rebin_)(pairs_rebinned_)(tuning_);
   archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
