@@ -11,6 +11,7 @@
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -119,7 +120,7 @@ class Derivation {
 
   void powers(const MillNumbers& mill) {
     if (bond_range.has(mill))
-      add("bond_power", bond_power(mill, balls_mass(c_.balls)), "W",
+      add("bond_power", bond_power(mill, balls_mass(sets_at_start(c_))), "W",
           "power at the shell by Bond's formula (mil.1)" + unloaded());
     if (hogg_fuerstenau_range.has(mill))
       add("hogg_fuerstenau_power", hogg_fuerstenau_power(mill, usual_lift_angle), "W",

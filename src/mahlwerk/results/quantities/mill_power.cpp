@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/results/quantities/groups.hpp"
 #include "mahlwerk/results/quantities/mill_speed.hpp"
 
@@ -34,7 +35,7 @@ double from_lowest(double angle) {
 }
 
 double bond(const Case& c, const MillNumbers& mill) {
-  return cases::bond_power(mill, cases::balls_mass(c.balls));
+  return cases::bond_power(mill, cases::balls_mass(cases::sets_at_start(c)));
 }
 double hogg_fuerstenau(const Case&, const MillNumbers& mill) {
   return cases::hogg_fuerstenau_power(mill, cases::usual_lift_angle);
