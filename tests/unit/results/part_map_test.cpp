@@ -29,6 +29,16 @@ using tests::stays_below;
 
 constexpr double pi = std::numbers::pi;
 
+std::vector<geometry::AnySolid> solids() {
+  geometry::DiscSolid disc{};
+  disc.diameter = 0.04, disc.thickness = 0.004;
+  geometry::CylinderSolid cylinder{};
+  cylinder.diameter = 0.01, cylinder.length = 0.05;
+  geometry::BladeSolid blade{};
+  blade.length = 0.04, blade.thickness = 0.003, blade.height = 0.011;
+  return {disc, cylinder, blade};
+}
+
 cases::MachinePart part_of(const geometry::AnySolid& solid) {
   cases::MachinePart part;
   part.body.solid = solid;
@@ -65,13 +75,7 @@ scene::Collision random_hit(Random& random, std::int32_t face) {
 }
 
 TEST(PartMap, has_the_area_of_each_solid) {
-  geometry::DiscSolid disc{};
-  disc.diameter = 0.04, disc.thickness = 0.004;
-  geometry::CylinderSolid cylinder{};
-  cylinder.diameter = 0.01, cylinder.length = 0.05;
-  geometry::BladeSolid blade{};
-  blade.length = 0.04, blade.thickness = 0.003, blade.height = 0.011;
-  const Outcome outcome = outcome_of({disc, cylinder, blade});
+  const Outcome outcome = outcome_of(solids());
   const auto rates = part_rates(outcome);
   // A circle by 192 chords: its length is short by (pi/192)^2/6 = 4.5e-5, its area by four times
   // that.
@@ -128,13 +132,7 @@ TEST(PartMap, holds_each_hit_in_the_cell_of_its_place_and_direction) {
 }
 
 TEST(PartMap, cells_sum_to_the_hits_on_each_part) {
-  geometry::DiscSolid disc{};
-  disc.diameter = 0.04, disc.thickness = 0.004;
-  geometry::CylinderSolid cylinder{};
-  cylinder.diameter = 0.01, cylinder.length = 0.05;
-  geometry::BladeSolid blade{};
-  blade.length = 0.04, blade.thickness = 0.003, blade.height = 0.011;
-  Outcome outcome = outcome_of({disc, blade, cylinder});  // of one face each
+  Outcome outcome = outcome_of(solids());  // of one face each
   const int jar_faces = outcome.replicates[0].tally.wall_map.grid().faces;
   Random random(5, 0);
   std::vector<double> count(3), lost(3);

@@ -18,24 +18,15 @@ using observe::PartGrid;
 /// Adds a triangle to the areas [m2] of cells, in pieces that are short against a cell.
 void add_area(std::vector<double>& areas, const PartGrid& grid, const std::array<Vec3, 3>& t) {
   constexpr double shortest = 0.5;
-  std::size_t longest = 0;
-  double length = 0;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
-      length = l;
-      longest = k;
-    }
-  if (length <= shortest * grid.edge()) {
-    const Vec3 area = 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-    if (norm(area) > 0)
-      areas[static_cast<std::size_t>(grid.cell_of((1.0 / 3) * (t[0] + t[1] + t[2]), area))] +=
-          norm(area);
+  const Halved parts = halved(t);
+  if (parts.longest > shortest * grid.edge()) {
+    for (const std::array<Vec3, 3>& half : parts.halves) add_area(areas, grid, half);
     return;
   }
-  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-  const Vec3 half = 0.5 * (a + b);
-  add_area(areas, grid, {a, half, c});
-  add_area(areas, grid, {half, b, c});
+  const Vec3 area = area_vector(t);
+  if (norm(area) > 0)
+    areas[static_cast<std::size_t>(grid.cell_of((1.0 / 3) * (t[0] + t[1] + t[2]), area))] +=
+        norm(area);
 }
 
 void set_areas(std::vector<PartRates>& rates, const cases::Case& mill_case) {

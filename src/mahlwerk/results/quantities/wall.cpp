@@ -26,10 +26,6 @@ namespace {
 using observe::PlaneField;
 using observe::WallGrid;
 
-Vec3 area_vector(const std::array<Vec3, 3>& t) {
-  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
-}
-
 using Triangle = std::array<Vec3, 3>;
 
 /// Borders between cells that are planes: normal . p = distance [m].
@@ -101,27 +97,18 @@ class AreaSplitter {
   /// Bisects the longest edge until a piece is within one ring or short enough.
   void halve(const Triangle& t) {
     const Vec3 middle = (1.0 / 3) * (t[0] + t[1] + t[2]);
-    std::size_t longest = 0;
-    double length = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
-        length = l;
-        longest = k;
-      }
+    const Halved parts = halved(t);
     const int cell = cell_at(middle);
     constexpr double inwards = 1e-3;  // corners on the border of two cells are in either
     const auto same = [&](const Vec3& corner) {
       return cell_at(corner + inwards * (middle - corner)) == cell;
     };
-    if (WallGrid::part(cell) == WallGrid::Part::side || length <= least_ ||
+    if (WallGrid::part(cell) == WallGrid::Part::side || parts.longest <= least_ ||
         std::ranges::all_of(t, same)) {
       areas[static_cast<std::size_t>(cell)] += norm(area_vector(t));
       return;
     }
-    const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
-    const Vec3 half = 0.5 * (a + b);
-    halve({a, half, c});
-    halve({half, b, c});
+    for (const Triangle& half : parts.halves) halve(half);
   }
 
   WallGrid grid_;
@@ -188,6 +175,23 @@ std::shared_ptr<CachedAreas> cached_areas(const geometry::AnyShape& shape, const
 }
 
 }  // namespace
+
+Vec3 area_vector(const std::array<Vec3, 3>& t) {
+  return 0.5 * cross(t[1] - t[0], t[2] - t[0]);
+}
+
+Halved halved(const std::array<Vec3, 3>& t) {
+  std::size_t longest = 0;
+  double length = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const double l = norm(t[(k + 1) % 3] - t[k]); l > length) {
+      length = l;
+      longest = k;
+    }
+  const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+  const Vec3 half = 0.5 * (a + b);
+  return {length, {{{a, half, c}, {half, b, c}}}};
+}
 
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const WallGrid& grid) {
   return cached_areas(shape, grid)->values();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mahlwerk/results/outcome.hpp"
@@ -9,6 +10,14 @@
 
 // Maps of hits and wear on the jar's wall, and density and velocity fields of the charge.
 namespace mahlwerk::results {
+
+/// A triangle's longest edge [m], and the triangles into which a cut through its middle splits it.
+struct Halved {
+  double longest = 0;
+  std::array<std::array<Vec3, 3>, 2> halves;
+};
+Halved halved(const std::array<Vec3, 3>& triangle);
+Vec3 area_vector(const std::array<Vec3, 3>& triangle);  ///< [m2]
 
 /// [m2] Area of the jar's wall in each cell of the grid. Their sum is the wall's area.
 std::vector<double> wall_areas(const geometry::AnyShape& shape, const observe::WallGrid& grid);
