@@ -185,6 +185,7 @@ Table power_readings(const Outcome& outcome) {
   const std::optional<double> speed = cases::shaft_speed(c);
   if (speed)
     table.columns.push_back({"torque", "N m", "torque of the balls of all jars on the shaft"});
+  constexpr double stands = 1e-6;  // [1] a reading ends a step after the mill has stopped
   for (const PowerReading& one : readings(c, *chosen.front())) {
     table.rows.push_back({one.time, one.drawn, motor_power(c, one.drawn)});
     if (speed)  // (sns.2)
