@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 
 namespace mahlwerk::cases {

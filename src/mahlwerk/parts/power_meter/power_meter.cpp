@@ -189,8 +189,10 @@ Table power_readings(const Outcome& outcome) {
   for (const PowerReading& one : readings(c, *chosen.front())) {
     table.rows.push_back({one.time, one.drawn, motor_power(c, one.drawn)});
     if (speed)  // (sns.2)
-      table.rows.back().push_back(
-          results::share(static_cast<double>(c.mill.jars_carried) * one.drawn, *speed * one.rate));
+      table.rows.back().push_back(std::abs(one.rate) > stands
+                                      ? static_cast<double>(c.mill.jars_carried) * one.drawn /
+                                            (*speed * one.rate)
+                                      : results::undefined);
   }
   return table;
 }

@@ -20,7 +20,7 @@ double mill_rate(const Outcome& outcome);
 inline bool has_one_sense(const cases::Case& c) {
   return !c.mill.speed_over_time.reverses();
 }
-constexpr std::string_view in_one_sense = "that turn in one sense";
+constexpr std::string_view in_one_sense = "if they turn in one sense";
 /// [rad/s] Mean speed of the shaft in the counted time; 0 where no shaft turns.
 double mill_speed(const cases::Case& c, const Replicate& r);
 
