@@ -225,7 +225,7 @@ constexpr double ramp_time = 0.5;  // [s]
 /// The motion of a mill that comes to its speed.
 template <class M>
 ChosenMotion speeding_up(const M& m) {
-  return ChosenMotion(ramped(AnyMotion(m), ramp_time));
+  return ChosenMotion(programmed(AnyMotion(m), SpeedProgram::ramp(ramp_time)));
 }
 
 TYPED_TEST(Motions, begin_at_rest_on_a_ramp_and_run_behind_it_as_half_of_it_earlier) {
@@ -250,6 +250,25 @@ TYPED_TEST(Motions, have_their_derivatives_on_a_ramp_within_its_bounds) {
   expect_derivatives_of_centre(m, some_time, "kin.21, central differences");
   expect_rate_of_turn(m, some_time, "kin.21");
   expect_bounds(m, some_time);
+}
+
+/// Comes to its speed, turns back, and begins anew every 1.3 s.
+TYPED_TEST(Motions, have_their_derivatives_with_a_speed_over_time_within_its_bounds) {
+  const SpeedProgram to_and_fro({{0, 0}, {0.3, 1}, {0.5, 1}, {0.8, -0.7}, {1.1, -0.7}, {1.3, 0}},
+                                true);
+  const ChosenMotion m{programmed(AnyMotion(this->motion), to_and_fro)};
+  EXPECT_FALSE(std::isfinite(m.period()));
+  const auto some_time = [&] { return this->random.uniform(1e-5, 4); };
+  expect_derivatives_of_centre(m, some_time, "kin.27, central differences");
+  expect_rate_of_turn(m, some_time, "kin.27");
+  expect_bounds(m, some_time);
+  for (int i = 0; i < 1000; ++i) {
+    const double t = some_time();
+    const Clock at = to_and_fro.clock(t);
+    EXPECT_TRUE(same(m.frame_motion(t).centre, this->motion.frame_motion(at.time).centre));
+    EXPECT_TRUE(same(m.spin(t), at.rate * this->motion.spin(at.time)));
+    EXPECT_TRUE(m.rotation(t) == this->motion.rotation(at.time));
+  }
 }
 
 TEST(Tabulated, reproduces_the_motion_its_samples_were_taken_from) {

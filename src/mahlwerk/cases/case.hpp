@@ -26,6 +26,7 @@
 #include "mahlwerk/contact/lubrication.hpp"
 #include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/drive.hpp"
+#include "mahlwerk/kinematics/speed_program.hpp"
 #include "mahlwerk/powder/any_model.hpp"
 #include "mahlwerk/powder/feed.hpp"
 #include "mahlwerk/scene/ball_layers.hpp"
@@ -40,6 +41,7 @@ struct Mill {
   Vec3 jar_axis{0, 0, 1};         ///< unit vector along the z axis of the mounted jar
   std::string motion_file;        ///< of a tabulated motion, as written; relative to the case file
   double tilt = 0;                ///< [rad] of the whole mill about its y axis; its x axis rises
+  kinematics::SpeedProgram speed_over_time;  ///< empty: its speed is constant
   bool operator==(const Mill&) const = default;
 };
 

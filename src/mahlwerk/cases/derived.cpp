@@ -86,6 +86,15 @@ std::optional<double> shaft_speed(const Case& c) {
   return std::nullopt;
 }
 
+kinematics::SpeedProgram speed_program(const Case& c) {
+  if (c.run.start != StartLayout::ramp) return c.mill.speed_over_time;
+  return kinematics::SpeedProgram::ramp(c.run.ramp_time);
+}
+
+bool speed_varies(const Case& c) {
+  return c.drive.has_value() || !c.mill.speed_over_time.empty();
+}
+
 const kinematics::Tumbling* drum_motion(const Case& c) {
   const bool about_own_axis = c.mill.jar_axis == kinematics::Tumbling::jar_axis;
   return about_own_axis ? kinematics::as<kinematics::Tumbling>(*c.mill.motion) : nullptr;

@@ -38,6 +38,10 @@ double critical_speed(const Jar& jar, const std::vector<BallSet>& balls, double 
 /// [rad/s] Speed of the shaft that drives a drum, the disc of a planetary mill or a stirrer; no
 /// value where no shaft turns steadily.
 std::optional<double> shaft_speed(const Case& c);
+/// The speed over time of [mill], or the ramp of [run]; empty: the full speed throughout.
+kinematics::SpeedProgram speed_program(const Case& c);
+/// Whether the speed of a run is another one than that of the case: [drive], or a speed over time.
+bool speed_varies(const Case& c);
 /// The motion of a drum: a tumbling jar that turns about its own axis. Null for other mills, and
 /// for a tumbler that turns its jar end over end.
 const kinematics::Tumbling* drum_motion(const Case& c);

@@ -106,7 +106,7 @@ std::optional<MillNumbers> mill_numbers(const Case& c) {
 
 bool may_hold(const FormulaRange& range, const Case& c) {
   std::optional<MillNumbers> mill = mill_numbers(c);
-  if (mill && c.drive) mill->speed = range.least_speed;
+  if (mill && speed_varies(c)) mill->speed = range.least_speed;
   return mill && range.has(*mill);
 }
 
@@ -128,7 +128,10 @@ Notices mill_power_notices(const Case& c, std::optional<double> rate) {
            fmt::format("Formulas of mill power that do not hold for this mill have no value. It "
                        "turns at {} of the critical speed of its shell{}, and its charge fills {} "
                        "of it in bulk; {}.",
-                       percent_text(mill->speed), c.drive && !rate ? " without load" : "",
+                       percent_text(mill->speed),
+                       rate || !speed_varies(c) ? ""
+                       : c.drive                ? " without load"
+                                                : " at full speed",
                        percent_text(mill->filling), missing))};
 }
 

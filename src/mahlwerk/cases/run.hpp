@@ -96,10 +96,6 @@ struct Run {
   bool operator==(const Run&) const = default;
 };
 
-/// [s] In which the mill comes to its speed; 0 unless it does so on a ramp.
-constexpr double ramp_time(const Run& run) {
-  return run.start == StartLayout::ramp ? run.ramp_time : 0;
-}
 /// Counting begins after `settle` [s], without a ramp: the mill runs at its speed from the start.
 inline void settle_at_speed(Run& run, double settle) {
   run.settle = settle;

@@ -30,10 +30,25 @@ int blocks_per_period(const Case& c) {
 
 }  // namespace
 
-double mill_period(const Case& c) {
+namespace {
+
+double period_at_full_speed(const Case& c) {
   if (const auto shaft = shaft_speed(c)) return 2 * std::numbers::pi / *shaft;
   const double jar = kinematics::period(*c.mill.motion);
   return std::isfinite(jar) ? jar : part_period(c);
+}
+
+/// [s] From then on the mill has its last speed.
+double changes_until(const Case& c) {
+  return speed_program(c).end();
+}
+
+}  // namespace
+
+double mill_period(const Case& c) {
+  const kinematics::SpeedProgram& program = c.mill.speed_over_time;
+  if (program.repeats()) return program.end();
+  return period_at_full_speed(c) / std::abs(program.last_rate());
 }
 
 bool settles(const Case& c) {
@@ -44,7 +59,7 @@ bool settles(const Case& c) {
 
 SettlingBlocks settling_blocks(const Case& c) {
   constexpr double times = 4;  // of the least, and of the counted time
-  SettlingBlocks made{.begin = ramp_time(c.run), .length = mill_period(c) / blocks_per_period(c)};
+  SettlingBlocks made{.begin = changes_until(c), .length = mill_period(c) / blocks_per_period(c)};
   const double within_counted = std::min(1e6, times * c.run.time / made.length);
   made.most = std::max(static_cast<int>(times) * SettlingBlocks::least,
                        c.run.until ? 0 : static_cast<int>(within_counted));
@@ -52,7 +67,7 @@ SettlingBlocks settling_blocks(const Case& c) {
 }
 
 double least_settling(const Case& c) {
-  if (!settles(c)) return c.run.settle.value_or(ramp_time(c.run));
+  if (!settles(c)) return c.run.settle.value_or(changes_until(c));
   const SettlingBlocks blocks = settling_blocks(c);
   return blocks.begin + SettlingBlocks::least * blocks.length;
 }

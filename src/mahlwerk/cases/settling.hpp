@@ -8,7 +8,8 @@
 namespace mahlwerk::cases {
 
 /// [s] One turn of a drum, of the disc of a planetary mill or of a rotor; one oscillation of
-/// another mill. Infinite for a jar at rest.
+/// another mill; of a speed over time at its last speed, or one repetition. Infinite for a jar at
+/// rest.
 double mill_period(const Case& c);
 
 /// Blocks of time in which run.settle = "auto" looks for a trend.

@@ -18,8 +18,8 @@ std::unique_ptr<scene::Engine> one_ball_in(const S& shape, const scene::Chamber&
     return std::make_unique<OneBall<S, M>>(TypedChamber<S, M>(shape, motion, chamber), ball, rules,
                                            start);
   };
-  if (const auto* shaken = kinematics::as<kinematics::Vibration>(*chamber.motion))
-    return engine(*shaken);
+  const auto* shaken = kinematics::as<kinematics::Vibration>(*chamber.motion);
+  if (shaken != nullptr && !kinematics::speed_varies(*chamber.motion)) return engine(*shaken);
   return engine(kinematics::CachedMotion(chamber.motion));
 }
 

@@ -59,8 +59,8 @@ class ChamberWall final : public MovingWall {
     gravity_ = jar.gravity();
     periods_ = geometry::periods_of(jar.shape());
     repeats_ = jar.static_geometry();
-    if constexpr (requires { jar.motion().speeds_up(); })
-      repeats_ = repeats_ && !jar.motion().speeds_up();
+    if constexpr (requires { jar.motion().speed_varies(); })
+      repeats_ = repeats_ && !jar.motion().speed_varies();
     faces_ = S::faces;
     period_ = jar.motion().period();
     reach_ = jar.shape().reach();

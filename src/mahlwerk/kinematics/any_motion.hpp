@@ -7,7 +7,7 @@
 
 #include "mahlwerk/base/indirect.hpp"
 #include "mahlwerk/kinematics/motion.hpp"
-#include "mahlwerk/kinematics/ramp.hpp"
+#include "mahlwerk/kinematics/speed_program.hpp"
 
 // Type-erased motion of a mill, chosen at run time. kinematics/motions.hpp lists the types it can
 // hold; kinematics/chosen_motion.hpp wraps it as a Motion.
@@ -26,14 +26,14 @@ struct Pose {
 };
 
 std::string_view name_of(const AnyMotion& motion);  ///< "planetary"
-/// The motion of a mill that comes to its speed from rest within `ramp_time` [s]; it has no period.
-Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time);
+/// The motion of a mill with a speed over time; it has no period.
+Indirect<AnyMotion> programmed(const AnyMotion& motion, const SpeedProgram& program);
 /// The motion of a mill of `speed` [rad/s] that a motor turns. Copies share the state of its drive,
 /// so that each run needs a motion of its own.
 Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double speed);
 Drive* drive_of(const AnyMotion& motion);  ///< null if it is not driven()
 Clock clock(const AnyMotion& motion, double t);
-bool speeds_up(const AnyMotion& motion);       ///< ramped() or driven()
+bool speed_varies(const AnyMotion& motion);    ///< programmed() or driven()
 Pose pose(const AnyMotion& motion, double t);  ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);
 Rotation rotation(const AnyMotion& motion, double t);

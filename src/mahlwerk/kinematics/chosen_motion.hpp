@@ -24,7 +24,7 @@ class ChosenMotion {
   }
   Bounds bounds() const { return kinematics::bounds(*motion_); }
   double period() const { return kinematics::period(*motion_); }
-  bool speeds_up() const { return kinematics::speeds_up(*motion_); }
+  bool speed_varies() const { return kinematics::speed_varies(*motion_); }
   Vec3 fixed_axis() const { return kinematics::fixed_axis(*motion_); }
 
  private:
@@ -43,7 +43,7 @@ class CachedMotion {
   Vec3 angular_acceleration(double t) const { return at(t).angular_acceleration; }
   Bounds bounds() const { return motion_.bounds(); }
   double period() const { return motion_.period(); }
-  bool speeds_up() const { return motion_.speeds_up(); }
+  bool speed_varies() const { return motion_.speed_varies(); }
   Vec3 fixed_axis() const { return motion_.fixed_axis(); }
 
  private:

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "mahlwerk/base/archive.hpp"
-#include "mahlwerk/kinematics/ramp.hpp"
+#include "mahlwerk/kinematics/speed_program.hpp"
 
 // A mill that a motor turns (kin.24): its speed follows from the torques of motor and charge. Its
-// motion is that of the mill at full speed, X(s), by a clock s(t), as on a ramp.
+// motion is that of the mill at full speed, X(s), by a clock s(t), as with a speed over time.
 namespace mahlwerk::kinematics {
 
 /// The motor of a mill, and what it turns.

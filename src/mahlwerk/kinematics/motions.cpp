@@ -11,9 +11,9 @@ namespace mahlwerk::kinematics {
 std::string_view name_of(const AnyMotion& motion) {
   return std::visit([](const auto& m) -> std::string_view { return m.name; }, motion);
 }
-Indirect<AnyMotion> ramped(const AnyMotion& motion, double ramp_time) {
+Indirect<AnyMotion> programmed(const AnyMotion& motion, const SpeedProgram& program) {
   AnyMotion made = motion;
-  made.ramp_time = ramp_time;
+  made.program = program;
   return made;
 }
 Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double speed) {
@@ -24,12 +24,12 @@ Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double s
 Drive* drive_of(const AnyMotion& motion) {
   return motion.drive.get();
 }
-bool speeds_up(const AnyMotion& motion) {
-  return motion.ramp_time > 0 || motion.drive;
+bool speed_varies(const AnyMotion& motion) {
+  return !motion.program.empty() || motion.drive;
 }
 Clock clock(const AnyMotion& motion, double t) {
   if (motion.drive) return motion.drive->clock(t);
-  return motion.ramp_time > 0 ? ramp_clock(t, motion.ramp_time) : Clock{t};
+  return motion.program.empty() ? Clock{t} : motion.program.clock(t);
 }
 
 namespace {
@@ -63,7 +63,7 @@ Pose running_pose(const AnyMotion& motion, double t) {
 }  // namespace
 
 Pose pose(const AnyMotion& motion, double t) {
-  if (!speeds_up(motion)) return running_pose(motion, t);
+  if (!speed_varies(motion)) return running_pose(motion, t);
   const Clock at = clock(motion, t);
   const Pose p = running_pose(motion, at.time);
   return {{p.frame.centre, first(at, p.frame.velocity),
@@ -73,7 +73,7 @@ Pose pose(const AnyMotion& motion, double t) {
           second(at, p.spin, p.angular_acceleration)};
 }
 FrameMotion frame_motion(const AnyMotion& motion, double t) {
-  if (speeds_up(motion)) return pose(motion, t).frame;
+  if (speed_varies(motion)) return pose(motion, t).frame;
   return std::visit([t](const auto& m) { return m.frame_motion(t); }, motion);
 }
 Rotation rotation(const AnyMotion& motion, double t) {
@@ -81,20 +81,20 @@ Rotation rotation(const AnyMotion& motion, double t) {
   return std::visit([at](const auto& m) -> Rotation { return m.rotation(at); }, motion);
 }
 Vec3 spin(const AnyMotion& motion, double t) {
-  if (speeds_up(motion)) return pose(motion, t).spin;
+  if (speed_varies(motion)) return pose(motion, t).spin;
   return std::visit([t](const auto& m) -> Vec3 { return m.spin(t); }, motion);
 }
 Vec3 angular_acceleration(const AnyMotion& motion, double t) {
-  if (speeds_up(motion)) return pose(motion, t).angular_acceleration;
+  if (speed_varies(motion)) return pose(motion, t).angular_acceleration;
   return std::visit([t](const auto& m) -> Vec3 { return m.angular_acceleration(t); }, motion);
 }
 Bounds bounds(const AnyMotion& motion) {
   const Bounds running = std::visit([](const auto& m) { return m.bounds(); }, motion);
   if (motion.drive) return driven_bounds(running, *motion.drive);
-  return motion.ramp_time > 0 ? ramp_bounds(running, motion.ramp_time) : running;
+  return motion.program.bounds(running);
 }
 double period(const AnyMotion& motion) {
-  if (speeds_up(motion)) return no_period;
+  if (speed_varies(motion)) return no_period;
   return std::visit([](const auto& m) -> double { return m.period(); }, motion);
 }
 Vec3 fixed_axis(const AnyMotion& motion) {

@@ -25,8 +25,7 @@ using Motions = std::variant<Still, Vibration, Planetary, Tumbling, ArcShaker, F
 struct AnyMotion : Motions {
   using Models = Motions;
   using Models::Models;
-  /// [s] In which the mill comes to its speed from rest (ramp.hpp); 0: it runs from the start.
-  double ramp_time = 0;
+  SpeedProgram program;  ///< of its speed in this run; empty: the full one throughout
   /// The motor that turns the mill in this run (drive.hpp), shared by copies; null: its speed is
   /// given.
   std::shared_ptr<Drive> drive;

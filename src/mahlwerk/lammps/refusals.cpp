@@ -82,6 +82,8 @@ std::vector<Fault> faults(const cases::Case& c) {
          "give a time");
   refuse(c.run.start == cases::StartLayout::ramp, "run.start",
          "start = \"ramp\": its mills run at their speed from the start", "remove start");
+  refuse(!c.mill.speed_over_time.empty(), "mill.speed_over_time",
+         "a speed over time: its mills run at one speed", "remove speed_over_time");
   refuse(faces_differ(c), "contact", "faces of the jar with different contact values",
          "give the same values to all faces");
   return found;

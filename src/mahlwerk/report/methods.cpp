@@ -98,6 +98,13 @@ class MethodsText {
   }
 
   std::string drive() const {
+    const kinematics::SpeedProgram& program = c_.mill.speed_over_time;
+    if (!program.empty())
+      return fmt::format("This is the full speed; it changed over time{}{}, as the case gives it. ",
+                         program.reverses() ? ", in both senses" : "",
+                         program.repeats()
+                             ? fmt::format(", again every {}", show_rounded(program.end(), "s"))
+                             : "");
     if (!c_.drive) return "";
     const kinematics::Motor& m = *c_.drive;
     const std::string inertia = value("drive.inertia", m.inertia, "kg m2");

@@ -40,7 +40,8 @@ struct PartPose {
 };
 
 /// The pose at time `t` of a motion in the jar's own axes or the laboratory (kin.22); `jar` and
-/// `mount` are those of the chamber. On a ramp the part has the clock of the mill.
+/// `mount` are those of the chamber. Where the speed of the mill varies, the part has its
+/// clock.
 inline PartPose part_pose(const kinematics::PartMotion& motion, bool in_laboratory,
                           const kinematics::AnyMotion& jar, const Rotation& mount, double t) {
   const kinematics::Clock clock = kinematics::clock(jar, t);

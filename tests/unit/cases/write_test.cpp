@@ -48,6 +48,10 @@ TEST(WriteCase, what_was_read_is_read_back_without_the_catalogue) {
   expect_round_trip(read_sample(vial));
   expect_round_trip(read_sample(planetary));
   expect_round_trip(read_sample(drum));
+  expect_round_trip(read_sample(
+      drum, {{"mill.speed_over_time", "[[\"0 s\", 0], [\"0.7 s\", \"70 %\"], [\"3 s\", 0]]"},
+             {"mill.speed_repeats", "true"},
+             {"run.settle", "0 s"}}));
   const std::string oil = "[liquid]\nmaterial = \"oil\"\n";
   expect_round_trip(read_sample(vial + oil + "kind = \"film\"\nfilm = \"7.3 um\"\n"));
   expect_round_trip(read_sample(vial + oil + "kind = \"flooded\"\nreach = 0.3\ndrag = false\n"));

@@ -315,6 +315,7 @@ std::vector<Fault> inconsistencies(const Case& c) {
   if (found.size() == so_far) bad_positions(c, found);
   if (found.size() == so_far) bad_start_state(c, found);
   bad_ramp(c, found);
+  bad_speed_over_time(c, found);
   if (found.size() == so_far) bad_parts(c, found);
   if (found.size() == so_far && !c.machine_parts.empty()) bad_part_images(c, found);
   if (found.size() == so_far && !c.machine_parts.empty()) balls_in_parts(c, found);

@@ -31,6 +31,8 @@ void balls_in_parts(const Case& c, std::vector<Fault>& found);
 void bad_start_state(const Case& c, std::vector<Fault>& found);
 /// A mill that cannot speed up, or counting that begins before it has its speed.
 void bad_ramp(const Case& c, std::vector<Fault>& found);
+/// A speed over time of a mill without a speed, or beside another section that decides it.
+void bad_speed_over_time(const Case& c, std::vector<Fault>& found);
 /// Solid volume of powder and balls larger than the jar.
 void bad_powder(const Case& c, std::vector<Fault>& found);
 /// A reversed drive ([milling] reverse) of a mill that does not turn, of a single cycle, or with

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The state of another run as a start: the same balls, and one state for each replicate. A mill
-// that speeds up.
+// The state of another run as a start: the same balls, and one state for each replicate.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,10 +11,6 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/faults/inconsistencies.hpp"
-#include "mahlwerk/cases/wall_faces.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/kinematics/still.hpp"
-#include "mahlwerk/kinematics/tabulated.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -61,30 +56,6 @@ void bad_start_state(const Case& c, std::vector<Fault>& found) {
     if (std::string what = difference(c, (*start.states)[k]); !what.empty())
       return fault(start.folder ? fmt::format("final-{}.csv: {}", k + 1, what) : what,
                    "give the same [[balls]] and grains as in the run that the state is from");
-}
-
-void bad_ramp(const Case& c, std::vector<Fault>& found) {
-  if (c.run.start != StartLayout::ramp) return;
-  const auto fault = [&](const char* key, std::string what, std::string remedy) {
-    found.push_back({location_of(c, key), std::move(what), std::move(remedy), "bad-ramp"});
-  };
-  const kinematics::AnyMotion& mill = *c.mill.motion;
-  const bool still = kinematics::as<kinematics::Still>(mill) != nullptr && part_speed(c) == 0;
-  if (still || kinematics::as<kinematics::Tabulated>(mill) != nullptr)
-    fault("run.start",
-          still ? "start = \"ramp\": a jar that stands still has no speed to come to"
-                : "start = \"ramp\": a measured motion begins as it was measured",
-          "remove start");
-  else if (geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr)
-    fault("run.start", "start = \"ramp\": a stirrer runs at its speed from the start",
-          "remove start");
-  if (c.run.settle && *c.run.settle < c.run.ramp_time)
-    fault(
-        "run.settle",
-        fmt::format("counting would begin after {}, while the mill comes to its speed, which takes "
-                    "{}",
-                    show_rounded(*c.run.settle, "s"), show_rounded(c.run.ramp_time, "s")),
-        "write settle = \"auto\", or a time that is not shorter than ramp_time");
 }
 
 }  // namespace mahlwerk::cases

@@ -311,6 +311,7 @@ void describe(KeyVisitor& v, Mill& mill, const Case& c) {
     std::visit([&](auto& motion) { describe_motion(v, motion, mill, c, model); }, *mill.motion);
   if (v.reader() == nullptr) describe_axis(v, mill);
   describe_jars(v, mill.jars_carried);
+  describe_speed_over_time(v, mill);
   if (v.reader() != nullptr && model.entry) remark_on_jar(*v.reader(), *model.entry, c.jar);
 }
 

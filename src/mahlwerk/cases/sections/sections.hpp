@@ -34,6 +34,7 @@ void describe(KeyVisitor& v, MachinePart& part);
 void describe(KeyVisitor& v, BallSet& set, const Jar& jar);
 /// Requires `c` with gravity, jar and balls.
 void describe(KeyVisitor& v, Mill& mill, const Case& c);
+void describe_speed_over_time(KeyVisitor& v, Mill& mill);
 /// A reader appends grains to `balls`.
 void describe(KeyVisitor& v, Powder& powder, std::vector<BallSet>& balls, const Jar& jar);
 /// [contact] without its pairs. Returns the contact model, or null if it could not be read.

@@ -26,8 +26,8 @@ namespace {
 Indirect<kinematics::AnyMotion> motion_in_run(const Case& c) {
   if (const auto* drum = drum_motion(c); c.drive && drum != nullptr)
     return kinematics::driven(*c.mill.motion, *c.drive, drum->speed);
-  if (ramp_time(c.run) > 0) return kinematics::ramped(*c.mill.motion, ramp_time(c.run));
-  return c.mill.motion;
+  const kinematics::SpeedProgram program = speed_program(c);
+  return program.empty() ? c.mill.motion : kinematics::programmed(*c.mill.motion, program);
 }
 
 }  // namespace

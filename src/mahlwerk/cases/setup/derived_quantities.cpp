@@ -107,12 +107,12 @@ class Derivation {
     }
     const double critical = critical_speed(c_.jar, c_.balls, across_axis(c_.gravity_vector()));
     add("drum_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm",
-        "speed of the drum" + unloaded());
+        "speed of the drum" + state_of_speed());
     add("critical_speed", critical, "rad/s",
         "speed that pins the largest ball to the wall of the drum (kin.11)");
     if (critical > 0)
       add("percent_of_critical", 100 * std::abs(tumbler.speed) / critical, "%",
-          fmt::format("speed of the drum{} over the critical speed (kin.11)", unloaded()));
+          fmt::format("speed of the drum{} over the critical speed (kin.11)", state_of_speed()));
     add("expected_impact_energy", largest_.mass() * c_.gravity * 2 * arm_, "J",
         "energy of the largest ball falling through the drum's diameter less its own (kin.17)");
     if (const auto mill = mill_numbers(c_)) powers(*mill);
@@ -121,18 +121,21 @@ class Derivation {
   void powers(const MillNumbers& mill) {
     if (bond_range.has(mill))
       add("bond_power", bond_power(mill, balls_mass(sets_at_start(c_))), "W",
-          "power at the shell by Bond's formula (mil.1)" + unloaded());
+          "power at the shell by Bond's formula (mil.1)" + state_of_speed());
     if (hogg_fuerstenau_range.has(mill))
       add("hogg_fuerstenau_power", hogg_fuerstenau_power(mill, usual_lift_angle), "W",
-          "net power by Hogg and Fuerstenau, lift angle 35 degrees (mil.2)" + unloaded());
+          "net power by Hogg and Fuerstenau, lift angle 35 degrees (mil.2)" + state_of_speed());
     if (!morrell_range.has(mill)) return;
     add("morrell_power", morrell_losses * morrell_charge(mill).power, "W",
-        "power of the charge by Morrell's C model, times 1.26 (mil.7)" + unloaded());
+        "power of the charge by Morrell's C model, times 1.26 (mil.7)" + state_of_speed());
     add("morrell_no_load_power", morrell_no_load_power(mill), "W",
-        "power of the empty mill by Morrell (mil.8)" + unloaded());
+        "power of the empty mill by Morrell (mil.8)" + state_of_speed());
   }
-  /// Before a run, the speed of a mill that a motor turns is not known.
-  std::string unloaded() const { return c_.drive ? ", without load" : ""; }
+  /// Which speed it is, if the mill will not have it throughout.
+  std::string state_of_speed() const {
+    if (!speed_varies(c_)) return "";
+    return c_.drive ? ", without load" : ", at full speed";
+  }
 
   void special(const Planetary& mill) {
     const double jar_spin = mill.jar_spin(), disc = mill.speed;

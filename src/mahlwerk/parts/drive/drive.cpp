@@ -96,6 +96,9 @@ void check(const Case& c, std::vector<Fault>& found) {
   if (c.run.start == cases::StartLayout::ramp)
     fault("run.start = \"ramp\" prescribes the speed of a mill that has a motor",
           "remove run.start, or [drive]");
+  if (!c.mill.speed_over_time.empty())
+    fault("mill.speed_over_time prescribes the speed of a mill that has a motor",
+          "remove speed_over_time, or [drive]");
   if (geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr)
     fault("[drive] does not turn a jar with a stirrer", "remove [drive]");
   if (c.liquid) fault("[drive] does not take account of a liquid", "remove [liquid], or [drive]");

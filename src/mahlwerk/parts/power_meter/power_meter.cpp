@@ -185,11 +185,14 @@ Table power_readings(const Outcome& outcome) {
   const std::optional<double> speed = cases::shaft_speed(c);
   if (speed)
     table.columns.push_back({"torque", "N m", "torque of the balls of all jars on the shaft"});
+  constexpr double stands = 1e-6;  // [1] a reading ends a step after the mill has stopped
   for (const PowerReading& one : readings(c, *chosen.front())) {
     table.rows.push_back({one.time, one.drawn, motor_power(c, one.drawn)});
     if (speed)  // (sns.2)
-      table.rows.back().push_back(
-          results::share(static_cast<double>(c.mill.jars_carried) * one.drawn, *speed * one.rate));
+      table.rows.back().push_back(std::abs(one.rate) > stands
+                                      ? static_cast<double>(c.mill.jars_carried) * one.drawn /
+                                            (*speed * one.rate)
+                                      : results::undefined);
   }
   return table;
 }

@@ -53,9 +53,18 @@ struct TurnedOver {
   double lost = 0, drawn = 0, kinetic = 0;
 };
 
-/// [s] Of the mill, at its mean speed in the counted time.
+/// [s] Of the mill; of one that a motor turns, at its mean speed in the counted time.
 double period_in_run(const Outcome& outcome) {
-  return cases::mill_period(outcome.mill_case) / std::abs(mill_rate(outcome));
+  const double period = cases::mill_period(outcome.mill_case);
+  return outcome.mill_case.drive ? period / std::abs(mill_rate(outcome)) : period;
+}
+
+/// Whether the speed of the mill changes, as prescribed, while it is counted: so do all numbers.
+bool speed_changes(const Outcome& outcome, const std::vector<const Replicate*>& chosen) {
+  const kinematics::SpeedProgram& program = outcome.mill_case.mill.speed_over_time;
+  return program.repeats() || std::ranges::any_of(chosen, [&](const Replicate* r) {
+           return r->at_settled.time < program.end();
+         });
 }
 
 /// What lets a mill settle before it is counted.
@@ -85,6 +94,7 @@ void not_steady(const Outcome& outcome, Notices& list) {
   const std::vector<const Replicate*> chosen = averaged_replicates(outcome);
   const std::vector<double> energy = stored(chosen);
   if (energy.size() < fewest || TurnedOver(chosen).is_nothing()) return;
+  if (speed_changes(outcome, chosen)) return;
   const double settling = quantity(outcome, "settling_time"),
                time = quantity(outcome, "simulated_time"),
                imbalance = outcome.mill_case.flow ? TurnedOver(chosen).imbalance()
@@ -162,6 +172,7 @@ void counted_trend(const Outcome& outcome, Notices& list) {
   std::size_t windows = chosen.empty() ? 0 : chosen.front()->windows.size();
   for (const Replicate* r : chosen) windows = std::min(windows, r->windows.size());
   if (windows < fewest || says(list, "not-settled") || TurnedOver(chosen).is_nothing()) return;
+  if (speed_changes(outcome, chosen)) return;
   const auto trend_of = [&](double Window::*member) {
     std::vector<double> sums(batches, 0);
     for (std::size_t i = 0; i < windows / batches * batches; ++i)

@@ -12,6 +12,7 @@
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/tumbling.hpp"
 #include "mahlwerk/observe/statistics.hpp"
+#include "mahlwerk/results/quantities/mill_speed.hpp"
 
 namespace mahlwerk::results {
 namespace {
@@ -150,6 +151,11 @@ SurfaceLayer layer_of(const Case& c, const Replicate& r) {
 bool is_turning_drum(const Case& c) {
   return turning_drum(c) != nullptr;
 }
+/// Whether it also turns in one sense.
+bool has_one_bed(const Case& c) {
+  return is_turning_drum(c) && has_one_sense(c);
+}
+constexpr std::string_view drums_in_one_sense = "drums that turn in one sense";
 /// Whether the mill, which is no drum, moves in an upright plane.
 bool moves_upright(const Case& c) {
   return !is_turning_drum(c) && std::abs(kinematics::plane_normal(*c.mill.motion).z) < 1e-9;
@@ -164,7 +170,7 @@ std::vector<BedPoint> bed_profile(const Case& mill_case, const Replicate& r) {
   if (r.read_before) return r.read_before->bed;
   const PlaneField& field = r.charge.in_carrier;
   const Centre at = centre(field);
-  if (turning_drum(mill_case) == nullptr || !(at.distance() > 0)) return {};
+  if (!has_one_bed(mill_case) || !(at.distance() > 0)) return {};
   const double ex = at.x / at.distance(), ey = at.y / at.distance();
   const double tx = -sense(mill_case) * ey, ty = sense(mill_case) * ex;
   std::vector<BedPoint> line;
@@ -199,38 +205,44 @@ Measures bed_measures() {
        "angle of the charge's centre of mass from the lowest point in the sense of rotation: the "
        "slope of a flat bed",
        bed_angle,
-       {.range = any_value, .equation = "obs.10", .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value,
+        .equation = "obs.10",
+        .applies = has_one_bed,
+        .only = drums_in_one_sense}},
       {"charge_distance",
        "m",
        "distance of the charge's centre of mass from the drum's axis",
        centre_distance,
-       {.applies = is_turning_drum, .only = "drums"}},
+       {.applies = has_one_bed, .only = drums_in_one_sense}},
       {"charge_lever_arm",
        "m",
        "horizontal distance of the charge's centre of mass from the drum's axis: torque over "
        "weight",
        [](const Case& c, const Replicate& r) { return sense(c) * centre(r.charge.in_carrier).x; },
-       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value, .applies = has_one_bed, .only = drums_in_one_sense}},
       {"surface_distance",
        "m",
        "distance of the bed's surface from the axis, along the line through the centre of mass",
        [](const Case& c, const Replicate& r) { return layer_of(c, r).top; },
-       {.range = any_value, .equation = "obs.11", .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value,
+        .equation = "obs.11",
+        .applies = has_one_bed,
+        .only = drums_in_one_sense}},
       {"surface_layer_bottom",
        "m",
        "distance from the axis at which the velocity along the surface vanishes, on that line",
        [](const Case& c, const Replicate& r) { return layer_of(c, r).bottom; },
-       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value, .applies = has_one_bed, .only = drums_in_one_sense}},
       {"surface_speed",
        "m/s",
        "largest speed down the slope in the surface layer, on that line",
        [](const Case& c, const Replicate& r) { return layer_of(c, r).speed; },
-       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value, .applies = has_one_bed, .only = drums_in_one_sense}},
       {"surface_shear_rate",
        "1/s",
        "mean shear rate of the surface layer, on that line",
        [](const Case& c, const Replicate& r) { return layer_of(c, r).shear_rate; },
-       {.range = any_value, .applies = is_turning_drum, .only = "drums"}},
+       {.range = any_value, .applies = has_one_bed, .only = drums_in_one_sense}},
   };
 }
 

@@ -9,6 +9,9 @@ namespace mahlwerk::results {
 
 double mill_rate(const cases::Case& c, const scene::EnergyBalance& from,
                  const scene::EnergyBalance& to) {
+  const kinematics::SpeedProgram& program = c.mill.speed_over_time;
+  if (!program.empty())
+    return share(program.travel(to.time) - program.travel(from.time), to.time - from.time);
   if (!c.drive) return 1;
   return share(to.mill_angle - from.mill_angle,
                (to.time - from.time) * cases::shaft_speed(c).value_or(0));

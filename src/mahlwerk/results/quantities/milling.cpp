@@ -99,7 +99,7 @@ Measures drum_measures() {
       is_tumbling, "tumbling mills",
       {{"drum_speed",
         "rpm",
-        "mean speed of the drum, in the sense of mill.speed",
+        "mean speed of the drum",
         [](const Case& c, const Replicate& r) { return mill_speed(c, r) * 30 / std::numbers::pi; },
         {.label = "speed of the drum", .symbol = "$n$"}},
        {"bulk_filling",

@@ -126,7 +126,7 @@ bool differ(double a, double b) {
 }  // namespace
 
 bool has_motion_states(const Case& c) {
-  return knows_losses(c) &&
+  return knows_losses(c) && c.mill.speed_over_time.empty() &&
          observe::has_motion_states(*c.mill.motion, *c.jar.shape, c.mill.jar_axis);
 }
 
