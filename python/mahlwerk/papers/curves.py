@@ -153,7 +153,7 @@ class Plot:
         blank = [replace(p, values=["" if k in free else v for k, v in enumerate(p.values)])
                  for p in chosen]
         original = {id(b): p for b, p in zip(blank, chosen)}
-        blanked = Points(self.points.keys, self.points.units, blank)
+        blanked = Points(self.points.keys, self.points.units, blank, self.points.following)
         return [(line.others, [replace(s, point=original[id(s.point)]) for s in line.spots])
                 for line in blanked.lines({}, curve.against, curve.quantity)]
 

@@ -95,6 +95,7 @@ class Points:
     keys: list[str]
     units: dict[str, str]  #: by quantity
     points: list[Point]
+    following: frozenset[str] = frozenset()  #: keys that vary together with another
 
     def unit_of_key(self, key: str) -> str:
         """The unit that all values of a key share; empty for words and other keys."""
@@ -127,7 +128,7 @@ class Points:
         a line). By ascending number of the key; words in the order of the campaign."""
         chosen = self.selected(where)
         axis = self.keys.index(against) if against in self.keys else None
-        others = distinguishing_keys(chosen, len(self.keys), axis)
+        others = distinguishing_keys(chosen, self.keys, axis, self.following)
         unit = "" if axis is None or not chosen else _core.number_text(chosen[0].values[axis])[1]
         lines: dict[str, Line] = {}
         for p in chosen:
@@ -154,15 +155,29 @@ def side_by_side(points: Iterable[Point], a: int, b: int) -> bool:
     return len(of_a) > 1 and all(len(s) == 1 for s in (*of_a.values(), *of_b.values()))
 
 
-def distinguishing_keys(points: list[Point], count: int, axis: Optional[int]) -> list[int]:
-    """Keys that distinguish lines: they vary, and correspond neither to the axis nor to an earlier
-    key."""
+def given_by(points: Iterable[Point], axis: int, k: int) -> bool:
+    """Whether each value of the axis has one value of the other key."""
+    of_axis: dict[str, set[str]] = {}
+    for p in points:
+        of_axis.setdefault(p.values[axis], set()).add(p.values[k])
+    return all(len(s) == 1 for s in of_axis.values())
+
+
+def distinguishing_keys(points: list[Point], names: list[str], axis: Optional[int],
+                        following: frozenset[str]) -> list[int]:
+    """Keys that distinguish lines: they vary, and neither vary with the axis nor correspond to an
+    earlier key."""
+    def varies_with_axis(k: int) -> bool:
+        if axis is None or k == axis:
+            return axis is not None
+        together = names[k] in following or names[axis] in following
+        return side_by_side(points, axis, k) or (together and given_by(points, axis, k))
+
     keys: list[int] = []
-    for k in range(count):
+    for k in range(len(names)):
         varies = len({p.values[k] for p in points}) > 1
         followed = any(side_by_side(points, before, k) for before in keys)
-        with_axis = k == axis or (axis is not None and side_by_side(points, axis, k))
-        if varies and not followed and not with_axis:
+        if varies and not followed and not varies_with_axis(k):
             keys.append(k)
     return keys
 
@@ -188,4 +203,5 @@ def points_of(campaign: Campaign) -> Points:
                     numbers(row, 2), numbers(row, 3), row[place["regime"]] or "",
                     campaign.folder / row[place["folder"]] if row[place["folder"]] else None)
               for row in rows]
-    return Points([k.key for k in keys], {name: told[0] for name, told in quantities.items()}, points)
+    return Points([k.key for k in keys], {name: told[0] for name, told in quantities.items()}, points,
+                  frozenset(k.key for k in keys if k.follows))
