@@ -45,4 +45,16 @@ def test_the_notices_of_the_run_and_the_largest_ball_are_in_text_and_json(bond):
 def test_a_mill_that_centrifuges_is_refused_before_the_run(bond, speed):
     code, text, said = bond("--json", "--mill-diameter", "4m", "--mill-speed", speed)
     assert code == 2 and text == ""
-    assert said["faults"][0]["where"] == "--mill-speed" and "centrifuges" in said["faults"][0]["what"]
+    assert said["faults"][0]["where"] == "--mill-speed" and "centrifuges" in said["faults"][0]["remedy"]
+
+
+@pytest.mark.parametrize("option, value, words", [
+    ("--mill-diameter", "1e9m", "100 mm to 20 m"), ("--mill-diameter", "9 cm", "100 mm to 20 m"),
+    ("--mill-speed", "1%", "10 % to 99 %"), ("--load", "0%", "10 % to 1000 %"), ("--load", "1e9", "10 % to 1000 %"),
+    ("--screen", "1 km", "10 um to 5 mm"), ("--screen", "nan m", "10 um to 5 mm"), ("--screen", "150 rpm", "10 um to 5 mm")])
+def test_sizes_that_no_such_test_has_are_refused_before_the_run(bond, option, value, words):
+    code, text, said = bond("--json", option, value)
+    assert code == 2 and text == ""
+    fault, = said["faults"]
+    assert fault["where"] == option and fault["code"] == "bad-command-line" and fault["remedy"]
+    assert fault["what"].endswith(words), fault["what"]

@@ -4,16 +4,21 @@
 
 #include <fmt/format.h>
 
+#include "mahlwerk/base/units.hpp"
+
 namespace mahlwerk::soft {
 
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
-                            const Vec3& velocity) {
+                            const Vec3& velocity, double time_step) {
+  constexpr double shorter = 0.25;  // enough for pressed beds of any overlap (dem.48)
   return RunError(fmt::format(
       "the run became unstable at {:.9g} s, at ball {}: {}. The ball's position relative to the "
-      "jar's centre is ({:.4g}, {:.4g}, {:.4g}) m, its velocity ({:.4g}, {:.4g}, {:.4g}) m/s. Use "
-      "a shorter run.time_step, or a stiffer contact if balls are pressed through each other or "
-      "the wall",
-      time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z));
+      "jar's centre is ({:.4g}, {:.4g}, {:.4g}) m, its velocity ({:.4g}, {:.4g}, {:.4g}) m/s. "
+      "Write run.time_step = \"{}\" or less, a quarter of the present one: a bed that is pressed "
+      "together needs a shorter step than a collision. Give a stiffer contact if balls are pressed "
+      "through each other or the wall",
+      time, ball + 1, why, position.x, position.y, position.z, velocity.x, velocity.y, velocity.z,
+      show_rounded(shorter * time_step, "s", 2)));
 }
 
 InputError overlap_error(std::size_t ball, const std::string& with, double overlap,

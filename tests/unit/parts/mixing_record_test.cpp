@@ -98,5 +98,90 @@ TEST(MixingRecord, of_a_periodic_axis_has_no_segregation_along_it) {
   states("packing fraction", s.packing, std::numbers::pi / 6, 1e-4, "no walls");
 }
 
+/// A jar of four lattices of balls side by side in x: halves of two sets, of which some are
+/// outside.
+struct Flowing {
+  scene::Chamber mill{geometry::Box{14, 14, 14}, kinematics::Still{}, {}, {0, 0, -9.81}};
+  std::vector<scene::Ball> balls;
+
+  Flowing() {
+    for (double x = -6.5; x < 7; ++x)
+      for (double y = -6.5; y < 7; ++y)
+        for (double z = -6.5; z < 7; ++z) balls.push_back({0.5, 1, {x, y, z}, {}, {}, x > 0});
+  }
+  MixingRecord record(Mixing::Colour colour, bool flows) const {
+    MixingRecord made({.section = {.colour = colour},
+                       .mill = mill,
+                       .interval = 1,
+                       .cell = 3,
+                       .reach = 1.2,
+                       .diameter = 1,
+                       .flows = flows});
+    made.begin(0);
+    return made;
+  }
+};
+
+MixingSample last_of(const MixingRecord& record) {
+  return record.samples().back();
+}
+
+/// What is outside does not count: the sample is that of the balls inside alone.
+TEST(MixingWithFlow, is_that_of_the_balls_in_the_jar) {
+  Flowing jar;
+  std::vector<scene::Ball> inside;
+  for (scene::Ball& b : jar.balls) {
+    b.outside = b.position.z > 0 || (b.position.x > 3 && b.position.y > 0);
+    if (!b.outside) inside.push_back(b);
+  }
+  MixingRecord flowing = jar.record(Mixing::Colour::sets, true),
+               alone = jar.record(Mixing::Colour::sets, false);
+  flowing.take_balls({.time = 0}, 0, jar.balls);
+  alone.take_balls({.time = 0}, 0, inside);
+  const MixingSample found = last_of(flowing), expected = last_of(alone);
+  states("Lacey's index", found.lacey, expected.lacey, 0, "of the balls inside alone");
+  states("neighbours", found.neighbours, expected.neighbours, 0, "likewise");
+  states("segregation, vertical", found.vertical, expected.vertical, 0, "likewise");
+  states("packing fraction", found.packing, expected.packing, 0, "likewise");
+  states("height of the bed", found.bed_height, expected.bed_height, 0, "likewise");
+  EXPECT_TRUE(std::isnan(found.axial_spread)) << "balls that leave have no way along the axis";
+}
+
+/// A set is a label: balls that come in later have it. A half is not: they are left out.
+TEST(MixingWithFlow, balls_that_come_in_later_have_the_colour_of_their_set_and_none_of_a_half) {
+  Flowing jar;
+  for (const Mixing::Colour colour : {Mixing::Colour::sets, Mixing::Colour::height}) {
+    std::vector<scene::Ball> balls = jar.balls;
+    for (scene::Ball& b : balls) b.outside = b.position.y > 0;
+    MixingRecord flowing = jar.record(colour, true);
+    flowing.take_balls({.time = 0}, 0, balls);
+    const MixingSample before = last_of(flowing);
+    for (scene::Ball& b : balls) b.outside = false;
+    flowing.take_balls({.time = 1}, 1, balls);
+    const MixingSample after = last_of(flowing);
+    if (colour == Mixing::Colour::sets) {
+      MixingRecord whole = jar.record(colour, false);
+      whole.take_balls({.time = 0}, 0, balls);
+      states("Lacey's index", after.lacey, last_of(whole).lacey, 0, "of all balls, by their sets");
+    } else {
+      states("Lacey's index", after.lacey, before.lacey, 0, "of those that have a colour");
+    }
+    EXPECT_GT(after.bed_height, 13) << "of all balls in the jar";
+  }
+}
+
+TEST(MixingWithFlow, of_an_empty_jar_has_no_numbers) {
+  Flowing jar;
+  for (scene::Ball& b : jar.balls) b.outside = true;
+  for (const Mixing::Colour colour : {Mixing::Colour::sets, Mixing::Colour::height}) {
+    MixingRecord flowing = jar.record(colour, true);
+    flowing.take_balls({.time = 0}, 0, jar.balls);
+    const MixingSample found = last_of(flowing);
+    for (const double value : {found.lacey, found.neighbours, found.radial, found.vertical,
+                               found.axial, found.packing, found.bed_height})
+      EXPECT_TRUE(std::isnan(value));
+  }
+}
+
 }  // namespace
 }  // namespace mahlwerk::parts::mixing::mixing_record_test

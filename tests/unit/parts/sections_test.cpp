@@ -64,6 +64,18 @@ TEST(ReadMixing, an_interval_of_more_than_a_thousand_samples_is_refused) {
   EXPECT_EQ(found[0].remedy, "write interval = \"63 ms\" or more, or leave it out");
 }
 
+TEST(ReadMixing, a_cell_of_more_balls_than_there_are_is_refused) {
+  const auto faults = [](const std::string& cell) {
+    return faults_of(with(vial, "count", "count = 6") + "[mixing]\nballs_per_cell = " + cell +
+                     "\n");
+  };
+  EXPECT_TRUE(faults("6").empty());
+  const std::vector<Fault> found = faults("7");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "cell-too-large");
+  EXPECT_NE(found[0].what.find("balls_per_cell = 7 is more than the 6 balls"), std::string::npos);
+}
+
 TEST(ReadSensors, every_key_is_read) {
   const Case c = read_sample(vial + R"([heat]
 [power_meter]

@@ -41,16 +41,38 @@ struct BondNumbers {
   double per_turn = 0, f80 = 0, p80 = 0, work_index = 0;  // [g], [m], [m], [kWh/t]
 };
 
-double bond_quantity(const std::string& text, std::string_view unit, const char* option) {
+/// An option with a number, and the range in which the test and its rules mean something.
+struct BondOption {
+  const char* name;
+  std::string_view unit;
+  double least, most;
+  const char* remedy;
+};
+constexpr BondOption screen_option{"--screen", "m", 10e-6, 5e-3,
+                                   "write the opening of the closing screen, for instance 150um"};
+constexpr BondOption load_option{"--load", "", 0.1, 10, "write for instance 250%, that of Bond"};
+constexpr BondOption diameter_option{"--mill-diameter", "m", 0.1, 20,
+                                     "write the inner diameter of the mill, for instance 4m"};
+constexpr BondOption speed_option{
+    "--mill-speed", "", 0.1, 0.99,
+    "write a share of the critical speed, at which a mill centrifuges, for instance 72%"};
+
+double bond_quantity(const std::string& text, const BondOption& option) {
+  double value = NAN;
   try {
-    const double value = parse_in(text, unit);
-    if (value > 0 && std::isfinite(value)) return value;
+    value = parse_in(text, option.unit);
   } catch (const UnitError&) {
   }
-  throw InputError(
-      Fault{option, fmt::format("\"{}\" is no {} above 0", text, unit == "m" ? "length" : "number"),
-            unit == "m" ? "write for instance 150um or 4m" : "write for instance 250%",
-            "bad-command-line"});
+  if (value >= option.least && value <= option.most) return value;
+  const auto shown = [&](double end) {
+    return option.unit.empty() ? fmt::format("{:.0f} %", 100 * end)
+                               : show_rounded(end, option.unit);
+  };
+  throw InputError(Fault{
+      option.name,
+      fmt::format("\"{}\" is no {} from {} to {}", text, option.unit.empty() ? "share" : "length",
+                  shown(option.least), shown(option.most)),
+      option.remedy, "bad-command-line"});
 }
 
 /// The mill whose largest ball is wanted.
@@ -61,14 +83,8 @@ struct FullScaleMill {
 
 FullScaleMill full_scale_mill(const BondArguments& given) {
   FullScaleMill mill;
-  if (!given.full_scale.empty())
-    mill.diameter = bond_quantity(given.full_scale, "m", "--mill-diameter");
-  mill.speed = bond_quantity(given.full_speed, "", "--mill-speed");
-  if (mill.speed >= 1)
-    throw InputError(Fault{
-        "--mill-speed",
-        fmt::format("\"{}\": at its critical speed and above a mill centrifuges", given.full_speed),
-        "write a share of the critical speed below 100 %, for instance 72%", "bad-command-line"});
+  if (!given.full_scale.empty()) mill.diameter = bond_quantity(given.full_scale, diameter_option);
+  mill.speed = bond_quantity(given.full_speed, speed_option);
   return mill;
 }
 
@@ -219,8 +235,8 @@ std::string notice_words(const Notices& notices) {
 int bond_test(const BondArguments& given) {
   catch_ctrl_c();
   powder::LockedCycleRules rules;
-  rules.closing_size = bond_quantity(given.screen, "m", "--screen");
-  rules.circulating_load = bond_quantity(given.load, "", "--load");
+  rules.closing_size = bond_quantity(given.screen, screen_option);
+  rules.circulating_load = bond_quantity(given.load, load_option);
   const FullScaleMill mill = full_scale_mill(given);
   const cases::Case c = read_bond_case(given);
   ProgressLine line(given.of.running.quiet);
@@ -257,14 +273,17 @@ Command bond_test_command() {
            options_of(given->of.changes),
            {{.name = "--screen",
              .target = &given->screen,
-             .about = "opening of the closing screen (default 150 um)"},
-            {.name = "--load", .target = &given->load, .about = "circulating load (default 250 %)"},
+             .about = "opening of the closing screen, 10 um to 5 mm (default 150 um)"},
+            {.name = "--load",
+             .target = &given->load,
+             .about = "circulating load, 10 % to 1000 % (default 250 %)"},
             {.name = "--mill-diameter",
              .target = &given->full_scale,
-             .about = "of a full-scale mill, 4m: its largest ball by Bond and by Azzaroni"},
+             .about =
+                 "of a full-scale mill, 10 cm to 20 m: its largest ball by Bond and by Azzaroni"},
             {.name = "--mill-speed",
              .target = &given->full_speed,
-             .about = "of that mill, share of its critical speed, below 100 % (default 72 %)"},
+             .about = "of that mill, share of its critical speed, 10 % to 99 % (default 72 %)"},
             threads(given->of.running.threads),
             quiet(given->of.running.quiet),
             json(given->of.running.json)}}),

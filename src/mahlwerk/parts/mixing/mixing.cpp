@@ -37,6 +37,12 @@ const Mixing& section_of_case(const Case& c) {
   return *c.parts.find<Mixing>();
 }
 
+double usual_balls_per_cell(const Case& c) {
+  const double usual = Mixing().balls_per_cell;
+  const auto balls = static_cast<double>(cases::balls_count(c.balls));
+  return balls > 0 ? std::clamp(balls, 2.0, usual) : usual;
+}
+
 void describe(cases::KeyVisitor& v, Mixing& mixing, const Case& c) {
   const bool several = c.balls.size() > 1;
   v.word({"colour",
@@ -52,8 +58,8 @@ void describe(cases::KeyVisitor& v, Mixing& mixing, const Case& c) {
             "",
             {.least = 2, .most = 1e6},
             "balls in a full cell of Lacey's index",
-            Mixing().balls_per_cell,
-            "usual: 10 to 50"},
+            usual_balls_per_cell(c),
+            "usual: 10 to 50; at most all balls"},
            mixing.balls_per_cell);
   v.optional_number(cases::NumberSpec("interval", "s", positive, "time between two samples")
                         .with_default_text("a hundredth of the counted time"),
@@ -72,13 +78,17 @@ void check(const Case& c, std::vector<Fault>& found) {
          "colour = \"sets\": the case has one ball set, of one colour",
          "give two ball sets, or colour = \"height\", \"across\", \"axis\" or \"radius\"",
          "one-colour"});
-  if (c.flow)
-    found.push_back({cases::location_of(c, "mixing.colour"),
-                     "the mixing of balls that leave the jar and enter it is not computed",
-                     "remove [mixing] or [flow]", "bad-flow"});
   if (cases::balls_count(c.balls) < 2)
     found.push_back({cases::location_of(c, "mixing.colour"), "one ball has no degree of mixing",
                      "remove [mixing], or give more balls", "one-colour"});
+  else if (m.balls_per_cell > static_cast<double>(cases::balls_count(c.balls)))
+    found.push_back(
+        {cases::location_of(c, "mixing.balls_per_cell"),
+         fmt::format(
+             "balls_per_cell = {} is more than the {} balls of the case: all would be in one "
+             "cell, which has no degree of mixing",
+             show_rounded(m.balls_per_cell, ""), cases::balls_count(c.balls)),
+         "write a smaller balls_per_cell, usually 10 to 50, or give more balls", "cell-too-large"});
   if (m.interval && *m.interval > cases::counted_time(c))
     found.push_back(
         {cases::location_of(c, "mixing.interval"),
@@ -109,7 +119,8 @@ std::unique_ptr<observe::Recorder> recorder(const Case& c) {
                   .interval = interval_of(c),
                   .cell = math::cbrt(section_of_case(c).balls_per_cell * mean / packing),
                   .reach = neighbours * d,
-                  .diameter = d});
+                  .diameter = d,
+                  .flows = c.flow.has_value()});
 }
 
 const std::vector<MixingSample>& samples_of(const Replicate& r) {
@@ -204,7 +215,10 @@ results::Measures quantities() {
         "m2/s",
         "half the growth of the mean square way of the balls along the jar's axis, per time",
         [](const Case&, const Replicate& r) { return axial_dispersion(r); },
-        {.range = results::any_value, .equation = "mix.6"}}});
+        {.range = results::any_value,
+         .equation = "mix.6",
+         .applies = [](const Case& c) { return !c.flow; },
+         .only = "without `[flow]`"}}});
 }
 
 /// Means over the replicates at each time.
@@ -298,6 +312,15 @@ Notices notices(const Outcome& outcome) {
                            " is as mixed as it becomes from the first sample, or from the second: "
                            "it has no mixing time. To see it mix, count from the start "
                            "(run.settle = \"0 s\") or shorten mixing.interval."));
+  const auto has_packing = [](const Replicate* r) {
+    return std::isfinite(late(*r, &MixingSample::packing));
+  };
+  if (std::ranges::none_of(chosen, has_packing))
+    all.push_back(
+        note("no-packing-fraction",
+             "packing_fraction and bed_porosity have no value: no place in the bed is two "
+             "ball diameters away from walls, parts and surface. A bed at least five "
+             "diameters deep and wide, with balls that lie, has them."));
   return all;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "mahlwerk/observe/mixing.hpp"
@@ -37,7 +38,28 @@ class Segregation {
 
 }  // namespace
 
+std::vector<scene::Ball> inside(const std::vector<scene::Ball>& balls) {
+  std::vector<scene::Ball> found;
+  std::ranges::copy_if(balls, std::back_inserter(found),
+                       [](const scene::Ball& b) { return !b.outside; });
+  return found;
+}
+
+/// The sample of a jar without balls.
+MixingSample empty_jar() {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {.lacey = none,
+          .neighbours = none,
+          .radial = none,
+          .vertical = none,
+          .axial = none,
+          .axial_spread = none,
+          .packing = none,
+          .bed_height = none};
+}
+
 /// The halves of the charge, by the median of a coordinate; or the first ball set and the others.
+/// Balls outside the jar have a colour by their set only.
 void MixingRecord::colour(const std::vector<scene::Ball>& balls, const Instant& d) {
   using Colour = Mixing::Colour;
   const auto place = [&](const scene::Ball& b) {
@@ -62,9 +84,11 @@ void MixingRecord::colour(const std::vector<scene::Ball>& balls, const Instant& 
     return;
   }
   std::vector<double> places;
-  for (const scene::Ball& b : balls) places.push_back(place(b));
-  const double middle = median(places);
-  for (std::size_t i = 0; i < balls.size(); ++i) colours_[i] = places[i] < middle ? 1 : 0;
+  for (const scene::Ball& b : balls)
+    if (!b.outside) places.push_back(place(b));
+  const double middle = places.empty() ? 0 : median(places);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    colours_[i] = balls[i].outside ? uncoloured : place(balls[i]) < middle ? 1 : 0;
 }
 
 /// Ways along the axis; in a periodic jar by the nearest image from sample to sample.
@@ -107,26 +131,48 @@ double MixingRecord::packing(const std::vector<scene::Ball>& balls,
                        : sum / static_cast<double>(found.size());
 }
 
-MixingSample MixingRecord::sample(const std::vector<scene::Ball>& balls, const Instant& at) {
-  const std::vector<scene::Ball> own = at.in_own_axes(balls);
-  MixingSample s;
-  s.time = setup_.interval * static_cast<double>(samples_.size());
-  s.lacey = observe::lacey_index(balls, colours_, setup_.cell);
-  s.neighbours = observe::neighbour_index(own, colours_, setup_.reach, at.periods);
+/// Indices of mixing and segregation of balls with these colours (mix.1, mix.2, mix.4).
+void MixingRecord::add_indices(MixingSample& s, const std::vector<scene::Ball>& balls,
+                               const std::vector<std::uint8_t>& colours, const Instant& at) const {
+  s.lacey = observe::lacey_index(balls, colours, setup_.cell);
+  s.neighbours = observe::neighbour_index(at.in_own_axes(balls), colours, setup_.reach, at.periods);
   Segregation radial, vertical, axial;
-  std::vector<double> heights;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const Vec3& p = balls[i].position;
-    const double along = dot(p, at.axis), height = dot(p, at.up), marked = colours_[i];
+    const double along = dot(p, at.axis), marked = colours[i];
     radial.add(norm(p - along * at.axis), marked);
-    vertical.add(height, marked);
+    vertical.add(dot(p, at.up), marked);
     axial.add(along, marked);
-    s.axial_spread += moved_[i] * moved_[i] / static_cast<double>(balls.size());
-    heights.push_back(height);
   }
   s.radial = radial.value(), s.vertical = vertical.value();
   s.axial = std::isfinite(at.periods.z) ? std::numeric_limits<double>::quiet_NaN() : axial.value();
-  s.packing = packing(balls, own, at);
+}
+
+/// Those of the balls in the jar that have a colour.
+void MixingRecord::add_indices_of_coloured(MixingSample& s, const std::vector<scene::Ball>& all,
+                                           const Instant& at) const {
+  std::vector<scene::Ball> balls;
+  std::vector<std::uint8_t> colours;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!all[i].outside && colours_[i] != uncoloured)
+      balls.push_back(all[i]), colours.push_back(colours_[i]);
+  if (!balls.empty()) add_indices(s, balls, colours, at);
+}
+
+/// Of the balls in the jar: packing, height and the way along the axis.
+MixingSample MixingRecord::sample(const std::vector<scene::Ball>& balls, const Instant& at) {
+  MixingSample s = empty_jar();
+  s.time = setup_.interval * static_cast<double>(samples_.size());
+  if (balls.empty()) return s;
+  if (!setup_.flows) {
+    add_indices(s, balls, colours_, at);
+    s.axial_spread = 0;
+    for (const double moved : moved_)
+      s.axial_spread += moved * moved / static_cast<double>(balls.size());
+  }
+  std::vector<double> heights;
+  for (const scene::Ball& b : balls) heights.push_back(dot(b.position, at.up));
+  s.packing = packing(balls, at.in_own_axes(balls), at);
   std::ranges::sort(heights);
   const auto height_of = [&](double share) {
     return heights[static_cast<std::size_t>(share * static_cast<double>(heights.size() - 1))];
@@ -139,10 +185,15 @@ void MixingRecord::take_balls(const scene::EnergyBalance& now, double time,
                               const std::vector<scene::Ball>& balls) {
   const Instant at(setup_.mill, time, setup_.diameter);
   if (colours_.empty()) colour(balls, at);
-  while (next() <= now.time) {
-    follow(balls, at);
-    samples_.push_back(sample(balls, at));
-  }
+  while (next() <= now.time)
+    if (setup_.flows) {
+      MixingSample s = sample(inside(balls), at);
+      add_indices_of_coloured(s, balls, at);
+      samples_.push_back(s);
+    } else {
+      follow(balls, at);
+      samples_.push_back(sample(balls, at));
+    }
 }
 
 }  // namespace mahlwerk::parts::mixing

@@ -40,6 +40,7 @@ struct MixingSetup {
   double cell = 0;      ///< [m] side of the cubes of Lacey's index
   double reach = 0;     ///< [m] of neighbours
   double diameter = 0;  ///< [m] of a ball of mean volume
+  bool flows = false;   ///< balls leave the jar and enter it
 };
 
 /// Follows the mixing of the charge at equal intervals.
@@ -71,12 +72,17 @@ class MixingRecord final : public observe::Recorder {
   double packing(const std::vector<scene::Ball>& balls, const std::vector<scene::Ball>& own,
                  const Instant& at);
   MixingSample sample(const std::vector<scene::Ball>& balls, const Instant& at);
+  void add_indices(MixingSample& s, const std::vector<scene::Ball>& balls,
+                   const std::vector<std::uint8_t>& colours, const Instant& at) const;
+  void add_indices_of_coloured(MixingSample& s, const std::vector<scene::Ball>& all,
+                               const Instant& at) const;
 
   MixingSetup setup_;
   double begin_ = std::numeric_limits<double>::infinity();
   std::vector<MixingSample> samples_;
   std::vector<PackingAtHeight> profile_;
-  std::vector<std::uint8_t> colours_;  // of the balls
+  static constexpr std::uint8_t uncoloured = 2;  // was outside when counting began
+  std::vector<std::uint8_t> colours_;            // of the balls: 1 the first colour, 0 the other
   std::vector<double> axial_, moved_;  // [m] along the jar's axis: place, and way since the start
 };
 

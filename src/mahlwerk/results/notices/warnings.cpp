@@ -163,10 +163,12 @@ void energy_balances(const Outcome& outcome, Notices& list) {
   if (!(run <= closed))
     list.push_back(warning(
         "energy-balance",
-        fmt::format("The energy balance of a run does not close: energy {}, a residual of {:.1e}; "
-                    "at most {:.0e} is expected.{}",
-                    appeared(outcome) ? "appeared" : "was lost", run, closed,
-                    soft ? " A shorter run.time_step or stiffer contacts may close it." : "")));
+        fmt::format(
+            "The energy balance of a run does not close: energy {}, a residual of {:.1e}; "
+            "at most {:.0e} is expected.{}",
+            appeared(outcome) ? "appeared" : "was lost", run, closed,
+            soft ? " A quarter of the time step (run.time_step) or stiffer contacts may close it."
+                 : "")));
 }
 
 /// Warns of overlaps beyond the range of the contact laws.

@@ -287,7 +287,8 @@ void DeviceSolver::stop(std::size_t ball, const char* why) const {
   const auto row = static_cast<std::size_t>(
       std::ranges::find(all.id, static_cast<std::int32_t>(ball)) - all.id.begin());
   const scene::Ball at = present(all, row, body_kick_change());
-  throw unstable_run_error(time_of(step_), ball, why, at.position, at.velocity);
+  throw unstable_run_error(time_of(step_), ball, why, at.position, at.velocity,
+                           settings_.time_step);
 }
 
 /// Stops a run in which a ball is nowhere. What is known of the balls is from before.
@@ -295,8 +296,8 @@ void DeviceSolver::stop_at_last_known(std::int32_t ball) {
   const auto number = static_cast<std::size_t>(ball);
   const scene::Ball& last = last_balls_[number];
   failure_ = not_finite_message;
-  throw unstable_run_error(time_of(step_), number, not_finite_message, last.position,
-                           last.velocity);
+  throw unstable_run_error(time_of(step_), number, not_finite_message, last.position, last.velocity,
+                           settings_.time_step);
 }
 
 }  // namespace mahlwerk::soft

@@ -219,7 +219,7 @@ void FewBodySolver::end_block() {
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {
   throw unstable_run_error(time_of(particles_.step), ball, why, particles_.position(ball),
-                           particles_.velocity(ball));
+                           particles_.velocity(ball), settings_.time_step);
 }
 
 }  // namespace mahlwerk::soft
