@@ -210,3 +210,16 @@ def test_without_a_film_there_is_no_picture(tmp_path):
     paper.figure("7a", "paths", C.trajectories())
     (made,) = made_figures(paper, filmed(tmp_path, frames=False))
     assert made.empty and made.tables == {}
+
+
+def test_keys_that_are_swept_together_with_the_axis_do_not_split_a_curve():
+    def mills(following):
+        return Points(["mill.speed", "jar.diameter"], {"power": "W"}, [
+            Point([x, d], {"power": y}, {"power": 0.1}) for x, d, y in
+            (("10 rpm", "9 m", 3.0), ("11 rpm", "7 m", 2.0), ("12 rpm", "9 m", 5.0))], following)
+    together = mills(frozenset(["jar.diameter"]))
+    lines = together.lines({}, "mill.speed", "power")
+    assert [[s.value for s in line.spots] for line in lines] == [[3.0, 2.0, 5.0]] and lines[0].others == ""
+    assert together.mixed({}, "mill.speed"), "the points are not joined"
+    apart = mills(frozenset()).lines({}, "mill.speed", "power")
+    assert sorted(line.others for line in apart) == ["diameter 7 m", "diameter 9 m"]

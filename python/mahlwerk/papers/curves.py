@@ -67,6 +67,7 @@ class Plot:
     def __init__(self, curve: Curve, points: Points):
         self.curve, self.points = curve, points
         self.x_unit = points.unit_of_key(curve.against)
+        self.mixed = points.mixed(curve.where, curve.against)
         self.y_unit = points.unit(curve.quantity)
         _, self.least, self.most = _core.traits(curve.quantity)
         self.note = ""
@@ -243,7 +244,8 @@ class Plot:
             bars = [[v - a if k else 0.0 for v, a, k in zip(y, low, known)],
                     [b - v if k else 0.0 for v, b, k in zip(y, high, known)]]
             measured = s.kind == "measured"
-            joined = not measured and not self.curve.law and all(map(math.isfinite, s.x))
+            joined = (not measured and not self.curve.law and not self.mixed
+                      and all(map(math.isfinite, s.x)))
             ax.errorbar(self.places(s.x), y, yerr=bars, label=label, zorder=4 if measured else 3,
                         color="black" if measured else colour,
                         marker="s" if measured else MARKERS[s.colour % len(MARKERS)],

@@ -123,6 +123,17 @@ class Points:
             return last
         return self.keys[key].replace(".", " ").replace("_", " ")
 
+    def mixed(self, where: Where, against: str) -> bool:
+        """Whether other keys vary with `against` without corresponding to it, so that neighbouring
+        points have nothing in common."""
+        chosen = self.selected(where)
+        if against not in self.keys:
+            return False
+        axis = self.keys.index(against)
+        return any(k != axis and varies_with(chosen, self.keys, axis, k, self.following)
+                   and len({p.values[k] for p in chosen}) > 1 and not side_by_side(chosen, axis, k)
+                   for k in range(len(self.keys)))
+
     def lines(self, where: Where, against: str, quantity: str) -> list[Line]:
         """The points that `where` selects, grouped into lines along `against` (empty: each point is
         a line). By ascending number of the key; words in the order of the campaign."""
@@ -163,21 +174,24 @@ def given_by(points: Iterable[Point], axis: int, k: int) -> bool:
     return all(len(s) == 1 for s in of_axis.values())
 
 
+def varies_with(points: list[Point], names: list[str], axis: int, k: int,
+                following: frozenset[str]) -> bool:
+    """Whether a key varies with the axis."""
+    together = names[k] in following or names[axis] in following
+    return (k == axis or side_by_side(points, axis, k)
+            or (together and given_by(points, axis, k)))
+
+
 def distinguishing_keys(points: list[Point], names: list[str], axis: Optional[int],
                         following: frozenset[str]) -> list[int]:
     """Keys that distinguish lines: they vary, and neither vary with the axis nor correspond to an
     earlier key."""
-    def varies_with_axis(k: int) -> bool:
-        if axis is None or k == axis:
-            return axis is not None
-        together = names[k] in following or names[axis] in following
-        return side_by_side(points, axis, k) or (together and given_by(points, axis, k))
-
     keys: list[int] = []
     for k in range(len(names)):
         varies = len({p.values[k] for p in points}) > 1
         followed = any(side_by_side(points, before, k) for before in keys)
-        if varies and not followed and not varies_with_axis(k):
+        with_axis = axis is not None and varies_with(points, names, axis, k, following)
+        if varies and not followed and not with_axis:
             keys.append(k)
     return keys
 
