@@ -133,6 +133,23 @@ def check_frames_of_views(checks):
     checks.quiet()
 
 
+def check_balls_outside(checks):
+    """Balls that are not in the jar leave the picture of balls without size."""
+    data = synthetic.vial()
+    numbers = 3 * data["count"] * len(data["times"])
+    pictures = {}
+    for name, change in (("inside", {}),
+                         ("outside", {"positions": synthetic.packed("h", [-32768] * numbers)}),
+                         ("empty", {"radius": synthetic.packed("f", [1e-9] * data["count"])})):
+        checks.open(f"vial_{name}", {**data, **change})
+        pictures[name] = checks.picture(name)
+        checks.quiet()
+    part = changed(pictures["outside"], pictures["empty"])
+    seen = changed(pictures["inside"], pictures["empty"])
+    checks.say("balls_outside_are_not_drawn", f"{part:.2%} changed, a ball {seen:.2%}",
+               "below 0.01%, a ball above 0.2%", part < 1e-4 and seen > 0.002)
+
+
 def check_keys(checks):
     """Keys, as a person without a mouse uses them."""
     browser = checks.browser
@@ -272,6 +289,7 @@ def check_pages(checks):
     checks.say("nothing_sticks_out_of_a_narrow_page", wide, "at most 420", wide <= 420)
     check_case(checks, "attritor", synthetic.attritor(), rides)
     check_frames_of_views(checks)
+    check_balls_outside(checks)
     check_keys(checks)
     check_playing(checks)
     check_mouse(checks)

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/cases/setup/grid.hpp"
 #include "mahlwerk/cases/setup/obstacles.hpp"
 #include "mahlwerk/cases/setup/push_apart.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "meshes.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -269,6 +271,32 @@ TEST(MachineParts, are_free_of_balls_that_are_placed_at_random) {
 }
 
 /// No face of a mesh is in front of a centre inside it: the way out is that to its nearest point.
+/// The gap between the rim of the disc and the wall is as wide as a ball, so that others push some
+/// balls into it and none pushes them out.
+TEST(MachineParts, have_no_balls_wedged_between_them_and_the_wall) {
+  std::string text = with(vessel(disc), "diameter = \"100", "diameter = \"40 mm\"");
+  text =
+      with(with(text, "height", "height = \"20 mm\""), "diameter = \"60", "diameter = \"30 mm\"");
+  text = with(with(text, "thickness", "thickness = \"3 mm\""), "diameter = \"10",
+              "diameter = \"5 mm\"");
+  for (const char* filling : {"60 %", "65 %"}) {
+    const Case c = read_sample(
+        with(text, "count", std::string("bulk_filling = \"").append(filling).append("\"")));
+    const Obstacles obstacles(c);
+    const std::vector<scene::Ball> balls = starting_balls(c, 0);
+    double nearest = 1, closest = 1;  // over the radius; over the diameter
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+      const Vec3& p = balls[i].position;
+      nearest = std::min({nearest, obstacles.clearance(p, 0.0025) / 0.0025,
+                          geometry::nearest_wall(*c.jar.shape, p, 0.0025) / 0.0025});
+      for (std::size_t j = 0; j < i; ++j)
+        closest = std::min(closest, norm(p - balls[j].position) / 0.005);
+    }
+    EXPECT_GE(nearest, 1) << filling;
+    EXPECT_GE(closest, 1) << filling;
+  }
+}
+
 TEST(MachineParts, of_triangles_push_out_balls_whose_centres_are_inside) {
   const Folder folder;
   folder.write("bar.stl", tests::binary_stl(tests::box(0.06, 0.06, 0.04)));

@@ -33,6 +33,16 @@ TEST(Replay, has_rising_times_although_an_engine_gives_its_balls_at_few_times) {
   EXPECT_EQ(replay.positions().size(), 11U);
 }
 
+TEST(Replay, has_no_place_of_balls_outside_the_jar) {
+  const scene::Chamber drum{geometry::Cylinder{0.2, 0.1}, kinematics::Tumbling{5}, {}, {}};
+  Replay replay(drum, 2, 0, 1);
+  std::vector<scene::Ball> balls(2, {0.005, 7850, {-1, -1, -1}, {}, {}});  // beyond all numbers
+  balls[1].outside = true;
+  replay.add(0, 0, balls);
+  EXPECT_NE(replay.positions()[0], Replay::outside);
+  EXPECT_EQ(replay.positions()[1], Replay::outside);
+}
+
 /// Of 50 001 balls every third is shown: the fewest that are at most 20 000.
 TEST(Replay, shows_every_third_of_many_balls) {
   const scene::Chamber drum{geometry::Cylinder{0.2, 0.1}, kinematics::Tumbling{5}, {}, {}};

@@ -93,6 +93,24 @@ TEST(Film, has_every_frame_of_a_ball_and_the_last_one_of_a_grain_with_their_size
   EXPECT_NEAR(number(*film.find("half_m")), radius, 1e-6);
 }
 
+TEST(Film, has_null_while_a_ball_is_outside_the_jar) {
+  results::Outcome o = outcome();
+  std::vector<scene::Ball> balls = cases::starting_balls(o.mill_case, 0);
+  observe::Replay film(cases::chamber(o.mill_case), 2, 0, 1);
+  for (double t = film.next_frame_time(); std::isfinite(t); t = film.next_frame_time()) {
+    balls[0].outside = t == 0;
+    film.add(t, t, balls);
+  }
+  o.replicates[0].replay = film;
+  const Json json = Json::parse(film_json(o));
+  const Json& ball = list(list(json.find("replicates"))[0].find("balls"))[0];
+  for (const char* view : {"carrier", "jar"})
+    for (const Json& axis : list(ball.find(view))) {
+      EXPECT_TRUE(std::holds_alternative<std::nullptr_t>(list(&axis)[0].value()));
+      EXPECT_TRUE(std::isfinite(number(list(&axis)[1])));
+    }
+}
+
 TEST(Film, without_frames_has_no_balls) {
   results::Outcome o = outcome();
   o.replicates[0].replay = {};

@@ -113,13 +113,16 @@ class ChargeFiller {
     if (infeasible()) throw too_many_balls();
     const int starts = count_ <= 1000 ? 20 : count_ <= 10000 ? 2 : 1;  // large charges vary little
     // 2e4 moves a ball: of 120 charges of 46 to 57 % no feasible one needed more, one above 1e4.
-    moves_left_ = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
+    const std::int64_t moves = sweeps(3000, std::min(4e8, 2e4 * static_cast<double>(count_)));
+    moves_left_ = moves;
     for (int start = 0; start < starts && moves_left_ > 0; ++start) {
       if (start > 0) place_one_by_one();
       if (count_ > large) sort_along_curve();
       for (const double smaller : {min_gap, 0.1 * min_gap, 1e-3 * min_gap})
         if (try_push_apart(smaller)) return;
     }
+    moves_left_ = moves;
+    if (obstacles_ != nullptr && place_wedged_anew()) return;
     throw too_many_balls();
   }
 
@@ -242,6 +245,31 @@ class ChargeFiller {
     typical_ = std::max(typical_, end.typical);
     return end.free;
   }
+  /// Balls that others have pushed into a gap narrower than they are, between a part and the wall
+  /// or another part, stay there: nothing pushes them out. They get new places, until all are free.
+  bool place_wedged_anew() {
+    constexpr double gap = 1e-3 * min_gap;  // the last of place()
+    while (!try_push_apart(gap)) {
+      bool found = false;
+      for (std::size_t k = 0; k < order_.size(); ++k) {
+        const Portion& portion = portions_[order_[k]];
+        for (std::size_t i = portion.from; i < portion.from + portion.count; ++i) {
+          const PlacedBall& ball = placed_[i];
+          if (ball.fixed || clearance(ball) >= ball.radius) continue;
+          placed_[i].position = samplers_[k].draw(random_);
+          found = true;
+        }
+      }
+      if (!found || moves_left_ <= 0) return false;
+    }
+    return true;
+  }
+  /// [m] Of a ball's centre, to the wall and to parts.
+  double clearance(const PlacedBall& ball) const {
+    return std::min(geometry::nearest_wall(shape_, ball.position, ball.radius),
+                    obstacles_->clearance(ball.position, ball.radius));
+  }
+
   /// Bound on the work in moves of single balls: `moves`, but at least `least` sweeps over all
   /// balls.
   std::int64_t sweeps(double least, double moves) const {
