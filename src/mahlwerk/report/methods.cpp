@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -122,10 +123,18 @@ class MethodsText {
 
   std::string flow() const {
     if (!c_.flow) return "";
-    static constexpr std::array feeds{"", ", and enter it again at an inlet",
-                                      ", and enter it again at an inlet at a rate"};
-    return fmt::format("Balls that pass an outlet leave the jar{}. ",
-                       feeds[static_cast<std::size_t>(c_.flow->feed)]);
+    const cases::Flow& f = *c_.flow;
+    static constexpr std::array feeds{"", " at an inlet", " at an inlet at a rate"};
+    const char* how = feeds[static_cast<std::size_t>(f.feed)];
+    std::string sets;
+    for (const std::string& name : f.fresh_feed) sets += (sets.empty() ? "" : ", ") + name;
+    return fmt::format(
+        "Balls that pass an outlet leave the jar{}{}. {}",
+        cases::flow_in_jar_frame(c_).returns && *how != 0 ? ", and enter it again" : "",
+        sets.empty() ? how : "",
+        sets.empty()
+            ? ""
+            : fmt::format("Those of {} are outside at the start and enter{}. ", sets, how));
   }
 
   std::string charge() const {
