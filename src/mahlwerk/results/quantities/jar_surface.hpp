@@ -32,7 +32,7 @@ std::vector<JarMesh> jar_surface(const geometry::AnyShape& shape, std::uint32_t 
 /// drawn as wide as the jar.
 std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, std::uint32_t facets = 48);
 
-/// Rotation of the rotor in the jar's own axes at `time` [s] since the start.
+/// Rotation of the rotor in the jar's own axes at the time [s] of its mill (kinematics::Clock).
 Rotation rotor_turn(const geometry::AnyShape& shape, double time);
 
 }  // namespace mahlwerk::results
