@@ -190,6 +190,7 @@ def per_time(column):
 
 
 DRIVEN = {
+    "driven_speed": (lambda run: per_time("angle_rad")(run) * 30 / math.pi, 1e-6),
     "driven_speed_end": (lambda run: float(run.result.table("drive")["speed_rpm"][-1]), 1e-6),
     "drive_torque": (lambda run: 0.05 * (1 - float(run.result.table("drive")["speed_rpm"].mean()) / 90), 1e-6),
     "drive_power": (per_time("motor_work_J"), 1e-6),

@@ -68,6 +68,15 @@ TEST_F(CardRuns, have_the_power_of_the_processor_and_name_the_card) {
   EXPECT_NEAR(power("card"), power("cpu"), 0.15 * power("cpu"));
 }
 
+TEST_F(CardRuns, turn_the_mill_as_its_speed_over_time_says) {
+  const std::string rows = "'[[\"0 s\", 1], [\"0.1 s\", 1], [\"0.2 s\", -1], [\"0.4 s\", -1]]'",
+                    set = " --quiet --set mill.speed_over_time=" + rows;
+  const ProgramResult card = mahlwerk("run case.toml --out card" + set),
+                      cpu = mahlwerk("run case.toml --out cpu --set run.device=cpu" + set);
+  ASSERT_EQ(card.code + cpu.code, 0) << card.output << cpu.output;
+  EXPECT_NEAR(power("card"), power("cpu"), 0.15 * power("cpu")) << "as above";
+}
+
 TEST_F(CardRuns, go_on_where_another_device_left_them) {
   for (const std::string first : {"gpu", "cpu"}) {
     const std::string second = first == "gpu" ? "cpu" : "gpu", out = "--out " + first;

@@ -95,6 +95,38 @@ bool speed_varies(const Case& c) {
   return c.drive.has_value() || !c.mill.speed_over_time.empty();
 }
 
+namespace {
+
+/// Whether two turning parts are on one shaft: the same line in the same frame, turned the same way
+/// at the same speed. Torques about other lines do not add up.
+bool same_shaft(const scene::MachinePart& a, const scene::MachinePart& b) {
+  constexpr double close = 1e-9;  // [m] and [1]
+  return a.in_laboratory == b.in_laboratory && a.motion.speed == b.motion.speed &&
+         norm(a.motion.axis - b.motion.axis) < close &&
+         norm(cross(a.motion.pivot - b.motion.pivot, a.motion.axis)) < close;
+}
+
+}  // namespace
+
+const MachinePart* shaft_part(const Case& c) {
+  const MachinePart* first = nullptr;
+  for (const MachinePart& part : c.machine_parts) {
+    if (!part.body.motion.turns()) continue;
+    if (first != nullptr && !same_shaft(first->body, part.body)) return nullptr;
+    if (first == nullptr) first = &part;
+  }
+  return first;
+}
+
+double speed_without_load(const Case& c) {
+  if (const auto* drum = drum_motion(c)) return drum->speed;
+  if (kinematics::as<kinematics::Still>(*c.mill.motion) == nullptr) return 0;
+  const auto* vessel = std::get_if<geometry::Attritor>(&*c.jar.shape);
+  if (vessel != nullptr) return vessel->rotor_speed;
+  const MachinePart* shaft = shaft_part(c);
+  return shaft != nullptr ? shaft->body.motion.speed : 0;
+}
+
 const kinematics::Tumbling* drum_motion(const Case& c) {
   const bool about_own_axis = c.mill.jar_axis == kinematics::Tumbling::jar_axis;
   return about_own_axis ? kinematics::as<kinematics::Tumbling>(*c.mill.motion) : nullptr;

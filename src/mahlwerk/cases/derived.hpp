@@ -42,6 +42,12 @@ std::optional<double> shaft_speed(const Case& c);
 kinematics::SpeedProgram speed_program(const Case& c);
 /// Whether the speed of a run is another one than that of the case: [drive], or a speed over time.
 bool speed_varies(const Case& c);
+/// The first part of the only shaft of turning parts: all turn about one line, at one speed, in one
+/// frame. Null if there is none, or if there are several.
+const MachinePart* shaft_part(const Case& c);
+/// [rad/s] Speed without load of what [drive] turns: a drum, or in a jar at rest its stirrer, of an
+/// attritor or of turning parts; 0 if there is no such thing.
+double speed_without_load(const Case& c);
 /// The motion of a drum: a tumbling jar that turns about its own axis. Null for other mills, and
 /// for a tumbler that turns its jar end over end.
 const kinematics::Tumbling* drum_motion(const Case& c);

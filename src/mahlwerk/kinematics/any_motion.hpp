@@ -33,6 +33,7 @@ Indirect<AnyMotion> programmed(const AnyMotion& motion, const SpeedProgram& prog
 Indirect<AnyMotion> driven(const AnyMotion& motion, const Motor& motor, double speed);
 Drive* drive_of(const AnyMotion& motion);  ///< null if it is not driven()
 Clock clock(const AnyMotion& motion, double t);
+double largest_rate(const AnyMotion& motion);  ///< [1] bound of that of its clock, 1 or more
 bool speed_varies(const AnyMotion& motion);    ///< programmed() or driven()
 Pose pose(const AnyMotion& motion, double t);  ///< the next four in one call
 FrameMotion frame_motion(const AnyMotion& motion, double t);

@@ -22,6 +22,8 @@ class ChosenMotion {
   Vec3 angular_acceleration(double t) const {
     return kinematics::angular_acceleration(*motion_, t);
   }
+  Clock clock(double t) const { return kinematics::clock(*motion_, t); }
+  double largest_rate() const { return kinematics::largest_rate(*motion_); }
   Bounds bounds() const { return kinematics::bounds(*motion_); }
   double period() const { return kinematics::period(*motion_); }
   bool speed_varies() const { return kinematics::speed_varies(*motion_); }

@@ -32,6 +32,10 @@ Clock clock(const AnyMotion& motion, double t) {
   return motion.program.empty() ? Clock{t} : motion.program.clock(t);
 }
 
+double largest_rate(const AnyMotion& motion) {
+  return motion.drive ? Drive::largest_rate : 1;
+}
+
 namespace {
 
 /// Bounds of the running mill, widened so that they hold while a motor turns it.

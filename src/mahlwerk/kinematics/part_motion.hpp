@@ -42,6 +42,7 @@ struct PartMotion {
   Tabulated lean;        ///< tabulated: the angles about x and y as its coordinates x and y
 
   bool moves() const { return kind != Kind::fixed; }
+  bool turns() const { return kind == Kind::turning && speed != 0; }
   bool operator==(const PartMotion&) const = default;
 
   Displacement at(double t) const {

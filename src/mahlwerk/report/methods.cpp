@@ -12,6 +12,7 @@
 
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -101,21 +102,23 @@ class MethodsText {
   std::string drive() const {
     const kinematics::SpeedProgram& program = c_.mill.speed_over_time;
     if (!program.empty())
-      return fmt::format("This is the full speed; it changed over time{}{}, as the case gives it. ",
-                         program.reverses() ? ", in both senses" : "",
-                         program.repeats()
-                             ? fmt::format(", again every {}", show_rounded(program.end(), "s"))
-                             : "");
+      return fmt::format(
+          "The speed that is stated is the full one; it changed over time{}{}, as the case gives "
+          "it. ",
+          program.reverses() ? ", in both senses" : "",
+          program.repeats() ? fmt::format(", again every {}", show_rounded(program.end(), "s"))
+                            : "");
     if (!c_.drive) return "";
     const kinematics::Motor& m = *c_.drive;
     const std::string inertia = value("drive.inertia", m.inertia, "kg m2");
+    const std::string_view what = cases::drum_motion(c_) != nullptr ? "jar" : "stirrer";
     if (m.torque == 0)
-      return fmt::format("The jar, of a moment of inertia of {}, turns freely from {:.4g} rad/s. ",
-                         inertia, m.start_speed);
+      return fmt::format("The {}, of a moment of inertia of {}, turns freely from {:.4g} rad/s. ",
+                         what, inertia, m.start_speed);
     return fmt::format(
-        "A motor turns the jar, of a moment of inertia of {}; this is its speed without load. Its "
-        "torque {} {}. ",
-        inertia,
+        "A motor turns the {}, of a moment of inertia of {}; the speed that is stated is that "
+        "without load. Its torque {} {}. ",
+        what, inertia,
         m.kind == kinematics::Motor::Kind::linear ? "falls linearly from standstill, from"
                                                   : "follows the formula of Kloss, with at most",
         value("drive.torque", m.torque, "N m"));

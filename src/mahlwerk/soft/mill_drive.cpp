@@ -33,7 +33,7 @@ void advance_drive(kinematics::Drive& drive, double time, double given, bool kee
   throw RunError(fmt::format(
       "at {:.4g} s the balls turn the mill at {:.4g} rpm, more than {} times its speed without "
       "load; "
-      "give a higher mill.speed, or a larger drive.inertia",
+      "give a higher speed without load, or a larger drive.inertia",
       time, std::abs(drive.speed(time)) * 30 / std::numbers::pi, kinematics::Drive::largest_rate));
 }
 

@@ -199,6 +199,50 @@ TEST(SpeedOverTime, has_the_same_bits_on_two_threads_and_after_a_cut) {
   }
 }
 
+TEST(SpeedOverTime, of_a_stirrer_gives_its_torque_and_power_number_at_its_mean_speed) {
+  const cases::Case c = case_of_text(R"([mill]
+kind = "still"
+speed_over_time = [["0 s", 0], ["0.1 s", 1], ["0.2 s", 1], ["0.3 s", 0]]
+[jar]
+kind = "attritor"
+diameter = "100 mm"
+height = "120 mm"
+shaft_diameter = "20 mm"
+shaft_clearance = "10 mm"
+arms = 4
+arm_diameter = "8 mm"
+arm_span = "80 mm"
+arm_clearance = "20 mm"
+arm_spacing = "20 mm"
+rotor_speed = "300 rpm"
+youngs_modulus = "10 MPa"
+[[balls]]
+count = 40
+diameter = "8 mm"
+density = "7850 kg/m3"
+youngs_modulus = "10 MPa"
+[contact]
+restitution = 0.5
+friction = 0.3
+[run]
+engine = "soft"
+time = "0.3 s"
+settle = "0 s"
+replicates = 1
+sensitivity = "off"
+)");
+  const results::Outcome outcome = run(c);
+  const results::Replicate& r = outcome.replicates.front();
+  const auto value = [&](std::string_view name) { return results::value_of(outcome, r, name); };
+  const double power = value("drawn_power"), turns = 5 * 2. / 3;  // 300 rpm for 0.2 s of 0.3 s
+  EXPECT_GT(power, 0);
+  states("torque times mean speed [W]", value("rotor_torque") * 2 * std::numbers::pi * turns, power,
+         1e-3 * power, "(obs.16), the run ends at a step");
+  states("power number", value("power_number"),
+         power / (7850 * 0.6 * turns * turns * turns * std::pow(0.08, 5)),
+         3e-3 * value("power_number"), "(obs.17)");
+}
+
 TEST(SpeedOverTime, waits_with_automatic_settling_until_the_mill_has_its_last_speed) {
   const cases::Case c =
       case_of_text(drum, {{"run.settle", "auto"},

@@ -185,5 +185,24 @@ TEST(MillPower, that_a_formula_does_not_give_is_noted_with_the_reason) {
   EXPECT_EQ(empty.find("morrell_power"), std::string::npos) << "its range begins at 5 %: " << empty;
 }
 
+/// A motor or a speed over time decides at which mean speed the run will be.
+TEST(MillPower, before_a_run_of_another_speed_is_told_for_the_speed_of_the_case) {
+  const std::vector<Override> fast{{"mill.speed", "35 rpm"}, {"balls.1.bulk_filling", "35 %"}};
+  const auto with = [&](std::vector<Override> more) {
+    more.insert(more.end(), fast.begin(), fast.end());
+    return read_sample(std::string(drum), more);
+  };
+  const Case driven = with({{"drive.inertia", "1 kg m2"}, {"drive.torque", "1 N m"}}),
+             programmed = with({{"mill.speed_over_time", "[[\"0 s\", 0], [\"1 s\", 0.5]]"}});
+  EXPECT_NE(mill_power_notices(driven).at(0).text.find("shell without load"), std::string::npos);
+  EXPECT_NE(mill_power_notices(programmed).at(0).text.find("shell at full speed"),
+            std::string::npos);
+  for (const Case& c : {driven, programmed}) {
+    EXPECT_EQ(mill_power_notices(c, 0.5).size(), 0U) << "64 % of the critical speed is in range";
+    EXPECT_TRUE(may_hold(bond_range, c)) << "the run decides";
+  }
+  EXPECT_FALSE(may_hold(bond_range, with({})));
+}
+
 }  // namespace
 }  // namespace mahlwerk::cases::mill_power_test

@@ -38,7 +38,8 @@ TEST(Ranges, of_all_quantities_begin_at_zero_but_those_of_signed_ones) {
       "morrell_shoulder_angle",
       "parts_power",  // a part that the balls drive has a negative one
       "parts_torque",
-      "driven_speed_end",  // a mill may turn the other way
+      "driven_speed",  // a mill may turn the other way
+      "driven_speed_end",
       "drive_torque",
       "drive_power",
       "lacey_index",  // of a charge less mixed than a segregated one

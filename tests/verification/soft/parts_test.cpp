@@ -6,11 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
+#include "mahlwerk/soft/walls/chamber_wall.hpp"
 #include "soft.hpp"
 #include "statement.hpp"
 
@@ -133,6 +136,34 @@ TEST(StirredJar, what_the_stirrer_puts_in_is_stored_or_lost) {
                             pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
   still->advance(0.05, seen);
   states("work of walls at rest [J]", still->energy_balance().wall_work, 0, 0, "they do not move");
+}
+
+/// The stirrer turns back within 0.1 s to 0.2 s: s = 0.1 + 0.1 (u - 2 u^3 + u^4).
+TEST(StirredJar, with_a_speed_over_time_has_its_clock_and_its_work_is_stored_or_lost) {
+  constexpr double turn = 40;
+  const kinematics::SpeedProgram program({{0, 1}, {0.1, 1}, {0.2, -1}});
+  scene::Chamber chamber{stirrer(turn), kinematics::Still{}, {}, {0, 0, -gravity}};
+  chamber.motion = kinematics::programmed(kinematics::AnyMotion(kinematics::Still{}), program);
+  const auto wall = soft::moving_wall(chamber);
+  for (const auto& [t, clock, rate] : {std::array{0.05, 0.05, 1.0},
+                                       {0.125, 0.1 + 0.1 * (0.25 - 2 / 64. + 1 / 256.), 0.6875},
+                                       {0.15, 0.13125, 0.0},
+                                       {0.3, 0.0, -1.0}}) {
+    const Vec3 arm = wall->axes(t).rotor * Vec3{1, 0, 0};
+    states("x of an arm", arm.x, std::cos(turn * clock), 1e-12, "cos w s");
+    states("y of an arm", arm.y, std::sin(turn * clock), 1e-12, "sin w s");
+    soft::DriveSample sample;
+    wall->sample_drive(t, 1, 0, {&sample, 1});
+    states("spin of the stirrer [rad/s]", sample.rotor_spin.z, turn * rate, 1e-12, "w ds/dt");
+  }
+  const auto balls = random_balls_in(stirrer(turn), 400);
+  const auto engine = run_in(chamber, balls, pair_of({1e8, 0.3}, {1e8, 0.3}, 0.6, 0.4), 5e-6);
+  Recorder seen;
+  engine->advance(0.25, seen);
+  const scene::EnergyBalance a = engine->energy_balance();
+  EXPECT_GT(a.wall_work, 0.05);
+  stays_below("balance over the stirrer's work", std::abs(a.residual()) / a.wall_work, 1e-3,
+              "as above");
 }
 
 void moves_few_and_many_alike(const scene::Chamber& chamber,

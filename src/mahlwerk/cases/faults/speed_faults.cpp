@@ -10,7 +10,7 @@
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/faults/inconsistencies.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
-#include "mahlwerk/geometry/shapes.hpp"
+#include "mahlwerk/geometry/any_shape.hpp"
 #include "mahlwerk/kinematics/still.hpp"
 #include "mahlwerk/kinematics/tabulated.hpp"
 
@@ -20,10 +20,8 @@ namespace {
 /// Why the mill has no speed that could change; empty if it has one.
 std::string without_speed(const Case& c) {
   const kinematics::AnyMotion& mill = *c.mill.motion;
-  if (geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr)
-    return "the stirrer of a jar of kind \"attritor\" has one speed; a stirrer of [[parts]] can "
-           "change it";
-  if (kinematics::as<kinematics::Still>(mill) != nullptr && part_speed(c) == 0)
+  if (kinematics::as<kinematics::Still>(mill) != nullptr &&
+      geometry::rotor_tip_speed(*c.jar.shape) + part_speed(c) == 0)
     return "a jar that stands still has no speed";
   if (kinematics::as<kinematics::Tabulated>(mill) != nullptr)
     return "a measured motion runs as it was measured";

@@ -24,8 +24,8 @@ std::vector<scene::MachinePart> bodies(const Case& c) {
 namespace {
 
 Indirect<kinematics::AnyMotion> motion_in_run(const Case& c) {
-  if (const auto* drum = drum_motion(c); c.drive && drum != nullptr)
-    return kinematics::driven(*c.mill.motion, *c.drive, drum->speed);
+  if (const double speed = speed_without_load(c); c.drive && speed != 0)
+    return kinematics::driven(*c.mill.motion, *c.drive, speed);
   const kinematics::SpeedProgram program = speed_program(c);
   return program.empty() ? c.mill.motion : kinematics::programmed(*c.mill.motion, program);
 }

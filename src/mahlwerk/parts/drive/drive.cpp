@@ -37,21 +37,22 @@ void describe(cases::KeyVisitor& v, Motor& motor, const Case& c) {
   v.number({"inertia",
             "kg m2",
             {.least = 0, .most = 1e12, .without_least = true},
-            "moment of inertia of jar and drive about the mill's axis, without balls"},
+            "moment of inertia of jar, or stirrer, and drive about their axis, without balls"},
            motor.inertia);
   v.word({"motor",
           {"linear", "induction"},
           "linear",
           "usual of hydraulic and direct-current drives",
           "how the torque depends on the speed",
-          {"falls from standstill to zero at mill.speed",
-           "of an induction motor by Kloss: zero at mill.speed, largest at breakdown_slip"}},
+          {"falls from standstill to zero at the speed without load",
+           "of an induction motor by Kloss: zero at the speed without load, largest at "
+           "breakdown_slip"}},
          motor.kind);
   v.number({"torque",
             "N m",
             {.least = 0, .most = 1e12},
-            "torque of the motor on the mill: linear at standstill, induction the largest; 0: the "
-            "jar turns freely"},
+            "torque of the motor on the mill: linear at standstill, induction the largest; 0: it "
+            "turns freely"},
            motor.torque);
   if (motor.kind == Motor::Kind::induction || v.visits_all())
     v.number({"breakdown_slip",
@@ -64,14 +65,24 @@ void describe(cases::KeyVisitor& v, Motor& motor, const Case& c) {
   else
     v.refuse({"breakdown_slip"}, "of a linear motor", "remove it, or write motor = \"induction\"");
   cases::NumberSpec start("start_speed", "rad/s", any_number, "speed at which a run begins");
-  const auto* drum = cases::drum_motion(c);
+  const double full = std::abs(cases::speed_without_load(c));
   if (v.reader() == nullptr)
-    start = start.with_default_text("0; mill.speed without a motor");
-  else if (motor.torque == 0 && drum != nullptr)
-    start = start.with_default(std::abs(drum->speed), "that of the mill: no motor turns it");
+    start = start.with_default_text("0; the speed without load where no motor turns it");
+  else if (motor.torque == 0 && full > 0)
+    start = start.with_default(full, "that of the mill: no motor turns it");
   else
     start = start.with_default(0, "the motor starts the mill");
   v.number(start, motor.start_speed);
+}
+
+/// What the motor would not turn together with the mill.
+std::string moves_otherwise(const Case& c, const cases::MachinePart& part) {
+  const kinematics::PartMotion& m = part.body.motion;
+  if (!m.moves()) return "";
+  if (cases::drum_motion(c) != nullptr)
+    return part.body.in_laboratory ? "" : "moves relative to a jar that a motor turns";
+  const bool attritor = geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr;
+  return attritor || !m.turns() ? "moves, and not with the shaft that a motor turns" : "";
 }
 
 /// What keeps a motor from turning the mill.
@@ -80,16 +91,18 @@ void check(const Case& c, std::vector<Fault>& found) {
   const auto fault = [&](std::string what, std::string remedy) {
     found.push_back({at, std::move(what), std::move(remedy), "drive-not-possible"});
   };
-  const auto* drum = cases::drum_motion(c);
-  if (drum == nullptr || drum->speed == 0)
+  const double full = std::abs(cases::speed_without_load(c));
+  if (full == 0)
     return fault(
-        "[drive] needs a drum that turns about its own axis, lying",
+        "[drive] needs a drum that turns about its own axis, lying, or in a jar at rest a stirrer: "
+        "that of an attritor, or turning [[parts]] on one shaft",
         "write mill.kind = \"tumbling\" and a mill.speed, with mill.jar_axis as such mills "
-        "have it, or remove [drive]");
-  if (std::abs(c.drive->start_speed) > kinematics::Drive::largest_rate * std::abs(drum->speed))
-    fault(fmt::format("drive.start_speed is more than {} times mill.speed, the speed without load",
+        "have it; or mill.kind = \"still\", and give all turning parts one axis, pivot, speed and "
+        "frame");
+  if (std::abs(c.drive->start_speed) > kinematics::Drive::largest_rate * full)
+    fault(fmt::format("drive.start_speed is more than {} times the speed without load",
                       kinematics::Drive::largest_rate),
-          "give a higher mill.speed, also of a jar without a motor");
+          "give a higher speed to the mill or its stirrer, also without a motor");
   if (c.mill.jars_carried > 1)
     fault("the motor would turn several jars, and one is simulated",
           "write jars_carried = 1, and the motor's torque and inertia for one jar");
@@ -99,13 +112,15 @@ void check(const Case& c, std::vector<Fault>& found) {
   if (!c.mill.speed_over_time.empty())
     fault("mill.speed_over_time prescribes the speed of a mill that has a motor",
           "remove speed_over_time, or [drive]");
-  if (geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr)
+  if (cases::drum_motion(c) != nullptr && geometry::as<geometry::Attritor>(*c.jar.shape) != nullptr)
     fault("[drive] does not turn a jar with a stirrer", "remove [drive]");
   if (c.liquid) fault("[drive] does not take account of a liquid", "remove [liquid], or [drive]");
   for (const cases::MachinePart& part : c.machine_parts)
-    if (!part.body.in_laboratory && part.body.motion.moves())
-      fault(fmt::format("part \"{}\" moves relative to a jar that a motor turns", part.name),
-            "write frame = \"laboratory\" or motion = \"fixed\", or remove [drive]");
+    if (const std::string how = moves_otherwise(c, part); !how.empty())
+      fault(fmt::format("part \"{}\" {}", part.name, how),
+            cases::drum_motion(c) != nullptr
+                ? "write frame = \"laboratory\" or motion = \"fixed\", or remove [drive]"
+                : "write motion = \"fixed\", or remove [drive]");
 }
 
 const std::vector<DriveSample>& samples_of(const Replicate& r) {
@@ -126,8 +141,7 @@ double per_time(const Replicate& r, double DriveSample::*member) {
 
 /// [N m] Of the motor, at a speed of the mill.
 double torque_at(const Case& c, double speed) {
-  const auto* drum = cases::drum_motion(c);
-  return drum == nullptr ? results::undefined : c.drive->torque_at(speed / std::abs(drum->speed));
+  return c.drive->torque_at(speed / std::abs(cases::speed_without_load(c)));
 }
 
 double mean_torque(const Case& c, const Replicate& r) {
@@ -144,11 +158,16 @@ double last_speed(const Replicate& r) {
 results::Measures quantities() {
   return results::where(
       [](const Case& c) { return c.drive.has_value(); }, "with `[drive]`",
-      {{"driven_speed_end",
+      {{"driven_speed",
         "rpm",
-        "speed of the mill at the end; drum_speed is the mean",
-        [](const Case&, const Replicate& r) { return last_speed(r) / rpm; },
+        "mean speed of the drum or stirrer that a motor turns",
+        [](const Case&, const Replicate& r) { return per_time(r, &DriveSample::angle) / rpm; },
         {.range = results::any_value, .equation = "kin.24", .heading = "Drive"}},
+       {"driven_speed_end",
+        "rpm",
+        "its speed at the end",
+        [](const Case&, const Replicate& r) { return last_speed(r) / rpm; },
+        {.range = results::any_value, .equation = "kin.24"}},
        {"drive_torque",
         "N m",
         "mean torque of the motor on the mill, in its sense",
@@ -210,16 +229,17 @@ std::string panel(const Outcome& outcome) {
 }  // namespace
 
 const cases::Part& part() {
-  static const cases::Part made{
-      .name = "drive",
-      .sections = {cases::section_in_case<&Case::drive, describe>(
-          {"drive", "", "a motor that turns a drum, whose speed falls under load; or a free jar"})},
-      .check = check,
-      .recorder = recorder,
-      .quantities = quantities,
-      .tables = tables,
-      .heading = "Drive",
-      .panel = panel};
+  static const cases::Part made{.name = "drive",
+                                .sections = {cases::section_in_case<&Case::drive, describe>(
+                                    {"drive", "",
+                                     "a motor that turns a drum or a stirrer, whose speed falls "
+                                     "under load; or free turning"})},
+                                .check = check,
+                                .recorder = recorder,
+                                .quantities = quantities,
+                                .tables = tables,
+                                .heading = "Drive",
+                                .panel = panel};
   return made;
 }
 

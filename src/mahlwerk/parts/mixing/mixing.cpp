@@ -114,9 +114,12 @@ std::unique_ptr<observe::Recorder> recorder(const Case& c) {
   }
   const double mean = volume / count, d = math::cbrt(6 * mean / std::numbers::pi);
   constexpr double packing = 0.6, neighbours = 1.5;
+  scene::Chamber mill = cases::chamber(c);
+  if (c.drive) mill.motion = c.mill.motion;  // each run has a drive of its own
   return std::make_unique<MixingRecord>(
       MixingSetup{.section = section_of_case(c),
-                  .mill = cases::chamber(c),
+                  .mill = std::move(mill),
+                  .driven = c.drive ? std::abs(cases::speed_without_load(c)) : 0,
                   .interval = interval_of(c),
                   .cell = math::cbrt(section_of_case(c).balls_per_cell * mean / packing),
                   .reach = neighbours * d,

@@ -183,7 +183,8 @@ MixingSample MixingRecord::sample(const std::vector<scene::Ball>& balls, const I
 
 void MixingRecord::take_balls(const scene::EnergyBalance& now, double time,
                               const std::vector<scene::Ball>& balls) {
-  const Instant at(setup_.mill, time, setup_.diameter);
+  const double clock = setup_.driven > 0 ? now.mill_angle / setup_.driven : time;
+  const Instant at(setup_.mill, clock, setup_.diameter);
   if (colours_.empty()) colour(balls, at);
   while (next() <= now.time)
     if (setup_.flows) {

@@ -36,6 +36,8 @@ struct PackingAtHeight {
 struct MixingSetup {
   Mixing section;
   scene::Chamber mill;
+  /// [rad/s] Speed without load of a mill that a motor turns, whose angle over it is its time; or 0
+  double driven = 0;
   double interval = 0;  ///< [s]
   double cell = 0;      ///< [m] side of the cubes of Lacey's index
   double reach = 0;     ///< [m] of neighbours

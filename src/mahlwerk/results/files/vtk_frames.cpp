@@ -143,8 +143,9 @@ std::string VtkFrames::jar_text(const Frame& frame) const {
         corners.push_back(first + static_cast<std::int32_t>(corner));
     parts.insert(parts.end(), mesh.triangles.size(), part++);
   };
-  for (const JarMesh& mesh : jar_)
-    put(mesh, mesh.rotor ? frame.turn * rotor_turn(*mill_.shape, frame.time) : frame.turn, {});
+  const Rotation rotor =
+      frame.turn * rotor_turn(*mill_.shape, kinematics::clock(*mill_.motion, frame.time).time);
+  for (const JarMesh& mesh : jar_) put(mesh, mesh.rotor ? rotor : frame.turn, {});
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const scene::PartPose pose =
         scene::part_pose(mill_.parts[i].motion, mill_.parts[i].in_laboratory, *mill_.motion,

@@ -33,7 +33,7 @@ std::vector<JarMesh> own_part_surfaces(const scene::Chamber& mill, std::uint32_t
 /// The same, each in its frame before its motion: see scene::part_pose().
 std::vector<JarMesh> part_surfaces(const scene::Chamber& mill, std::uint32_t facets = 48);
 
-/// Rotation of the rotor in the jar's own axes at `time` [s] since the start.
+/// Rotation of the rotor in the jar's own axes at the time [s] of its mill (kinematics::Clock).
 Rotation rotor_turn(const geometry::AnyShape& shape, double time);
 
 }  // namespace mahlwerk::results

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/results/quantities/mill_speed.hpp"
 
+#include <cmath>
+
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
@@ -14,7 +16,7 @@ double mill_rate(const cases::Case& c, const scene::EnergyBalance& from,
     return share(program.travel(to.time) - program.travel(from.time), to.time - from.time);
   if (!c.drive) return 1;
   return share(to.mill_angle - from.mill_angle,
-               (to.time - from.time) * cases::shaft_speed(c).value_or(0));
+               (to.time - from.time) * std::abs(cases::speed_without_load(c)));
 }
 
 double mill_rate(const cases::Case& c, const Replicate& r) {

@@ -46,7 +46,7 @@ const geometry::Attritor* stirrer(const Case& c) {
 /// [1] Power number of the stirrer (obs.17).
 double power_number(const Case& c, const Replicate& r) {
   const geometry::Attritor& vessel = *stirrer(c);
-  const double n = std::abs(vessel.rotor_speed) / (2 * std::numbers::pi);
+  const double n = mill_speed(c, r) / (2 * std::numbers::pi);
   return drawn(r) / (cases::bulk_density(c.balls) * n * n * n * math::pow(vessel.arm_span, 5));
 }
 
@@ -126,7 +126,7 @@ Measures stirrer_measures() {
   return where(is_stirred, "`kind = \"attritor\"` in a mill at rest",
                {{"rotor_torque",
                  "N m",
-                 "drawn power over the speed of the rotor; without friction of the drive",
+                 "drawn power over the mean speed of the rotor; without friction of the drive",
                  shaft_torque,
                  {.label = "torque of the rotor", .symbol = "$M$", .equation = "obs.16"}},
                 {"power_number",

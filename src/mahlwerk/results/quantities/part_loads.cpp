@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/results/quantities/means.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
@@ -45,25 +46,11 @@ double sum_over(const Case& c, const Counts& counts, const Of& of) {
 }
 
 bool on_shaft(const cases::MachinePart& part) {
-  return part.body.motion.kind == PartMotion::Kind::turning && part.body.motion.speed != 0;
-}
-/// Whether two turning parts are on one shaft: the same line in the same frame, turned the same way
-/// at the same speed. Torques about other lines do not add up.
-bool same_shaft(const scene::MachinePart& a, const scene::MachinePart& b) {
-  constexpr double close = 1e-9;  // [m] and [1]
-  return a.in_laboratory == b.in_laboratory && a.motion.speed == b.motion.speed &&
-         norm(a.motion.axis - b.motion.axis) < close &&
-         norm(cross(a.motion.pivot - b.motion.pivot, a.motion.axis)) < close;
+  return part.body.motion.turns();
 }
 /// Whether there are turning parts, all on one shaft.
 bool has_one_shaft(const Case& c) {
-  const scene::MachinePart* first = nullptr;
-  for (const cases::MachinePart& part : c.machine_parts) {
-    if (!on_shaft(part)) continue;
-    if (first != nullptr && !same_shaft(*first, part.body)) return false;
-    first = &part.body;
-  }
-  return first != nullptr;
+  return cases::shaft_part(c) != nullptr;
 }
 
 /// [W] What all parts together do to the balls.

@@ -316,14 +316,17 @@ std::string regime(const Case& mill_case, const Replicate& r) {
 
 std::string regime_reason(const Outcome& outcome) {
   const auto mean = [&](Sign of) { return mean_of(outcome, of); };
+  const std::string lies =
+      has_one_sense(outcome.mill_case)
+          ? fmt::format("lies from {:.0f}° to {:.0f}° and ", mean(toe), mean(shoulder))
+          : "";
   return fmt::format(
       "{:.0f} % of the mass fly outside the bed (balls touch nothing for {:.0f} % of their time), "
-      "the emptiest 10° about the axis hold {:.0f} % of a uniform charge's share, the charge lies "
-      "from {:.0f}° to {:.0f}° and moves at {:.2g} of the wall's speed seen from the jar, {:.2g} "
-      "seen from its carrier, balls slip at {:.2g} of it on the wall, intermittency {:.2g}, {} "
-      "{:.2g}",
-      100 * mean(airborne_share), 100 * mean(flight_share), 100 * mean(emptiest_sector), mean(toe),
-      mean(shoulder), mean(jar_lag), mean(carrier_motion), mean(slip_at_wall), mean(intermittency),
+      "the emptiest 10° about the axis hold {:.0f} % of a uniform charge's share, the charge {}"
+      "moves at {:.2g} of the wall's speed seen from the jar, {:.2g} seen from its carrier, balls "
+      "slip at {:.2g} of it on the wall, intermittency {:.2g}, {} {:.2g}",
+      100 * mean(airborne_share), 100 * mean(flight_share), 100 * mean(emptiest_sector), lies,
+      mean(jar_lag), mean(carrier_motion), mean(slip_at_wall), mean(intermittency),
       is_drum(outcome.mill_case) ? "Froude number" : "pinning ratio", mean(pinning));
 }
 

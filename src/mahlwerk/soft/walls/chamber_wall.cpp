@@ -42,7 +42,7 @@ class ChamberWall final : public MovingWall {
     max_wall_speed_ = jar.max_wall_speed();
     if constexpr (has_rotor) {
       first_rotor_face_ = S::first_rotor_face;
-      max_wall_speed_ += geometry::rotor_tip_speed_of(jar.shape());
+      max_wall_speed_ += jar.motion().largest_rate() * geometry::rotor_tip_speed_of(jar.shape());
     }
     const kinematics::Bounds& moves = jar.motion_bounds();
     stands_still_ = norm(moves.acceleration) + moves.spin + max_wall_speed_ == 0;
@@ -61,7 +61,9 @@ class ChamberWall final : public MovingWall {
       const kinematics::FrameMotion frame = jar_.motion().frame_motion(t);
       const Vec3 spin = jar_.motion().spin(t);
       out[k] = {jar_.gravity() - frame.acceleration, frame.velocity, spin, spin};
-      if constexpr (has_rotor) out[k].rotor_spin += jar_.shape().rotor_speed * jar_.axes(t).ez;
+      if constexpr (has_rotor)
+        out[k].rotor_spin +=
+            jar_.motion().clock(t).rate * jar_.shape().rotor_speed * jar_.axes(t).ez;
     }
   }
   kinematics::FrameMotion frame_motion(double t) const override {
@@ -192,7 +194,8 @@ class ChamberWall final : public MovingWall {
   JarAxes jar_axes(double t) const {
     const Rotation own = jar_.axes(t);
     if constexpr (has_rotor)
-      return {own, own * rotation_about({0, 0, 1}, jar_.shape().rotor_speed * t)};
+      return {own, own * rotation_about({0, 0, 1},
+                                        jar_.shape().rotor_speed * jar_.motion().clock(t).time)};
     return {own, own};
   }
   /// With the facets that element `k` of `facets` keeps; null: none.

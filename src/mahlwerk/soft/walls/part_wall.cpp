@@ -30,7 +30,7 @@ struct Part {
   double opening = 0;  // [m]
   // Of the torque of its load, in its frame before the motion: that of its motion, or its own.
   Vec3 load_axis, load_centre;
-  bool turns_with_jar = false;
+  bool turns_with_jar = false, on_shaft = false;
 };
 
 /// Whether the geometry of a part stays as it is while it moves, because it turns about its own
@@ -68,7 +68,8 @@ class WallWithParts final : public MovingWall {
     stands_still_ = false;  // the loads of parts grow even while all is at rest
     keeps_near_facets_ = jar_->keeps_near_facets();
     const Vec3 turns = kinematics::fixed_axis(*motion_);
-    drive_axis_ = norm(turns) > 0 ? turns : mount_.ez;
+    jar_turns_ = norm(turns) > 0;
+    drive_axis_ = jar_turns_ ? turns : mount_.ez;
     for (const scene::MachinePart& part : chamber.parts) add(part);
   }
 
@@ -205,9 +206,10 @@ class WallWithParts final : public MovingWall {
     load.impulse += dt * frame.apply_inverse(force.force);
     load.angular_impulse += dt * dot(axis, cross(force.point - centre, force.force) - force.torque);
     load.work += dt * (dot(force.force, velocity) - dot(force.torque, motion.spin));
-    if (of_jar || part->turns_with_jar)
-      loads[0].about_mill_axis +=
-          dt * dot(drive_axis_, cross(force.point, force.force) - force.torque);
+    if (!is_driven(force.face, part)) return;
+    const Vec3 lever = force.point - (jar_turns_ ? Vec3{} : centre);
+    loads[0].about_mill_axis +=
+        dt * dot(jar_turns_ ? drive_axis_ : axis, cross(lever, force.force) - force.torque);
   }
   bool can_touch(int face, double radius) const override {
     if (face < first_part_face_) return jar_->can_touch(face, radius);
@@ -215,6 +217,13 @@ class WallWithParts final : public MovingWall {
   }
 
  private:
+  /// Whether a motor of the mill turns the face: of the jar and what is fixed to it; in a jar at
+  /// rest of its stirrer, or of the parts on its shaft.
+  bool is_driven(int face, const Part* part) const {
+    if (jar_turns_) return part == nullptr || part->turns_with_jar;
+    return part == nullptr ? face >= first_rotor_face_ : part->on_shaft;
+  }
+
   struct Face {
     std::size_t part = 0;
     int own = 0;  // number among the faces of its part
@@ -239,7 +248,7 @@ class WallWithParts final : public MovingWall {
     parts_.push_back({*part.solid, part.axes, part.position, index, reach, part.opening,
                       turns ? part.motion.axis : part.axes.ez,
                       turns ? part.motion.pivot : part.position,
-                      !part.in_laboratory && !part.motion.moves()});
+                      !part.in_laboratory && !part.motion.moves(), part.motion.turns()});
     bound_speeds(part, reach);
   }
 
@@ -249,7 +258,8 @@ class WallWithParts final : public MovingWall {
     const kinematics::PartMotion& m = part.motion;
     const double within = part.in_laboratory ? reach_ + jar_centre_reach() : reach_;
     const double lever = std::min(norm(part.position - m.pivot) + reach, within + norm(m.pivot));
-    const double own = m.speed_bound() + m.spin_bound() * lever;
+    const double own =
+        kinematics::largest_rate(*motion_) * (m.speed_bound() + m.spin_bound() * lever);
     const double carried = part.in_laboratory ? jar.speed : jar.spin * reach_;
     part_speed_ = std::max(part_speed_, own + carried);
     const bool still = keeps_its_place(part) && carried == 0;
@@ -296,7 +306,8 @@ class WallWithParts final : public MovingWall {
   std::vector<SharedMotion> motions_;
   std::vector<Part> parts_;
   std::vector<Face> faces_of_parts_;
-  Vec3 drive_axis_;      // of the torque of the jar's load
+  Vec3 drive_axis_;  // of the torque of the jar's load
+  bool jar_turns_ = false;
   double max_pull_ = 0;  // [m/s2] on a ball in flight, in the jar frame
 };
 
