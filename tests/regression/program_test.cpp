@@ -208,7 +208,7 @@ TEST_F(Program, completion_offers_every_option_of_every_command_and_no_other) {
   EXPECT_EQ(offered("describe tav"), "tavares\n");
   EXPECT_EQ(offered("new --kind plan"), "planetary\n");
   EXPECT_EQ(offered("new --mill x --jar-kind lif"), "lifter-cylinder\n");
-  EXPECT_EQ(offered("run case.toml --set mill.sp"), "mill.speed=\n");
+  EXPECT_EQ(offered("run case.toml --set mill.speed_r"), "mill.speed_repeats=\n");
   std::ofstream(here_ / "mine.toml") << "";
   EXPECT_EQ(offered("run mi"), "mine.toml\n");
 }
