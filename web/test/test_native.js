@@ -70,8 +70,11 @@ const ofCampaign = ["Regime", ...[["collision rate above threshold", "/s"], ["me
   [quantity, `${quantity} (${unit})`])];
 
 /// The page of a result has all its pictures and tells all its notices.
-async function expectWhole(report, name, { _about: about }) {
-  const titles = await report.locator(".chart-head strong").allTextContents();
+async function expectWhole(report, name, { _about: about, _parts: parts = [] }) {
+  const all = await report.locator(".chart-head strong").allTextContents();
+  const ofParts = parts.map((part) => `Impacts on ${part.name}`); // by power, in an order of their own
+  expect(`maps of the parts of ${name}`, all.filter((each) => ofParts.includes(each)).sort(), ofParts.sort());
+  const titles = all.filter((each) => !ofParts.includes(each));
   expect(`pictures of ${name}`, titles, about ? [...everyRun, ...otherPictures[name] ?? []] : ofCampaign);
   const said = await report.locator("body").innerText();
   for (const { code, text } of about?.notices ?? []) expect(`${code} of ${name} is told`, said.includes(text));
