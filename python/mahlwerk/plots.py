@@ -4,10 +4,10 @@
 
 from __future__ import annotations
 
-import base64
-import json
 import re
 from typing import TYPE_CHECKING, Any, Optional
+
+from .replay import outline, replay
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -167,8 +167,12 @@ class ResultPlots:
         chosen = balls or tuple(range(min(3, count)))
         if not all(0 <= one < count for one in chosen):
             raise ValueError(f"the replay shows {count} balls, from 0 to {count - 1}")
+        inside = film["positions"][:, list(chosen)].reshape(-1, 3)
+        inside = inside[np.isfinite(inside).all(axis=1)]
+        if not len(inside):
+            raise ValueError("these balls are outside the jar in all frames of the replay")
         if plane is None:
-            order = np.argsort(-np.ptp(film["positions"][:, list(chosen)], axis=(0, 1)))[:2]
+            order = np.argsort(-np.ptp(inside, axis=0))[:2]
             plane = "".join("xyz"[k] for k in sorted(order))
         i, j = "xyz".index(plane[0]), "xyz".index(plane[1])
         for vertices in film["outlines"]:
@@ -177,9 +181,10 @@ class ResultPlots:
         fastest = film["speeds"].max()
         for ball in chosen:
             path = 1e3 * film["positions"][:, ball][:, [i, j]]
-            lines = LineCollection(np.stack([path[:-1], path[1:]], axis=1), cmap="viridis",
-                                   linewidths=1.0)
-            lines.set_array(film["speeds"][1:, ball])
+            steps_inside = np.isfinite(path[:-1] + path[1:]).all(axis=1)
+            lines = LineCollection(np.stack([path[:-1], path[1:]], axis=1)[steps_inside],
+                                   cmap="viridis", linewidths=1.0)
+            lines.set_array(film["speeds"][1:, ball][steps_inside])
             lines.set_clim(0, fastest)
             ax.add_collection(lines)
         ax.figure.colorbar(lines, ax=ax, label="speed relative to the jar's centre (m/s)")
@@ -301,62 +306,6 @@ def shown_bins(table: Any, per: str, energies: Any, unit: str) -> tuple[int, int
             first = min(first, int(np.searchsorted(share, 0.001 * share[-1])))
             last = max(last, int(np.searchsorted(share, 0.999 * share[-1])))
     return min(first, last), max(first, last)
-
-
-def replay(result: Result, frame: str) -> dict[str, Any]:
-    """The frames of the replay: positions in m by time, ball and axis; speeds; outlines of the jar."""
-    import numpy as np
-
-    found = re.search(r'id="replay-data">(.*?)</script>', result.report, re.DOTALL)
-    if not found:
-        raise ValueError("the report has no replay: the run was too short, or it is a point of a "
-                         "campaign, whose reports have none")
-    data = json.loads(found[1])
-
-    def numbers(text: str, kind: str) -> Any:
-        return np.frombuffer(base64.b64decode(text), kind)
-
-    frames, balls = len(data["times"]), data["count"]
-    # The replay has axes parallel to those of the laboratory; its quaternions turn others into them.
-    jar, axes = (numbers(data[name], "<f4").reshape(frames, 1, 4).astype(float)
-                 for name in ("jar_turn", f"{frame}_turn"))
-    positions = numbers(data["positions"], "<i2").reshape(frames, balls, 3) * data["position_scale"]
-    meshes = [numbers(mesh["vertices"], "<f4").reshape(-1, 3) for mesh in data["meshes"]]
-    return {"times": np.array(data["times"]), "positions": turned(positions, inverse(axes)),
-            "speeds": numbers(data["speeds"], "<u2").reshape(frames, balls) * data["speed_scale"],
-            "outlines": [turned(turned(mesh, jar[0]), inverse(axes[0])) for mesh in meshes]}
-
-
-def turned(positions: Any, turn: Any) -> Any:
-    """Positions turned by quaternions (x, y, z, w)."""
-    import numpy as np
-
-    axis, w = turn[..., :3], turn[..., 3:]
-    across = 2 * np.cross(axis, positions)
-    return positions + w * across + np.cross(axis, across)
-
-
-def inverse(turn: Any) -> Any:
-    return turn * [-1.0, -1.0, -1.0, 1.0]
-
-
-def outline(vertices: Any, i: int, j: int) -> Any:
-    """The convex hull of a mesh seen along an axis, closed."""
-    import numpy as np
-
-    points = sorted(set(map(tuple, np.round(vertices[:, [i, j]].astype(float), 7))))
-
-    def half(ordered: Any) -> list[Any]:
-        made: list[Any] = []
-        for p in ordered:
-            while len(made) > 1 and ((made[-1][0] - made[-2][0]) * (p[1] - made[-2][1])
-                                     - (made[-1][1] - made[-2][1]) * (p[0] - made[-2][0])) <= 0:
-                made.pop()
-            made.append(p)
-        return made[:-1]
-
-    hull = half(points) + half(reversed(points))
-    return np.array(hull + hull[:1])
 
 
 def time_axis(seconds: Any) -> tuple[Any, str]:

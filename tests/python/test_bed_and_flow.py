@@ -8,6 +8,7 @@ import re
 import mahlwerk
 import numpy as np
 import pytest
+from mahlwerk.replay import replay
 
 from quantity_runs import CASES, run_of
 
@@ -96,3 +97,16 @@ def test_frames_show_only_balls_in_the_jar(tmp_path):
         at += 2 + count
     assert shown[0] == 0 and max(shown) > 10
     assert np.abs(np.array(shown[:20]) - result.table("flow")["inside"][:20]).max() <= 1  # a frame is a step later
+
+
+def test_paths_of_balls_end_where_they_leave_the_jar():
+    result = mahlwerk.Case({**CASES["hopper"], "flow": {"outlet": ["0 mm", "0 mm", "-12 mm"]},
+                            "run": {**CASES["hopper"]["run"], "settle": "0 s", "time": "0.2 s"}}).run()
+    film = replay(result, "jar")
+    assert result.table("flow")["left"][-1] > 0
+    outside = np.isnan(film["positions"]).any(axis=2)
+    assert outside[-1].any() and not outside[0].any(), "balls have left by the end"
+    ball = int(np.flatnonzero(outside[-1])[0])
+    path = np.concatenate(result.plot.trajectory(ball, plane="xz").collections[0].get_segments())
+    assert np.isfinite(path).all() and path[:, 1].min() > -12 - 1.5 - 0.5, "mm: above the outlet, within a frame"
+    assert len(path) == 2 * np.isfinite(film["positions"][:-1, ball] + film["positions"][1:, ball]).all(axis=1).sum()

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import mahlwerk
-from mahlwerk.plots import replay
+from mahlwerk.replay import replay
 from quantity_runs import BALLS, CASES, JAR
 
 ORBIT, DISC, JAR_SPIN, TIME, RADIUS = 0.07, 10 * math.pi, -10 * math.pi, 0.02, 4e-3  # 300 rpm, ratio -2

@@ -7,11 +7,11 @@
 
 namespace mahlwerk::observe {
 
-PartGrid::PartGrid(const Vec3& least, const Vec3& most) {
+PartGrid::PartGrid(const Vec3& least, const Vec3& most, double finest) {
   const std::array from{least.x, least.y, least.z}, to{most.x, most.y, most.z};
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) longest = std::max(longest, to[k] - from[k]);
-  edge_ = longest / along_longest;
+  edge_ = std::max(longest / along_longest, finest);
   constexpr double rounding = 1e-9;
   for (std::size_t k = 0; k < 3; ++k) {
     const double length = to[k] - from[k];

@@ -15,12 +15,12 @@ namespace mahlwerk::observe {
 /// surface that faces that way, in square cells. What lies behind in a view is in the same cell.
 class PartGrid {
  public:
-  static constexpr int along_longest = 32;  ///< cells along the longest edge of the box
+  static constexpr int along_longest = 32;  ///< most cells along the longest edge of the box
   enum Side { left, right, front, back, bottom, top, sides };  ///< outwards -x, +x, -y, +y, -z, +z
 
   PartGrid() : PartGrid({-1, -1, -1}, {1, 1, 1}) {}
-  /// `least`, `most` [m]: a box about the part, in its own axes.
-  PartGrid(const Vec3& least, const Vec3& most);
+  /// `least`, `most` [m]: a box about the part, in its own axes. `finest` [m]: no cell is narrower.
+  PartGrid(const Vec3& least, const Vec3& most, double finest = 0);
 
   int cells() const { return first_.back(); }
   /// The cell of a point [m] on the surface; `outward`: the normal there, of any length.

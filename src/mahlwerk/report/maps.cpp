@@ -87,7 +87,9 @@ MapPanel part_view(const results::PartRates& rates, observe::PartGrid::Side side
     const auto i = static_cast<std::size_t>(cell);
     panel.values.push_back(rates.area[i] > 0 ? rates.lost[i] / rates.area[i] : NAN);
   }
-  panel.width = margin + widest * columns / observe::PartGrid::along_longest;
+  const auto [x, y] = rates.grid.counts(observe::PartGrid::top);
+  const int most = std::max({x, y, rates.grid.counts(observe::PartGrid::left)[1]});
+  panel.width = margin + widest * columns / most;
   panel.shape = static_cast<double>(rows) / columns;
   return panel;
 }

@@ -162,6 +162,7 @@ TEST(FreshFeed, that_is_wrong_is_refused) {
   EXPECT_EQ(code("fresh_feed", "fresh_feed = [\"ore\"]"), "bad-flow");
   EXPECT_EQ(code("fresh_feed", "fresh_feed = \"balls.2\""), "wrong-type");
   EXPECT_EQ(code("fresh_feed", "recirculate = true"), "too-much") << "nothing fresh";
+  EXPECT_EQ(code("fresh_feed", "recirculate = false"), "none") << "the default may stand";
   EXPECT_EQ(code("feed_mass_rate", "feed_mass_rate = \"5 g/s\"\nfeed_rate = \"3 Hz\""), "too-much");
   EXPECT_EQ(code("filling", "positions = [[\"0 mm\", \"0 mm\", \"0 mm\"]]"), "bad-flow");
   EXPECT_EQ(code("feed", "feed = \"none\""), "too-much");

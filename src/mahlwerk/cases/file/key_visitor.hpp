@@ -190,6 +190,13 @@ class KeyVisitor {
   /// Keys that have no meaning, for the reason `why`: a fault for each that the section gives.
   virtual void refuse(std::initializer_list<std::string_view>, std::string_view /*why*/,
                       const std::string& /*remedy*/) {}
+  /// A flag that has no meaning: its default may stand in a case, another value is a fault.
+  void refuse_but_default(const Flag& one, std::string_view why, const std::string& remedy) {
+    if (!gives(one.key)) return;
+    bool value = one.standard;
+    flag(one, value);
+    if (value != one.standard) refuse({one.key}, why, remedy);
+  }
 
   template <class Model, class Fields>
   void fields(Model& model, const Fields& all) {

@@ -108,12 +108,8 @@ void describe_speed_over_time(KeyVisitor& v, Mill& mill) {
     return v.flag(again, repeats);
   }
   const Node* at = in->find(speed_key);
-  if (at == nullptr) {
-    if (!in->gives(repeats_key)) return;
-    v.flag(again, repeats);  // its default may stand in a case
-    if (repeats) in->refuse({repeats_key}, "without speed_over_time", "give speed_over_time");
-    return;
-  }
+  if (at == nullptr)
+    return v.refuse_but_default(again, "without speed_over_time", "give speed_over_time");
   std::vector<SpeedRow> rows = read_speed_rows(*in, *at);
   v.flag(again, repeats);
   if (rows.empty()) return;

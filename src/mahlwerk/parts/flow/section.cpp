@@ -74,13 +74,11 @@ void describe_rate(cases::KeyVisitor& v, Flow& flow) {
     v.number(cases::NumberSpec("feed_rate", "1/s", positive, "balls that enter per second")
                  .with({.start = "100 1/s"}),
              flow.feed_rate);
-  if (!flow.fresh_feed.empty() || v.visits_all())
-    v.flag({"recirculate", false, "what has left stays outside",
-            "with fresh_feed: whether what has left waits to be fed again"},
-           flow.recirculate);
-  else
-    v.refuse({"recirculate"}, "without fresh_feed: only what has left is fed",
-             "remove it, or give fresh_feed");
+  const cases::Flag again{"recirculate", false, "what has left stays outside",
+                          "with fresh_feed: whether what has left waits to be fed again"};
+  if (!flow.fresh_feed.empty() || v.visits_all()) return v.flag(again, flow.recirculate);
+  v.refuse_but_default(again, "without fresh_feed: only what has left is fed",
+                       "remove it, or give fresh_feed");
 }
 
 void describe_inlet(cases::KeyVisitor& v, Flow& flow) {

@@ -39,13 +39,15 @@ observe::WallGrid wall_grid(const cases::Case& mill_case) {
 std::vector<observe::PartGrid> part_grids(const cases::Case& mill_case) {
   std::vector<observe::PartGrid> made;
   if (mill_case.machine_parts.empty()) return made;
+  constexpr double cells_across_jar = 50;  // at most, so that small parts have few
+  const double finest = 2 * geometry::reach(*mill_case.jar.shape) / cells_across_jar;
   for (const JarMesh& mesh : own_part_surfaces(cases::chamber(mill_case))) {
     Vec3 least = mesh.vertices.front(), most = least;
     for (const Vec3& p : mesh.vertices) {
       least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
       most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
     }
-    made.emplace_back(least, most);
+    made.emplace_back(least, most, finest);
   }
   return made;
 }

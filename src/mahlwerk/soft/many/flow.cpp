@@ -53,26 +53,29 @@ void ManyBodySolver::take_out_balls(std::vector<scene::Passage>& passages) {
   end_contacts_of_leaving();
 }
 
-/// Ends the contacts of balls that leave. What their compression stores leaves with them; what
-/// their tangential springs store counts as dissipated, as at the end of every contact.
+/// Ends the contacts of balls that leave.
 void ManyBodySolver::end_contacts_of_leaving() {
   for (Chunk& chunk : chunks_)
     for (ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
       for (std::size_t n = 0; n < list->packets.size(); ++n)
-        for (std::size_t l = 0; l < lanes; ++l) {
-          ContactPacket& g = list->packets[n];
-          if (!g.touches(l)) continue;
-          const bool wall = list == &chunk.wall;
-          if (!leaves_[static_cast<std::size_t>(g.i[l])] &&
-              (wall || !leaves_[static_cast<std::size_t>(g.j[l])]))
-            continue;
-          const double weight = list == &chunk.halo ? 0.5 : 1;
-          energy_balance_.flow -= weight * stored_in(*list, n, l).normal;
-          change_contact_count(chunk, g.i[l], -1);
-          if (list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
-          if (list != &chunk.halo || g.i[l] < g.j[l]) record(chunk, *list, n, l);
-          g.touching &= ~bit(l);  // the lists are built anew; the lane need not be free
-        }
+        for (std::size_t l = 0; l < lanes; ++l) end_contact_of_leaving(chunk, *list, n, l);
+}
+
+/// Ends a contact if a ball of it leaves. What its compression stores leaves with the ball; what
+/// its tangential springs store counts as dissipated, as at the end of every contact.
+void ManyBodySolver::end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n,
+                                            std::size_t l) {
+  ContactPacket& g = list.packets[n];
+  if (!g.touches(l)) return;
+  const bool wall = &list == &chunk.wall, halo = &list == &chunk.halo;
+  const bool one = leaves_[static_cast<std::size_t>(g.i[l])],
+             other = !wall && leaves_[static_cast<std::size_t>(g.j[l])];
+  if (!one && !other) return;
+  energy_balance_.flow -= (halo ? 0.5 : 1) * stored_in(list, n, l).normal;
+  change_contact_count(chunk, g.i[l], -1);
+  if (&list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
+  if (!halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
+  g.touching &= ~bit(l);  // the lists are built anew; the lane need not be free
 }
 
 /// Draws the order in which the balls that are outside at the start are fed, so that the feed has

@@ -80,6 +80,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   scene::Passage passage(std::size_t row, bool entered) const;
   void take_out_balls(std::vector<scene::Passage>& passages);
   void end_contacts_of_leaving();
+  void end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n, std::size_t l);
   void put_in_balls(std::vector<scene::Passage>& passages);
   void mix_fresh_feed();
   std::optional<Vec3> room_at_inlet(std::int32_t ball);
