@@ -42,12 +42,12 @@ Case::~Case() = default;
 bool Case::operator==(const Case& o) const {
   return title == o.title && seed == o.seed && mill == o.mill && jar == o.jar &&
          machine_parts == o.machine_parts && balls == o.balls && powder == o.powder &&
-         contact == o.contact && liquid == o.liquid && flow == o.flow && drive == o.drive &&
-         run == o.run && observe == o.observe && milling == o.milling && heat == o.heat &&
-         capture == o.capture && grinding == o.grinding && kinetics == o.kinetics &&
-         parts == o.parts && gravity == o.gravity && gravity_direction == o.gravity_direction &&
-         sweep == o.sweep && optimise == o.optimise && match == o.match &&
-         uncertainty == o.uncertainty && fit == o.fit;
+         contact == o.contact && liquid == o.liquid && flow == o.flow &&
+         bed_breakage == o.bed_breakage && drive == o.drive && run == o.run &&
+         observe == o.observe && milling == o.milling && heat == o.heat && capture == o.capture &&
+         grinding == o.grinding && kinetics == o.kinetics && parts == o.parts &&
+         gravity == o.gravity && gravity_direction == o.gravity_direction && sweep == o.sweep &&
+         optimise == o.optimise && match == o.match && uncertainty == o.uncertainty && fit == o.fit;
 }
 
 std::vector<const Part*> parts_of(const Case& c) {

@@ -13,6 +13,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/bed_breakage.hpp"
 #include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/cases/machine_part.hpp"
 #include "mahlwerk/cases/material.hpp"
@@ -282,6 +283,7 @@ struct Case {
   Contact contact;
   std::optional<Liquid> liquid;
   std::optional<Flow> flow;
+  std::optional<BedBreakage> bed_breakage;
   std::optional<kinematics::Motor> drive;  ///< absent: the mill has its speed
   Run run;
   Observe observe;

@@ -78,6 +78,8 @@ std::vector<Fault> faults(const cases::Case& c) {
          "remove [liquid]");
   refuse(c.flow.has_value(), "flow.outlet", "balls that leave the jar and enter it",
          "remove [flow]");
+  refuse(c.bed_breakage.has_value(), "bed_breakage", "grains that break while they move",
+         "remove [bed_breakage]");
   refuse(c.run.until.has_value(), "run.time", "time = \"until ...\": its runs have a given length",
          "give a time");
   refuse(c.run.start == cases::StartLayout::ramp, "run.start",

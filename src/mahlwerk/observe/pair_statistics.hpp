@@ -19,7 +19,8 @@ namespace mahlwerk::observe {
 class BallKinds {
  public:
   BallKinds() : BallKinds({}, 1, 1) {}  ///< all of one kind, in a jar of one face
-  /// `of_ball`: kind of each ball; empty if all are of kind 0. Faces from `faces` - 1 count as one.
+  /// `of_ball`: kind of each ball; empty if all are of kind 0. Later balls, fragments of grains,
+  /// are of the kind of the last. Faces from `faces` - 1 count as one.
   BallKinds(std::vector<std::int32_t> of_ball, int kinds, int faces)
       : BallKinds(std::move(of_ball), kinds, each_of(faces)) {}
   /// `of_face`: the distinguished face, from 0, that each face counts as; faces after the last as
@@ -36,7 +37,8 @@ class BallKinds {
     return (*of_face_)[static_cast<std::size_t>(std::min(face, last))];
   }
   std::int32_t of(std::int32_t ball) const {
-    return of_ball_->empty() ? 0 : (*of_ball_)[static_cast<std::size_t>(ball)];
+    if (of_ball_->empty()) return 0;
+    return (*of_ball_)[std::min(static_cast<std::size_t>(ball), of_ball_->size() - 1)];
   }
 
  private:

@@ -18,6 +18,7 @@ struct EnergyBalance {
   double lost_lasting = 0;     ///< in sustained contacts: sliding, rolling, and on entering one
   double lost_rolling = 0;     ///< dissipated by rolling resistance of touching bodies
   double lost_liquid = 0;      ///< dissipated by the flow of a liquid between and around balls
+  double lost_breakage = 0;    ///< of grains that broke, less those of their fragments (bed.9)
   double elastic = 0;          ///< stored in contacts now
   double flow = 0;             ///< of balls that have entered the jar, less those that left (flo.3)
   double lost_open = 0;        ///< part of the losses: by open contacts, not in any record yet
@@ -26,6 +27,7 @@ struct EnergyBalance {
   double deepest_overlap = 0;  ///< [1] largest overlap at a collision, over the ball's radius
   double contact_time = 0;     ///< [s] ball time in sustained contact
   std::int64_t collisions = 0;
+  std::int64_t broken_grains = 0;
   std::int64_t lasting_contacts = 0;  ///< number of sustained contacts begun
   std::int64_t tc_collisions = 0;     ///< made more elastic by the TC rule
   double lost_within = 0;  ///< part of the losses: in collisions within t_c of another of a body
@@ -40,7 +42,8 @@ struct EnergyBalance {
   std::int64_t time_steps = 0;    ///< time steps of the soft engine
 
   double lost() const {
-    return lost_normal + lost_tangential + lost_lasting + lost_rolling + lost_liquid;
+    return lost_normal + lost_tangential + lost_lasting + lost_rolling + lost_liquid +
+           lost_breakage;
   }
   /// Residual of the balance, > 0 if energy appeared (dem.32).
   double residual() const {

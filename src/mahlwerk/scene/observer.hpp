@@ -6,6 +6,7 @@
 
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/scene/flow.hpp"
+#include "mahlwerk/scene/grain_breakage.hpp"
 
 namespace mahlwerk::scene {
 
@@ -17,6 +18,8 @@ class Observer {
   virtual void collisions(std::span<const Collision> finished) = 0;
   /// Balls that have left the jar or entered it, in the order in which they did.
   virtual void passages(std::span<const Passage> /*passed*/) {}
+  /// Changes of the sizes of a powder whose grains break, in the order in which they happened.
+  virtual void size_changes(std::span<const SizeChange> /*changes*/) {}
 };
 
 }  // namespace mahlwerk::scene

@@ -20,7 +20,7 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const contact::PairTable& pairs, double start) {
   if (settings.device) return make_device_engine(chamber, balls, settings, pairs, start);
   auto jar = moving_wall(chamber);
-  if (balls.size() > settings.few_ball_limit || settings.flow)
+  if (balls.size() > settings.few_ball_limit || settings.flow || settings.breakage)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);
 }

@@ -10,6 +10,7 @@
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
 #include "mahlwerk/scene/flow.hpp"
+#include "mahlwerk/scene/grain_breakage.hpp"
 
 namespace mahlwerk::soft {
 
@@ -26,6 +27,9 @@ struct Settings {
   int threads = 1;  ///< threads of one run; results do not depend on it
   std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
   std::optional<scene::Flow> flow = std::nullopt;        ///< none: all balls stay in the jar
+  /// How grains break; null: they do not. Balls of their set that are outside become fragments.
+  std::shared_ptr<const scene::GrainBreakage> breakage = nullptr;
+  bool breakage_from_start = true;  ///< else from begin_counting() on
   /// Makes the device that computes a run; none: the processor.
   std::function<std::shared_ptr<Device>()> device = nullptr;
 };

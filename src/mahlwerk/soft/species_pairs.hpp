@@ -50,6 +50,7 @@ class SpeciesPairs {
     return pairs_[static_cast<std::size_t>(pair)];
   }
   std::span<const SpeciesPair> all() const { return pairs_; }
+  std::size_t row_length() const { return static_cast<std::size_t>(row_length_); }
   std::span<const Species> all_species() const { return species_; }
 
  private:

@@ -130,6 +130,9 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
   if (cases::liquid_needs_soft(mill_case))
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. The event engine has no liquid around the balls.");
+  if (mill_case.bed_breakage)
+    return choose(cases::EngineName::soft,
+                  "Engine: soft, chosen by auto. In the event engine no grains break.");
   if (mill_case.flow)
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. In the event engine no ball leaves the jar or "

@@ -57,6 +57,9 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
   }
 
   /// Recorders follow what is inside from the start of the run.
+  void size_changes(std::span<const scene::SizeChange> changes) override {
+    for (const auto& recorder : replica_.result_.recorders.all()) recorder->size_changes(changes);
+  }
   void passages(std::span<const scene::Passage> passed) override {
     for (const auto& recorder : replica_.result_.recorders.all()) recorder->passages(passed);
   }

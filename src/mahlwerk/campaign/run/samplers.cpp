@@ -121,11 +121,23 @@ class ReplaySampler final : public Sampler {
                                mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
   }
   double next() const override { return replay_->next_frame_time(); }
+  /// Fragments of grains are not shown: a ball of the replay has one size.
+  std::vector<scene::Ball> shown(const std::vector<scene::Ball>& balls) const {
+    std::vector<scene::Ball> first = balls;
+    const cases::Case& mill_case = *setup_->mill_case;
+    if (!mill_case.bed_breakage) return first;
+    first.resize(static_cast<std::size_t>(cases::balls_count(mill_case.balls)));
+    const double grain = 0.5 * mill_case.balls.back().diameter;
+    for (scene::Ball& b : first)
+      if (b.kind == static_cast<std::int32_t>(mill_case.balls.size()) - 1 && b.radius < grain)
+        b.outside = true;
+    return first;
+  }
   void take(Moment& moment) override {
     while (replay_->next_frame_time() <= moment.now().time)
       replay_->add(moment.time_of_balls(),
                    kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
-                   moment.balls());
+                   shown(moment.balls()));
   }
 
  private:

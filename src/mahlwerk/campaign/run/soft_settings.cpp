@@ -42,6 +42,10 @@ std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
            .spin = {},
            .kind = static_cast<std::int32_t>(i),
            .inertia_ratio = mill_case.balls[i].layers().inertia_ratio(0.5 * size.diameter)});
+  if (mill_case.bed_breakage && !cases::coarse_grains(mill_case)) {
+    balls.push_back(balls.back());
+    balls.back().radius = 0.5 * cases::bed_breakage(mill_case).diameters().back();
+  }
   return balls;
 }
 

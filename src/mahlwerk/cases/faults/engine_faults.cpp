@@ -54,6 +54,9 @@ std::vector<Fault> event_faults(const Case& c) {
     return {{location_of(c, "run.engine"),
              "the event engine does not let balls leave the jar or enter it ([flow])",
              "write engine = \"soft\", or \"auto\"", "flow-needs-soft"}};
+  if (c.bed_breakage)
+    return {{location_of(c, "run.engine"), "in the event engine no grains break ([bed_breakage])",
+             "write engine = \"soft\", or \"auto\"", "bed-breakage-needs-soft"}};
   if (const std::string wall = soft_only_wall(c); !wall.empty())
     return {{location_of(c, "run.engine"),
              fmt::format("the event engine does not take {}: it computes exact contact times from "
@@ -107,8 +110,9 @@ bool fits_exactly(const Case& c) {
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = soft_only_wall(c).empty();  // else "auto" chooses soft
-  const bool soft = in_time_steps(c.run.engine) || ((!exact || liquid_needs_soft(c) || c.flow) &&
-                                                    c.run.engine == EngineName::automatic);
+  const bool soft = in_time_steps(c.run.engine) ||
+                    ((!exact || liquid_needs_soft(c) || c.flow || c.bed_breakage) &&
+                     c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

@@ -127,6 +127,10 @@ std::string panel(const Outcome& outcome) {
 bool grinds(const Case& c) {
   return c.grinding.has_value();
 }
+/// [breakage] and [fragments] also serve grains that break in the bed.
+bool has_models(const Case& c) {
+  return grinds(c) || c.bed_breakage;
+}
 
 results::Measures quantities() {
   results::Measures all = results::capture_measures();
@@ -156,13 +160,19 @@ const cases::Part& part() {
                     [](KeyVisitor& v, Case& c) { describe(v, *c.capture, c); }},
                    {{"breakage", "model",
                      "which hits break a grain; the powder's material may give the constants"},
-                    grinds,
+                    has_models,
                     nullptr,
-                    [](KeyVisitor& v, Case& c) { describe(v, *c.grinding->breakage, c); }},
+                    [](KeyVisitor& v, Case& c) {
+                      describe(v, c.grinding ? *c.grinding->breakage : *c.bed_breakage->breakage,
+                               c);
+                    }},
                    {{"fragments", "model", "the fragments of a broken grain"},
-                    grinds,
+                    has_models,
                     nullptr,
-                    [](KeyVisitor& v, Case& c) { describe(v, *c.grinding->fragments, c); }},
+                    [](KeyVisitor& v, Case& c) {
+                      describe(v, c.grinding ? *c.grinding->fragments : *c.bed_breakage->fragments,
+                               c);
+                    }},
                    {{"grinding", "", "how the size of the powder changes with time"},
                     grinds,
                     [](Case& c) { c.grinding.emplace(); },

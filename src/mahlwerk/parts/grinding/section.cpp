@@ -144,7 +144,7 @@ void describe_sticking_and_welding(KeyVisitor& v, Grinding& g) {
 
 /// The tables of the sections; null for a missing section.
 struct Tables {
-  const Node *capture, *breakage, *fragments, *grinding;
+  const Node *capture, *breakage, *fragments, *grinding, *bed_breakage;
 };
 
 /// Reports incomplete sets of [breakage], [fragments] and [grinding].
@@ -154,11 +154,15 @@ void unused_sections(const Tables& t, Findings& findings) {
   };
   const auto part = [&](const Node* table, std::string_view name, std::string_view what,
                         const std::vector<std::string>& models) {
-    if (table != nullptr && t.grinding == nullptr)
-      fault(table, fmt::format("[{}] is given without [grinding], which alone uses it", name),
+    if (table != nullptr && t.grinding == nullptr && t.bed_breakage == nullptr)
+      fault(table,
+            fmt::format("[{}] is given without [grinding] or [bed_breakage], which use it", name),
             "add [grinding] with time = \"30 s\" or so, or remove it");
-    if (table == nullptr && t.grinding != nullptr)
-      fault(t.grinding, fmt::format("[grinding] needs [{}]: {}", name, what),
+    const Node* user = t.grinding != nullptr ? t.grinding : t.bed_breakage;
+    if (table == nullptr && user != nullptr)
+      fault(user,
+            fmt::format("[{}] needs [{}]: {}", user == t.grinding ? "grinding" : "bed_breakage",
+                        name, what),
             fmt::format("add [{}] with model = ..., one of {}", name, quoted_list(models)));
   };
   part(t.breakage, "breakage", "which hits break a grain",
@@ -215,7 +219,8 @@ void read(SectionTables& tables, Case& c, Findings& findings) {
   const Tables t{.capture = tables.table("capture"),
                  .breakage = tables.table("breakage"),
                  .fragments = tables.table("fragments"),
-                 .grinding = tables.table("grinding")};
+                 .grinding = tables.table("grinding"),
+                 .bed_breakage = tables.table("bed_breakage")};
   unused_sections(t, findings);
   Grinding g;
   const auto read_one = [&](const Node* table, const char* name, auto& what, auto... more) {
@@ -232,6 +237,10 @@ void read(SectionTables& tables, Case& c, Findings& findings) {
     Capture capture{.model = powder::Barrios{invalid_value}};
     read_one(t.capture, "capture", capture, powder::tracks_strength(*g.breakage));
     c.capture = capture;
+  }
+  if (t.bed_breakage != nullptr) {
+    c.bed_breakage.emplace();
+    c.bed_breakage->breakage = g.breakage, c.bed_breakage->fragments = g.fragments;
   }
   if (t.grinding == nullptr) return;
   read_one(t.grinding, "grinding", g);

@@ -24,6 +24,7 @@ std::string device_lacks(const scene::Chamber& chamber, const Settings& settings
   if (!chamber.parts.empty()) return "parts in the jar ([[parts]])";
   if (settings.liquid) return "a liquid";
   if (settings.flow) return "balls that leave the jar and enter it ([flow])";
+  if (settings.breakage) return "grains that break ([bed_breakage])";
   if (settings.model.curved_walls) return "the curvature of walls (contact.curved_walls)";
   return {};
 }

@@ -251,6 +251,7 @@ template <class Law, class V>
   work.tangential -= constants.dt * dot(friction, slip);
   if (walls) work.wall = where<V>(group(pair.wall), constants.dt * wall_power);
   work.overlap = where<V>(touching, geometry.overlap);
+  work.elastic = law_force.force - damper;
   return out;
 }
 

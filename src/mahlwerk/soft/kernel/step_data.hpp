@@ -72,6 +72,7 @@ struct ContactForce {
 template <class V>
 struct WorkOfStep {
   V impulse{}, normal{}, tangential{}, rolling{}, sliding{}, wall{}, overlap{};
+  V elastic{};  ///< [N] elastic part of the normal force
 };
 
 /// Geometry and relative motion of contacts, independent of the forces.

@@ -43,6 +43,14 @@ struct alignas(64) WallNormals {
   Vec<Lanes> normal{};
 };
 
+/// What breakage needs of eight contacts (docs/theory/bed-breakage.md).
+struct alignas(64) StressHistory {
+  Lanes rest{};                 ///< [m] overlap at which the contact is without force (bed.6)
+  Lanes lost{};                 ///< [J] dissipated since its present loading began
+  Lanes energy{};               ///< [J] put in by its last loading (bed.1)
+  std::uint32_t unloading = 0;  ///< bits of lanes
+};
+
 /// Between two balls of a chunk, with a ball of another chunk, or with the wall (Chunk).
 enum class ContactKind { own, halo, wall };
 
@@ -55,6 +63,7 @@ struct ContactPackets {
   BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
   BlockList<PairParameters> parameters;           ///< of each packet, if curved walls change them
   BlockList<WallNormals> wall_normals;            ///< of each packet, for walls
+  BlockList<StressHistory> stresses;              ///< of each packet, if grains break
   std::vector<std::int32_t> free;                 ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
   /// its memory is freed.
@@ -67,6 +76,7 @@ struct ContactPackets {
     friction_histories.free_block(block);
     parameters.free_block(block);
     wall_normals.free_block(block);
+    stresses.free_block(block);
   }
 };
 

@@ -60,6 +60,8 @@ struct alignas(64) ChunkStep {
   bool liquid = false;            ///< there is a liquid
   bool loads = false;             ///< callbacks->add_wall_load() is called for each wall contact
   bool has_history = false;       ///< the law or rolling model needs OptionalHistory
+  bool stresses = false;          ///< grains break: contacts have a StressHistory
+  double stored_share = 0;        ///< [1] elastic energy over force and overlap (bed.1)
   StepConstants constants;
 };
 

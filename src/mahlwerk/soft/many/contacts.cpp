@@ -80,6 +80,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     if (has_history_) list.optional_histories.emplace_back();
     if (has_friction_history_) list.friction_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
+    if (settings_.breakage) list.stresses.emplace_back();
     if (settings_.model.curved_walls && wall)
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
     for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
@@ -103,6 +104,11 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     m.stiffness[l] = 0;
   }
   if (has_friction_history_) clear_friction_history(list.friction_histories[n], l);
+  if (settings_.breakage) {
+    StressHistory& stress = list.stresses[n];
+    stress.rest[l] = stress.lost[l] = stress.energy[l] = 0;
+    stress.unloading &= ~bit(l);
+  }
   return at;
 }
 
@@ -119,6 +125,7 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n) {
     if ((g.begun & bit(l)) == 0) continue;
     change_contact_count(chunk, g.i[l], 1);
     if (&list == &chunk.own) change_contact_count(chunk, g.j[l], 1);
+    if (!breakage_.new_balls.empty()) begin_relaxed(list, n, l, &list == &chunk.wall);
     if (list.parameters.empty()) continue;
     PairParameters& own = list.parameters[n];
     copy_lane(parameters_[static_cast<std::size_t>(g.species_pair[l])], l, own, l);
@@ -157,7 +164,8 @@ void ManyBodySolver::end(Chunk& chunk, ContactPackets& list, std::size_t n, std:
     const double separation = separation_energy(parameters, l, *settings_.model.law);
     g.lost_normal[l] += separation;
     chunk.sums.work.normal[l] += (&list == &chunk.halo ? 0.5 : 1) * separation;
-    if (&list != &chunk.halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
+    const bool pressed = !settings_.breakage || g.impulse[l] != 0;  // fragments may only part
+    if (pressed && (&list != &chunk.halo || g.i[l] < g.j[l])) record(chunk, list, n, l);
     (wall ? chunk.wall_pairs : chunk.ball_pairs)
         .separated.push_back({g.i[l], wall ? ~g.j[l] : g.j[l]});
     g.touching &= ~bit(l);

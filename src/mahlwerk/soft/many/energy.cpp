@@ -28,7 +28,8 @@ StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n
       parameters.wall[l] != 0
           ? jar_->gap(g.j[l], x, wall_axes_, rows_[i].radius + pull_off_distance_).distance
           : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
-  const double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
+  double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
+  if (settings_.breakage) overlap = pressed_overlap(overlap, list.stresses[n].rest[l]);
   if (has_left_face(parameters, l, overlap)) return {};
   const double twist = has_friction_history_ ? list.friction_histories[n].twist[l] : 0;
   return stored_energy(parameters, l, overlap, law_history, get_lane(g.spring, l), twist,
@@ -56,6 +57,7 @@ ManyBodySolver::OpenContacts ManyBodySolver::open_contacts(const Chunk& chunk) c
 
 /// The sums of a contact keep what it stores.
 void ManyBodySolver::begin_counting() {
+  breakage_.active = 1;
   for (Chunk& chunk : chunks_)
     for (ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
       for (std::size_t n = 0; n < list->packets.size(); ++n)

@@ -50,32 +50,34 @@ void ManyBodySolver::take_out_balls(std::vector<scene::Passage>& passages) {
     outside_.push_back({jar_->within_period(rows_[k].position()), id_[k], 0});
     passages.push_back(passage(k, false));
   }
-  end_contacts_of_leaving();
+  end_contacts_of_leaving(energy_balance_.flow, -1);
 }
 
-/// Ends the contacts of balls that leave.
-void ManyBodySolver::end_contacts_of_leaving() {
+/// Ends the contacts of balls that leave; what is stored in them goes to `book`, times `sign`.
+void ManyBodySolver::end_contacts_of_leaving(double& book, double sign) {
   for (Chunk& chunk : chunks_)
     for (ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
       for (std::size_t n = 0; n < list->packets.size(); ++n)
-        for (std::size_t l = 0; l < lanes; ++l) end_contact_of_leaving(chunk, *list, n, l);
+        for (std::size_t l = 0; l < lanes; ++l)
+          book += sign * end_contact_of_leaving(chunk, *list, n, l);
 }
 
-/// Ends a contact if a ball of it leaves. What its compression stores leaves with the ball; what
-/// its tangential springs store counts as dissipated, as at the end of every contact.
-void ManyBodySolver::end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n,
-                                            std::size_t l) {
+/// Ends a contact if a ball of it leaves. Returns what its compression stores; what its tangential
+/// springs store counts as dissipated, as at the end of every contact.
+double ManyBodySolver::end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n,
+                                              std::size_t l) {
   ContactPacket& g = list.packets[n];
-  if (!g.touches(l)) return;
+  if (!g.touches(l)) return 0;
   const bool wall = &list == &chunk.wall, halo = &list == &chunk.halo;
   const bool one = leaves_[static_cast<std::size_t>(g.i[l])],
              other = !wall && leaves_[static_cast<std::size_t>(g.j[l])];
-  if (!one && !other) return;
-  energy_balance_.flow -= (halo ? 0.5 : 1) * stored_in(list, n, l).normal;
+  if (!one && !other) return 0;
+  const double stored = (halo ? 0.5 : 1) * stored_in(list, n, l).normal;
   change_contact_count(chunk, g.i[l], -1);
   if (&list == &chunk.own) change_contact_count(chunk, g.j[l], -1);
   if (!halo || g.i[l] < g.j[l]) record(chunk, list, n, l);
   g.touching &= ~bit(l);  // the lists are built anew; the lane need not be free
+  return stored;
 }
 
 /// Draws the order in which the balls that are outside at the start are fed, so that the feed has
@@ -137,25 +139,29 @@ std::optional<Vec3> ManyBodySolver::room_at_inlet(std::int32_t ball) {
   return std::nullopt;
 }
 
-/// Adds a row for a ball that is at rest in the laboratory, one step ahead as all rows (dem.26).
+/// Puts in a ball that is at rest in the laboratory.
 scene::Passage ManyBodySolver::put_in(std::int32_t ball, const Vec3& x) {
-  const double dt = settings_.time_step;
-  const std::int32_t species = pairs_.species_index(static_cast<std::size_t>(ball));
-  const std::vector<DriveSample> drive = drive_samples(step_, step_ + 1);
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
-  const Vec3 v = -frame.velocity;
+  add_row(ball, pairs_.species_index(static_cast<std::size_t>(ball)), x, -frame.velocity, {});
+  energy_balance_.flow += energy_of(rows_.size() - 1, body_kick_change(), frame).total();
+  return passage(rows_.size() - 1, true);
+}
+
+/// Adds a row for a ball with velocity and spin at this step, one step ahead as all rows (dem.26).
+void ManyBodySolver::add_row(std::int32_t ball, std::int32_t species, const Vec3& x, const Vec3& v,
+                             const Vec3& w) {
+  const double dt = settings_.time_step;
+  const std::vector<DriveSample> drive = drive_samples(step_, step_ + 1);
   const Vec3 half = v + 0.5 * dt * drive[0].body_acceleration,
              predicted = half + 0.5 * dt * drive[1].body_acceleration, next = x + dt * half;
   const double radius = pairs_.species(species).radius;
   rows_.push_back({x.x, x.y, x.z, radius, v.x, v.y, v.z, 0});
   next_rows_.push_back({next.x, next.y, next.z, radius, predicted.x, predicted.y, predicted.z, 0});
   reference_positions_.emplace_back();
-  spins_.push_back({}), next_spins_.push_back({});
-  half_step_.push_back({half.x, half.y, half.z, 0, 0, 0, 0, 0});
+  spins_.push_back({w.x, w.y, w.z, 0}), next_spins_.push_back({w.x, w.y, w.z, 0});
+  half_step_.push_back({half.x, half.y, half.z, 0, w.x, w.y, w.z, 0});
   id_.push_back(ball), species_.push_back(species), contacts_of_.push_back(0);
   leaves_.push_back(false);
-  energy_balance_.flow += energy_of(rows_.size() - 1, body_kick_change(), frame).total();
-  return passage(rows_.size() - 1, true);
 }
 
 /// Builds the lists of the balls that are inside now. The rows of the next step stand already.

@@ -161,6 +161,12 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
   }
   if (!list.wall_normals.empty())
     set_lane(list.wall_normals[n].normal, l, get_lane(from.wall_normals[old].normal, m));
+  if (settings_.breakage) {
+    StressHistory& extra = list.stresses[n];
+    const StressHistory& past = from.stresses[old];
+    extra.rest[l] = past.rest[m], extra.lost[l] = past.lost[m], extra.energy[l] = past.energy[m];
+    if ((past.unloading & bit(m)) != 0) extra.unloading |= bit(l);
+  }
   if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);
 }
 

@@ -68,6 +68,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   if (kinematics::Drive* drive = jar_->drive()) start_drive(*drive, start, settings.time_step);
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
   wall_axes_ = jar_->axes(mill_time(0));
+  if (settings.breakage) start_breakage(balls);
   initialize_rows(balls);
   energy_balance_.initial_energy = 0;
   const scene::EnergyBalance now = energy_balance();
@@ -78,7 +79,7 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Initialises the rows of step 0, and of step 1 without contact forces (dem.26).
 void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   for (std::size_t ball = 0; ball < balls.size(); ++ball) {
-    mass_ += pairs_.species_of(ball).mass;
+    if (!settings_.breakage || !balls[ball].outside) mass_ += pairs_.species_of(ball).mass;
     const auto number = static_cast<std::int32_t>(ball);
     if (balls[ball].outside)
       outside_.push_back({balls[ball].position, number, 0});
@@ -127,7 +128,9 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
 
 /// Blocks end at steps that do not depend on how advance() divides a run.
 std::int64_t ManyBodySolver::block_end(std::int64_t until) const {
-  const std::int64_t length = jar_->drive() != nullptr ? drive_interval : energy_check_interval;
+  const std::int64_t length = jar_->drive() != nullptr ? drive_interval
+                              : settings_.breakage     ? stressing_interval
+                                                       : energy_check_interval;
   return std::min(until, (step_ / length + 1) * length);
 }
 
@@ -174,11 +177,12 @@ void ManyBodySolver::advance(double time, scene::Observer& observer) {
       }
       hand_over();
       if (jar_->drive() != nullptr) advance_drive();
+      if (settings_.breakage) break_grains(observer);
       if (step_ % energy_check_interval != 0) continue;
       flush_sums();
       check_energy();
       if (!settings_.flow) {
-        check_rest();
+        if (!settings_.breakage) check_rest();
         continue;
       }
       move_flow(observer);
@@ -223,6 +227,8 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .liquid = liquid_.has_value(),
               .loads = !loads_.empty(),
               .has_history = has_history_,
+              .stresses = settings_.breakage != nullptr,
+              .stored_share = stored_share_,
               .constants = step_constants(settings_, jar_->periods())};
   s.constants.jar_velocity = drive.velocity;
   team_.run_items(share_, [&](int thread, std::int32_t c, std::int32_t next) {
@@ -236,6 +242,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
     // measured from the old predicted_mean.
     predicted_means_[k] = 2.0 * d.mean - last;
   });
+  if (!breakage_.new_balls.empty()) end_new_fragments();
 }
 
 void ManyBodySolver::rebuild_neighbour_lists() {

@@ -12,6 +12,7 @@
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
+#include "mahlwerk/soft/many/breakage_state.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
@@ -79,15 +80,49 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void move_flow(scene::Observer& observer);
   scene::Passage passage(std::size_t row, bool entered) const;
   void take_out_balls(std::vector<scene::Passage>& passages);
-  void end_contacts_of_leaving();
-  void end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n, std::size_t l);
+  void end_contacts_of_leaving(double& book, double sign);
+  double end_contact_of_leaving(Chunk& chunk, ContactPackets& list, std::size_t n, std::size_t l);
   void put_in_balls(std::vector<scene::Passage>& passages);
   void mix_fresh_feed();
   std::optional<Vec3> room_at_inlet(std::int32_t ball);
   scene::Passage put_in(std::int32_t ball, const Vec3& position);
+  void add_row(std::int32_t ball, std::int32_t species, const Vec3& position, const Vec3& velocity,
+               const Vec3& spin);
   void rebuild_after_flow();
   void drop_rows(std::size_t kept);
   bool leaves(std::size_t row) const { return !leaves_.empty() && leaves_[row]; }
+
+  // Grains that break (breakage.cpp).
+  /// What the stressing of the grains of a chunk changes.
+  struct Stressing {
+    std::vector<scene::SizeChange> changes;
+    std::vector<double> fines;  // [kg] stressed, by energy; empty: none
+    std::int64_t broken = 0;
+  };
+  void start_breakage(const std::vector<scene::Ball>& balls);
+  std::int32_t species_of_grain(double radius) const;
+  void break_grains(scene::Observer& observer);
+  void sum_loads(const Chunk& chunk);
+  void follow_stressing(std::vector<scene::SizeChange>& changes);
+  double cushioned_share() const;
+  void stress(std::size_t row, double share, Stressing& out);
+  void become_finer(scene::GrainState& grain, double mass, Stressing& out) const;
+  void replace_broken(std::vector<scene::SizeChange>& changes);
+  std::vector<int> count_fragments(const std::vector<double>& shares, double mass,
+                                   std::size_t from);
+  bool replace(std::size_t row, std::vector<scene::SizeChange>& changes);
+  struct BodyMotion {
+    Vec3 velocity, spin;
+  };
+  BodyMotion motion_after_kick(std::size_t row) const;
+  double energy_after_kick(std::size_t row) const;
+  double put_in_fragments(std::size_t row, const std::vector<int>& counts,
+                          std::vector<scene::SizeChange>& changes);
+  void add_fines(const std::vector<double>& shares, double mass,
+                 std::vector<scene::SizeChange>& changes);
+  void grind_fines(std::vector<scene::SizeChange>& changes);
+  void begin_relaxed(ContactPackets& list, std::size_t n, std::size_t l, bool wall);
+  void end_new_fragments();
 
   // State (state.cpp).
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
@@ -218,6 +253,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::int64_t rested_steps_ = 0;  // passed at once, at rest
   double target_time_ = 0;
   std::vector<FinishedCollision> finished_;
+
+  BreakageState breakage_;
+  std::vector<double> load_;  // [J] of each row, while the stressing is followed
+  double stored_share_ = 0;   // (bed.1)
 
   struct OutsideBall {
     Vec3 position;  // [m] at which it left

@@ -81,6 +81,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   }
   const std::size_t balls = rows_.size() + outside_.size();
   if (settings_.flow) archive(outside_)(fresh_)(tries_)(next_feed_);
+  if (settings_.breakage) breakage_.serialize(archive(outside_));
   archive(step_)(reference_step_)(
       skin_)(largest_coordinate_)(used_skin_)(tests_at_rebin_)(pairs_rebinned_)(tuning_);
   archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
@@ -103,6 +104,7 @@ void ManyBodySolver::serialize(Archive& archive) {
       serialize_list(archive, list->friction_histories);
       serialize_list(archive, list->parameters);
       serialize_list(archive, list->wall_normals);
+      serialize_list(archive, list->stresses);
       archive(list->free);
     }
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);

@@ -20,6 +20,43 @@ namespace mahlwerk::soft {
   for (std::size_t l = 0; l < lanes; ++l) copy_lane(parameters[g.species_pair[l]], l, out, l);
 }
 
+/// Follows the energy that the loading of each contact puts in: what is stored, and what has been
+/// dissipated since it began to be compressed (bed.1).
+template <class V>
+[[gnu::always_inline]] inline void follow_loading(const ChunkStep& s, const LaneGroup<V>& group,
+                                                  const ContactGeometry<V>& geometry,
+                                                  const MaskOf<V>& touching,
+                                                  const WorkOfStep<V>& work,
+                                                  StressHistory& stress) {
+  const V zero{};
+  const MaskOf<V> loading = less(zero, geometry.overlap_rate) & touching;
+  const V stored = s.stored_share * max(work.elastic * geometry.overlap, zero);
+  V lost = select<V>(group.mask(stress.unloading), zero, group(stress.lost));
+  lost = select<V>(loading, lost + max(work.normal, zero), group(stress.lost));
+  group.put(stress.lost, lost);
+  group.put(stress.energy, select<V>(loading, stored + lost, group(stress.energy)));
+  const std::uint32_t own = ((1U << width_of<V>)-1) << group.first;
+  stress.unloading = (stress.unloading & ~own) | (own & ~group.bits(loading));
+}
+
+/// Reduces the overlaps of contacts that rest at an overlap, which shrinks as the bodies part
+/// (bed.6). Returns the lanes of such contacts; those of them that do not press touch without
+/// force.
+template <class V>
+[[gnu::always_inline]] inline std::uint32_t rest_overlaps(const LaneGroup<V>& group,
+                                                          StressHistory& stress,
+                                                          ContactGeometry<V>& geometry,
+                                                          MaskOf<V>& pressing) {
+  const V zero{}, rest = group(stress.rest);
+  const MaskOf<V> rests = less(zero, rest);
+  if (!any(rests)) return 0;
+  const V left = select<V>(rests, max(min(rest, geometry.overlap), zero), rest);
+  group.put(stress.rest, left);
+  geometry.overlap = geometry.overlap - left;
+  pressing = pressing & (less(zero, geometry.overlap) | ~rests);
+  return group.bits(rests);
+}
+
 /// Computes the forces of a group. `begun`, `ended` and `tensile` (at the last step) are bits of
 /// lanes.
 template <class Law, class V>
@@ -71,6 +108,7 @@ template <class Law, class V>
   if (kind == ContactKind::wall) group.add(sums.wall, work.wall);
   group.put(sums.max_overlap,
             max(group(sums.max_overlap), work.overlap * group(parameters.inverse_radius)));
+  if (s.stresses) follow_loading<V>(s, group, geometry, touching, work, list.stresses[n]);
   if (kind == ContactKind::wall) {
     // A contact that ends keeps the normal of its last step: the ball may have left the face.
     Vec<Lanes>& normal = list.wall_normals[n].normal;
@@ -147,12 +185,15 @@ template <class Law, class V>
     const std::uint32_t own = ((1U << width_of<V>)-1) << first;
     const auto f = static_cast<std::size_t>(first);
     if ((g.touching & own) == 0) continue;
-    const GroupState<V> state = group_state<V>(s, g, group, kind, points, parameters);
+    GroupState<V> state = group_state<V>(s, g, group, kind, points, parameters);
     const std::uint32_t still = group.bits(state.touching);
     touching |= still;
+    std::uint32_t changing = own;  // lanes whose contacts begin and end as others do
+    if (s.stresses)
+      changing &= ~rest_overlaps<V>(group, list.stresses[n], state.geometry, state.touching);
     const ContactForce<V> force = apply_group<Law, V>(
-        s, list, n, group, state.motion, state.geometry, state.touching, begun & own,
-        g.touching & own & ~still, tensile, parameters, kind, sums);
+        s, list, n, group, state.motion, state.geometry, state.touching, begun & changing,
+        g.touching & changing & ~still, tensile, parameters, kind, sums);
     const ForceRows<V> on_i(force.force, force.torque_i);
     add_rows<V>(ball_forces, chunk.first, g.i.data() + f, on_i);
     if (kind == ContactKind::wall && s.loads)
