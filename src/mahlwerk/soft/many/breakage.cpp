@@ -118,12 +118,12 @@ void ManyBodySolver::break_grains(scene::Observer& observer) {
 }
 
 /// [J] Energy that the contacts of a chunk put into each of its balls (bed.2), into `load_`.
-void ManyBodySolver::sum_loads(const Chunk& chunk) {
+void ManyBodySolver::sum_loads(Chunk& chunk) {
   std::fill(load_.begin() + chunk.first, load_.begin() + chunk.last, 0.0);
-  for (const ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
+  for (ContactPackets* list : {&chunk.own, &chunk.halo, &chunk.wall})
     for (std::size_t n = 0; n < list->packets.size(); ++n) {
       const ContactPacket& g = list->packets[n];
-      const StressHistory& stress = list->stresses[n];
+      StressHistory& stress = list->stresses[n];
       for (std::size_t l = 0; l < lanes; ++l) {
         if (!g.touches(l)) continue;
         const double energy = stress.energy[l];
@@ -131,6 +131,7 @@ void ManyBodySolver::sum_loads(const Chunk& chunk) {
         load_[static_cast<std::size_t>(g.i[l])] += share * energy;
         if (list == &chunk.own) load_[static_cast<std::size_t>(g.j[l])] += (1 - share) * energy;
       }
+      stress.energy = {};
     }
 }
 
@@ -139,7 +140,7 @@ void ManyBodySolver::follow_stressing(std::vector<scene::SizeChange>& changes) {
   std::vector<Stressing> of_chunk(chunks_.size());
   const double share = cushioned_share();
   team_.run_items(share_, [&](int, std::int32_t c, std::int32_t) {
-    const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
+    Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     sum_loads(chunk);
     for (std::int32_t row = chunk.first; row < chunk.last; ++row) {
       const auto k = static_cast<std::size_t>(row);

@@ -67,6 +67,7 @@ void ManyBodySolver::begin_counting() {
           const StoredEnergy stored = stored_in(*list, n, l);
           g.lost_normal[l] = 0;
           g.lost_tangential[l] = stored.tangential + stored.twisting;
+          if (settings_.breakage) list->stresses[n].energy[l] = 0;
         }
 }
 

@@ -102,7 +102,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void start_breakage(const std::vector<scene::Ball>& balls);
   std::int32_t species_of_grain(double radius) const;
   void break_grains(scene::Observer& observer);
-  void sum_loads(const Chunk& chunk);
+  void sum_loads(Chunk& chunk);
   void follow_stressing(std::vector<scene::SizeChange>& changes);
   double cushioned_share() const;
   void stress(std::size_t row, double share, Stressing& out);

@@ -20,8 +20,9 @@ namespace mahlwerk::soft {
   for (std::size_t l = 0; l < lanes; ++l) copy_lane(parameters[g.species_pair[l]], l, out, l);
 }
 
-/// Follows the energy that the loading of each contact puts in: what is stored, and what has been
-/// dissipated since it began to be compressed (bed.1).
+/// Follows the energy that the loading of each contact puts in, its largest value since the grains
+/// were looked at: what is stored, and what has been dissipated since it began to be compressed
+/// (bed.1).
 template <class V>
 [[gnu::always_inline]] inline void follow_loading(const ChunkStep& s, const LaneGroup<V>& group,
                                                   const ContactGeometry<V>& geometry,
@@ -34,7 +35,7 @@ template <class V>
   V lost = select<V>(group.mask(stress.unloading), zero, group(stress.lost));
   lost = select<V>(loading, lost + max(work.normal, zero), group(stress.lost));
   group.put(stress.lost, lost);
-  group.put(stress.energy, select<V>(loading, stored + lost, group(stress.energy)));
+  group.put(stress.energy, max(group(stress.energy), where<V>(touching, stored + lost)));
   const std::uint32_t own = ((1U << width_of<V>)-1) << group.first;
   stress.unloading = (stress.unloading & ~own) | (own & ~group.bits(loading));
 }
