@@ -181,6 +181,32 @@ HOPPER = {
 }
 
 
+def passing_size(share):
+    """[m] By bed_sizes.csv, on a straight line in the logarithm of the size."""
+    def of(run):
+        table = run.result.table("bed_sizes")
+        size, passing = table["size_m"][::-1], table["passing"][::-1]
+        return float(np.exp(np.interp(share, passing, np.log(size))))
+    return of
+
+
+def finer_than_spheres(run):
+    """Spheres have the sizes 1.5 mm 2^(-k/3) down to 0.7 mm, the middles of their classes."""
+    table = run.result.table("bed_sizes")
+    return float(np.interp(1.5e-3 * 2**(-3.5 / 3), table["size_m"][::-1], table["passing"][::-1]))
+
+
+BREAKING = {
+    "broken_grain_rate": (lambda run: run.result.table("bed_breakage")["broken"][-1] / run.time, 1e-3),
+    "bed_d10": (passing_size(0.1), 1e-3),
+    "bed_d50": (passing_size(0.5), 1e-3),
+    "bed_d90": (passing_size(0.9), 1e-3),
+    "fines_share": (finer_than_spheres, 1e-3),
+    "breakage_power": (lambda run: run["dissipated_power"] - run["dissipated_power_normal"]
+                       - run["dissipated_power_tangential"] - run["dissipated_power_rolling"], 1e-6),
+}
+
+
 def per_time(column):
     """The change of a column of drive.csv over the counted time."""
     def of(run):

@@ -110,10 +110,8 @@ void ManyBodySolver::break_grains(scene::Observer& observer) {
   if (step_ % stressing_interval != 0 || breakage_.active == 0) return;
   std::vector<scene::SizeChange> changes;
   follow_stressing(changes);
-  if (step_ % replacement_interval == 0) {
-    replace_broken(changes);
-    grind_fines(changes);
-  }
+  if (step_ - breakage_.replaced_at >= replacement_interval) replace_broken(changes);
+  if (step_ % replacement_interval == 0) grind_fines(changes);
   if (!changes.empty()) observer.size_changes(changes);
 }
 
@@ -212,6 +210,7 @@ void ManyBodySolver::replace_broken(std::vector<scene::SizeChange>& changes) {
       broken.push_back(k);
   if (broken.empty()) return;
   std::ranges::sort(broken, {}, [&](std::size_t k) { return id_[k]; });
+  breakage_.replaced_at = step_;
   leaves_.assign(rows_.size(), false);
   bool any = false;
   for (const std::size_t k : broken) any = replace(k, changes) || any;

@@ -11,7 +11,7 @@
 namespace mahlwerk::soft {
 
 constexpr std::int64_t stressing_interval = 4;     // steps between two looks at the grains
-constexpr std::int64_t replacement_interval = 32;  // steps between two exchanges of broken grains
+constexpr std::int64_t replacement_interval = 32;  // fewest steps between two exchanges of grains
 
 /// State of a powder whose grains break (docs/theory/bed-breakage.md).
 struct BreakageState {
@@ -21,7 +21,8 @@ struct BreakageState {
   std::vector<double> stressed;           ///< [kg] fines that were stressed, by energy
   std::vector<std::int32_t> new_balls;    ///< fragments that were put in after the last step
   std::int64_t replaced = 0;              ///< grains so far
-  std::int64_t active = 1;                ///< 0: until counting begins
+  std::int64_t replaced_at = -replacement_interval;  ///< step of the last exchange
+  std::int64_t active = 1;                           ///< 0: until counting begins
   // Constants of a run.
   double powder = 0;                  ///< [kg]
   std::vector<std::int32_t> species;  ///< of each class of spheres; none if spheres stay
@@ -29,7 +30,7 @@ struct BreakageState {
   std::vector<std::uint8_t> is_new;   ///< of each ball: it is one of new_balls
 
   void serialize(Archive& archive) {
-    archive(grains)(fines)(due)(stressed)(new_balls)(replaced)(active);
+    archive(grains)(fines)(due)(stressed)(new_balls)(replaced)(replaced_at)(active);
     if (!archive.reading()) return;
     for (const std::int32_t ball : new_balls) {
       if (ball < 0 || static_cast<std::size_t>(ball) >= is_new.size()) throw Archive::broken();
