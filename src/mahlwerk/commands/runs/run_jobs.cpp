@@ -48,7 +48,7 @@ RunJob prepare_run(const RunArguments& given, cases::CaseFile source, const fs::
   if (job.sweeps()) return job;
   if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
     throw InputError(std::move(wrong));
-  if (given.lammps.writes_only()) return job;
+  if (given.lammps.writes_only() || job.evolves()) return job;
   job.folder =
       std::make_unique<results::Folder>(job.place, given.running.force || given.lammps.resume);
   job.folder->reserve();
