@@ -19,7 +19,7 @@ namespace mahlwerk::observe {
 struct WornBody {
   int first_face = 0, end_face = 0;  ///< among the faces of jar and parts
   std::size_t cells = 0;
-  std::function<std::size_t(const Vec3& where)> cell_of;  ///< of a point [m] in the jar's own axes
+  std::function<std::size_t(const Vec3& where)> cell_of;  ///< of a point [m] in the body's own axes
 };
 
 /// [1] Load times distance over tangential loss (wea.3) of a kind of ball on a face.

@@ -173,7 +173,7 @@ class Evolving {
         return;
       }
     all_.stop_reason = fmt::format(
-        "after {} a profile is worn so thin that its outline crosses itself; end the run there by "
+        "after {} a body is worn so thin that its surface would cross itself; end the run there by "
         "evolve = \"{}\"",
         show_rounded(now_.time, "s"), show_rounded(now_.time, "s"));
   }
@@ -189,7 +189,7 @@ class Evolving {
       all_.notices.push_back(
           note("wear-keeps-shape",
                fmt::format("The wear of {} is counted, but the shape stays: shapes follow their "
-                           "wear for bars with a section, lifters, and round jars.",
+                           "wear for bars with a section, lifters, meshes and round jars.",
                            fmt::join(of_.kept(), ", "))));
     if (!all_.stop_reason.empty())
       all_.notices.push_back(

@@ -21,24 +21,45 @@ namespace {
 
 constexpr std::size_t most_cohorts = 10;  // of a set: each is a ball set of the runs
 
-/// [m2/s] of the sides of a profile, of one bar: means over the chosen replicates.
-std::vector<double> side_rates(const WornCase& of, const WornState& state, std::size_t k,
+/// [m3/s] of the cells of a recorded body of this Vickers hardness: means over the replicates.
+std::vector<double> cell_rates(const WornCase& of, std::size_t body, double hardness,
                                const results::Outcome& outcome, const RecordedWear& recorded,
                                const std::vector<const results::Replicate*>& chosen) {
-  const WornCase::Profile& profile = of.profiles()[k];
-  const double hardness = of.mill_case().machine_parts[profile.part].substance.hardness;
-  std::vector<double> rates(state.sections[k].size());
+  std::vector<double> rates;
   for (const results::Replicate* r : chosen) {
-    const auto& cells = recorded[results::number_of(outcome, *r) - 1]->of_body[k];
-    const double per =
-        1 / (r->time() * static_cast<double>(chosen.size()) * profile.rows * profile.length);
+    const auto& cells = recorded[results::number_of(outcome, *r) - 1]->of_body[body];
+    rates.resize(cells.size());
+    const double per = 1 / (r->time() * static_cast<double>(chosen.size()));
     for (std::size_t i = 0; i < cells.size(); ++i)
       rates[i] +=
           per * cases::worn_volume(
                     of.wear(), {cells[i].load_distance, cells[i].erosion, cells[i].lost}, hardness);
   }
-  return geometry::spread_along(state.sections[k], std::move(rates), of.exposed(state, k),
-                                of.smoothing());
+  return rates;
+}
+
+/// Rates of the profiles and meshes, smoothed.
+void set_shape_rates(const WornCase& of, const WornState& state, const results::Outcome& outcome,
+                     const RecordedWear& recorded,
+                     const std::vector<const results::Replicate*>& chosen, WearRates& rates) {
+  const auto& parts = of.mill_case().machine_parts;
+  for (std::size_t k = 0; k < of.profiles().size(); ++k) {
+    const WornCase::Profile& one = of.profiles()[k];
+    std::vector<double> sides =
+        cell_rates(of, k, parts[one.part].substance.hardness, outcome, recorded, chosen);
+    for (double& area : sides) area /= one.rows * one.length;
+    rates.sections.push_back(geometry::spread_along(state.sections[k], std::move(sides),
+                                                    of.exposed(state, k), of.smoothing()));
+  }
+  for (std::size_t k = 0; k < of.meshes().size(); ++k) {
+    const auto& part = of.meshes()[k].part;
+    const double hardness =
+        part ? parts[*part].substance.hardness : of.mill_case().jar.substance.hardness;
+    rates.surfaces.push_back(geometry::spread_over(
+        state.surfaces[k],
+        cell_rates(of, of.profiles().size() + k, hardness, outcome, recorded, chosen),
+        of.smoothing()));
+  }
 }
 
 /// [m3/s] Wear of each ball of the cohorts; one without balls wears as its neighbour, linearly.
@@ -108,8 +129,7 @@ WearRates wear_rates(const WornCase& of, const WornState& state, const results::
   const cases::Case& stage = outcome.mill_case;
   const std::vector<const results::Replicate*> chosen = results::averaged_replicates(outcome);
   if (chosen.empty()) return rates;
-  for (std::size_t k = 0; k < of.profiles().size(); ++k)
-    rates.sections.push_back(side_rates(of, state, k, outcome, recorded, chosen));
+  set_shape_rates(of, state, outcome, recorded, chosen, rates);
   const observe::StatisticsByPair& pairs = chosen.front()->tally.by_pair;
   const int of_jar = results::distinguished_jar_faces(stage, pairs);
   for (int face = 0; face < pairs.faces(); ++face) {
@@ -138,6 +158,11 @@ double largest_change_rate(const WornCase& of, const WornState& state, const Wea
           std::max(largest, 2 * rates.balls[s][k] / (std::numbers::pi * d * d) / of.fresh_size(s));
     }
   }
+  for (std::size_t k = 0; k < state.surfaces.size(); ++k) {
+    const std::vector<double> areas = geometry::vertex_areas(state.surfaces[k]);
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      if (areas[i] > 0) largest = std::max(largest, rates.surfaces[k][i] / areas[i] / largest_ball);
+  }
   constexpr double trial = 1;  // [s]
   WornState jar = state;
   wear_jar(of, state, trial * rates.shell, trial * rates.ends, jar);
@@ -158,6 +183,13 @@ std::optional<WornState> worn_after(const WornCase& of, const WornState& state,
     const double piece = of.profiles()[k].piece;
     after.sections[k] = geometry::cut_into_pieces(
         geometry::without_short_sides(std::move(*worn), shortest * piece), 1.5 * piece);
+  }
+  for (std::size_t k = 0; k < of.meshes().size(); ++k) {
+    std::vector<double> lost = rates.surfaces[k];
+    for (double& volume : lost) volume *= time;
+    auto worn = geometry::worn_surface(state.surfaces[k], lost, of.meshes()[k].side);
+    if (!worn) return std::nullopt;
+    after.surfaces[k] = std::move(*worn);
   }
   wear_jar(of, state, time * rates.shell, time * rates.ends, after);
   after.lost.jar += time * rates.jar;

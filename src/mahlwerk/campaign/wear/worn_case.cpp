@@ -36,6 +36,28 @@ geometry::MeshSolid bars_of(const cases::MachinePart& part, const Section& secti
           angle};
 }
 
+/// Gives a body of the case another surface.
+void wear_mesh(cases::Case& c, const WornCase::MeshBody& body, const geometry::Surface& surface) {
+  if (!body.part) {
+    const double angle = geometry::as<geometry::Mesh>(*c.jar.shape)->crease_angle;
+    c.jar.shape = geometry::Mesh(surface, angle);
+    return;
+  }
+  geometry::AnySolid& solid = *c.machine_parts[*body.part].body.solid;
+  const double angle = std::get<geometry::MeshSolid>(solid).crease_angle;
+  solid = geometry::MeshSolid(surface, angle);
+}
+
+/// The faces of a part, among those of the jar and all parts.
+observe::WornBody faces_of_part(const cases::Case& stage, std::size_t part) {
+  const std::vector<int> parts = cases::parts_of_faces(stage);
+  const auto faces = std::ranges::equal_range(parts, static_cast<int>(part));
+  observe::WornBody body;
+  body.first_face = cases::jar_faces(stage) + static_cast<int>(faces.begin() - parts.begin());
+  body.end_face = body.first_face + static_cast<int>(faces.size());
+  return body;
+}
+
 bool is_profile(const cases::MachinePart& part) {
   return std::holds_alternative<geometry::MeshSolid>(*part.body.solid) && part.length > 0;
 }
@@ -77,7 +99,6 @@ WornCase::WornCase(const cases::Case& mill_case) {
   if (slice != nullptr) fresh_.diameter = slice->diameter;
   if (drum != nullptr) fresh_.diameter = drum->diameter, fresh_.height = drum->height;
   if (sphere != nullptr) fresh_.diameter = sphere->diameter;
-  if (!(fresh_.diameter > 0)) kept_.emplace_back("jar");
   for (std::size_t i = 0; i < case_.balls.size(); ++i) {
     if (case_.balls[i].grains) continue;
     sets_.push_back(i);
@@ -89,10 +110,17 @@ WornCase::WornCase(const cases::Case& mill_case) {
   }
   constexpr double of_ball = 0.25;  // half the radius of a ball
   smoothing_ = of_ball * cases::largest_ball(case_.balls);
+  if (const auto* mesh = geometry::as<geometry::Mesh>(*case_.jar.shape))
+    add_mesh(std::nullopt, mesh->surface(), geometry::WornSide::inside);
+  else if (!(fresh_.diameter > 0))
+    kept_.emplace_back("jar");
   const bool as_part = case_.machine_parts.size() > mill_case.machine_parts.size();
   for (std::size_t i = 0; i < case_.machine_parts.size(); ++i) {
     const cases::MachinePart& part = case_.machine_parts[i];
-    if (!is_profile(part))
+    if (const auto* solid = std::get_if<geometry::MeshSolid>(&*part.body.solid);
+        solid != nullptr && part.length <= 0 && !solid->is_sheet())
+      add_mesh(i, solid->surface(), geometry::WornSide::outside);
+    else if (!is_profile(part))
       kept_.push_back(part.name);
     else
       add_profile(i, as_part && i + 1 == case_.machine_parts.size() ? lifters : read_section(part));
@@ -110,6 +138,18 @@ void WornCase::add_profile(std::size_t number, Section section) {
   profiles_.push_back(made);
   fresh_.sections.push_back(geometry::cut_into_pieces(std::move(section), made.piece));
   profiles_.back().height = height(fresh_, profiles_.size() - 1);
+}
+
+void WornCase::add_mesh(std::optional<std::size_t> part, const geometry::Surface& surface,
+                        geometry::WornSide side) {
+  constexpr std::size_t most_triangles = 20'000;
+  meshes_.push_back({part, side});
+  fresh_.surfaces.push_back(surface);
+  for (double longest = 2 * smoothing_; std::isfinite(longest); longest *= 2)
+    if (auto cut = geometry::cut_into_small(surface, longest, most_triangles)) {
+      fresh_.surfaces.back() = std::move(*cut);
+      return;
+    }
 }
 
 Section WornCase::read_section(const cases::MachinePart& part) const {
@@ -154,6 +194,7 @@ cases::Case WornCase::at(const WornState& state) const {
     cases::MachinePart& part = c.machine_parts[profiles_[k].part];
     part.body.solid = bars_of(part, state.sections[k]);
   }
+  for (std::size_t k = 0; k < meshes_.size(); ++k) wear_mesh(c, meshes_[k], state.surfaces[k]);
   c.balls.clear();
   for (const auto& [s, k] : cohorts(state)) {
     cases::BallSet set = case_.balls[sets_[s]];
@@ -173,22 +214,23 @@ cases::Case WornCase::at(const WornState& state) const {
 std::vector<observe::WornBody> WornCase::bodies(const cases::Case& stage,
                                                 const WornState& state) const {
   std::vector<observe::WornBody> made;
-  const std::vector<int> parts = cases::parts_of_faces(stage);
   for (std::size_t k = 0; k < profiles_.size(); ++k) {
-    const auto part = static_cast<int>(profiles_[k].part);
-    const auto faces = std::ranges::equal_range(parts, part);
-    observe::WornBody body;
-    body.first_face = cases::jar_faces(stage) + static_cast<int>(faces.begin() - parts.begin());
-    body.end_face = body.first_face + static_cast<int>(faces.size());
+    observe::WornBody body = faces_of_part(stage, profiles_[k].part);
     body.cells = state.sections[k].size();
     body.cell_of = [section = std::make_shared<const Section>(state.sections[k]),
-                    axes = stage.machine_parts[profiles_[k].part].body.axes,
-                    position = stage.machine_parts[profiles_[k].part].body.position,
                     rows = profiles_[k].rows,
-                    angle = angle_of(state.sections[k])](const Vec3& where) {
-      const Vec3 own = axes.apply_inverse(where - position);
+                    angle = angle_of(state.sections[k])](const Vec3& own) {
       return geometry::nearest_side(*section, folded({own.x, own.y}, rows, angle));
     };
+    made.push_back(std::move(body));
+  }
+  for (std::size_t k = 0; k < meshes_.size(); ++k) {
+    observe::WornBody body;
+    body.end_face = cases::jar_faces(stage);
+    if (meshes_[k].part) body = faces_of_part(stage, *meshes_[k].part);
+    body.cells = state.surfaces[k].points.size();
+    body.cell_of = [nearest = std::make_shared<const geometry::NearestVertex>(state.surfaces[k])](
+                       const Vec3& own) { return (*nearest)(own); };
     made.push_back(std::move(body));
   }
   return made;
@@ -201,6 +243,10 @@ std::vector<bool> WornCase::exposed(const WornState& state, std::size_t k) const
   const bool ball = geometry::as<geometry::Sphere>(*case_.jar.shape) != nullptr;
   const double reach = geometry::reach(*case_.jar.shape);
   for (std::size_t i = 0; i < s.size(); ++i) {
+    if (part.body.in_laboratory || part.body.motion.moves()) {
+      found.push_back(true);
+      continue;
+    }
     const Vec3 p = in_jar(part, middle_of(s, i));
     const double out = ball ? norm(p) : math::hypot(p.x, p.y);
     found.push_back(state.diameter > 0 ? out < 0.5 * state.diameter

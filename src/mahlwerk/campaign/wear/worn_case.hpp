@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "mahlwerk/campaign/wear/worn_state.hpp"
 #include "mahlwerk/cases/case.hpp"
 #include "mahlwerk/cases/wear.hpp"
+#include "mahlwerk/geometry/worn_surface.hpp"
 #include "mahlwerk/observe/wear_record.hpp"
 
 namespace mahlwerk::campaign {
@@ -27,6 +29,12 @@ class WornCase {
     double height = 0;     ///< [m] by which it stands out from the shell when new
   };
 
+  /// A body of triangles whose vertices move: a mesh of the jar, or a solid part.
+  struct MeshBody {
+    std::optional<std::size_t> part;  ///< of the machine parts; none: the jar
+    geometry::WornSide side = geometry::WornSide::outside;
+  };
+
   /// Throws InputError where the file of a section cannot be read.
   explicit WornCase(const cases::Case& mill_case);
 
@@ -34,6 +42,7 @@ class WornCase {
   const cases::Wear& wear() const { return *case_.parts.find<cases::Wear>(); }
   const WornState& fresh() const { return fresh_; }
   const std::vector<Profile>& profiles() const { return profiles_; }
+  const std::vector<MeshBody>& meshes() const { return meshes_; }
   const std::string& name_of(const Profile& one) const {
     return case_.machine_parts[one.part].name;
   }
@@ -49,7 +58,7 @@ class WornCase {
   cases::Case at(const WornState& state) const;
   /// The set and the cohort of each ball set of at(state), without grains.
   std::vector<std::pair<std::size_t, std::size_t>> cohorts(const WornState& state) const;
-  /// The bodies whose wear is recorded by cells, in the order of profiles().
+  /// The bodies whose wear is recorded by cells, in the order of profiles(), then meshes().
   std::vector<observe::WornBody> bodies(const cases::Case& stage, const WornState& state) const;
   /// Whether the middle of each side of a profile is inside the jar.
   std::vector<bool> exposed(const WornState& state, std::size_t profile) const;
@@ -60,12 +69,15 @@ class WornCase {
 
  private:
   void add_profile(std::size_t part, geometry::Section section);
+  void add_mesh(std::optional<std::size_t> part, const geometry::Surface& surface,
+                geometry::WornSide side);
   geometry::Section read_section(const cases::MachinePart& part) const;
   double length_in_jar(const cases::MachinePart& part) const;
 
   cases::Case case_;
   WornState fresh_;
   std::vector<Profile> profiles_;
+  std::vector<MeshBody> meshes_;
   std::vector<std::size_t> sets_;
   std::vector<std::string> kept_;
   double smoothing_ = 0;
