@@ -72,6 +72,13 @@ Vec3 in_jar(const cases::MachinePart& part, const PlanePoint& p) {
   return part.body.position + part.body.axes * Vec3{p.x, p.y, 0};
 }
 
+/// [m] Between the z axis and a side.
+double distance_from_axis(const Vec3& a, const Vec3& b) {
+  const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+  const double at = square > 0 ? std::clamp(-(a.x * x + a.y * y) / square, 0.0, 1.0) : 0;
+  return math::hypot(a.x + at * x, a.y + at * y);
+}
+
 /// Turns a point about the origin into the one of `rows` equal sectors whose middle is at `angle`.
 PlanePoint folded(const PlanePoint& p, double rows, double angle) {
   if (!(rows > 1)) return p;
@@ -260,10 +267,11 @@ double WornCase::height(const WornState& state, std::size_t k) const {
   const double radius =
       state.diameter > 0 ? 0.5 * state.diameter : geometry::radius_about_axis(*case_.jar.shape);
   double nearest = radius;
-  for (const PlanePoint& p : state.sections[k]) {
-    const Vec3 at = in_jar(part, p);
-    nearest = std::min(nearest, math::hypot(at.x, at.y));
-  }
+  const Section& section = state.sections[k];
+  for (std::size_t i = 0; i < section.size(); ++i)
+    nearest =
+        std::min(nearest, distance_from_axis(in_jar(part, section[i]),
+                                             in_jar(part, section[(i + 1) % section.size()])));
   return radius - nearest;
 }
 
