@@ -6,6 +6,8 @@
 
 namespace mahlwerk::cases {
 
+struct Case;
+
 /// Wear of balls, jar and parts: the section [wear] (docs/theory/wear-heat.md).
 struct Wear {
   enum class Model {
@@ -32,5 +34,10 @@ struct ContactSums {
 };
 /// [m3], or [m3/s] of sums per second: volume worn off a body of a Vickers hardness > 0.
 double worn_volume(const Wear& wear, const ContactSums& sums, double vickers);
+
+/// Whether shapes and sizes follow their wear: the case is followed in stages and is no single run.
+bool evolves(const Case& c);
+/// The case with the shapes that it gives, which stay.
+Case of_one_run(Case c);
 
 }  // namespace mahlwerk::cases

@@ -143,12 +143,7 @@ class Evolving {
     if (!results::complete(outcome)) return false;
     const WearRates rates = wear_rates(of_, now_, outcome, recorded);
     all_.stages.push_back(stage_of(of_, now_, rates, outcome));
-    if (options_.done) {
-      cases::Wear of_one_run = of_.wear();
-      of_one_run.evolve.reset();
-      outcome.mill_case.parts.set(of_one_run);
-      options_.done(number, outcome);
-    }
+    if (options_.done) options_.done(number, outcome);
     const double left = *of_.wear().evolve - now_.time;
     all_.complete = !(left > 0);
     if (!all_.complete) step(rates, left);

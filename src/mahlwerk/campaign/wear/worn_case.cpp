@@ -190,7 +190,7 @@ std::vector<std::pair<std::size_t, std::size_t>> WornCase::cohorts(const WornSta
 }
 
 cases::Case WornCase::at(const WornState& state) const {
-  cases::Case c = case_;
+  cases::Case c = cases::of_one_run(case_);
   if (const auto* slice = geometry::as<geometry::PeriodicCylinder>(*case_.jar.shape))
     c.jar.shape = geometry::PeriodicCylinder{state.diameter, slice->length};
   if (geometry::as<geometry::Cylinder>(*case_.jar.shape) != nullptr)

@@ -38,10 +38,7 @@ struct RunJob {
 
   bool sweeps() const { return !mill_case.sweep.empty(); }
   /// Whether shapes and sizes follow their wear, stage by stage.
-  bool evolves() const {
-    const auto* wear = mill_case.parts.find<cases::Wear>();
-    return wear != nullptr && wear->evolve.has_value();
-  }
+  bool evolves() const { return cases::evolves(mill_case); }
 };
 
 /// Reads all cases and checks all result folders before anything is computed. A target that is no

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/campaign/run/state_file.hpp"
 #include "mahlwerk/campaign/wear/wear_evolution.hpp"
 #include "mahlwerk/campaign/wear/wear_tables.hpp"
@@ -41,7 +41,15 @@ std::string opened(const RunJob& job, bool force, campaign::StateFile& state) {
   std::error_code none;
   const bool is_free = !fs::exists(job.place, none) || fs::is_empty(job.place, none);
   if (!is_free && !force && fs::exists(state.file())) {
-    state.load();
+    try {
+      state.load();
+    } catch (const InputError& error) {
+      Fault fault = error.faults().front();
+      fault.remedy =
+          "give the case and the settings that it was begun with, another folder with "
+          "--out, or replace it with --force";
+      throw InputError(fault);
+    }
     return state.state(0);
   }
   if (!is_free) {
