@@ -51,10 +51,11 @@ void wear_mesh(cases::Case& c, const WornCase::MeshBody& body, const geometry::S
 /// The faces of a part, among those of the jar and all parts.
 observe::WornBody faces_of_part(const cases::Case& stage, std::size_t part) {
   const std::vector<int> parts = cases::parts_of_faces(stage);
-  const auto faces = std::ranges::equal_range(parts, static_cast<int>(part));
+  const auto first = std::ranges::lower_bound(parts, static_cast<int>(part));
+  const auto end = std::ranges::upper_bound(parts, static_cast<int>(part));
   observe::WornBody body;
-  body.first_face = cases::jar_faces(stage) + static_cast<int>(faces.begin() - parts.begin());
-  body.end_face = body.first_face + static_cast<int>(faces.size());
+  body.first_face = cases::jar_faces(stage) + static_cast<int>(first - parts.begin());
+  body.end_face = body.first_face + static_cast<int>(end - first);
   return body;
 }
 
