@@ -10,9 +10,9 @@ endforeach()
 set(RANDOM123_INCLUDE ${headers})
 
 # Files that need other libraries, or write files.
-string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|surrogate|sweep/.*work|sweep/campaign)"
+string(CONCAT MAHLWERK_LEFT_OUT "campaign/(calibrate|fit|search|store|surrogate|wear|sweep/.*work|sweep/campaign)"
   "|soft/device/"
-  "|campaign/run/(resumable|streams)|lammps/program|results/files/(hdf5|result_file|writer)|report/(write|scripts|(fit|calibration|optimum)(_page)?|match|parameters|study_json)[.]cpp"
+  "|campaign/run/(resumable|streams)|lammps/program|results/files/(hdf5|result_file|writer)|report/(write|scripts|(fit|calibration|optimum)(_page)?|match|parameters|study_json|wear_evolution)[.]cpp"
   "|report/(campaign|record)/"
   "|commands/([a-z_]+[.]cpp|(reporting|campaigns|runs|searches|help)/)|/measure/")
 

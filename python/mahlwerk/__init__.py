@@ -29,7 +29,7 @@ from .estimates import Band, Cause, Estimate, estimate
 from .quantities import Influence, Notice, Quantity
 from .records import record_columns
 from .result import Result
-from .searches import Comparison, Fit, Match, Optimum
+from .searches import Comparison, Fit, Match, Optimum, WearEvolution
 from .surrogate import Prediction, Surrogate
 
 _core.set_data_folder(os.fspath(Path(__file__).with_name("data")))  # catalogue, papers, examples
@@ -39,18 +39,18 @@ __version__: str = _core.version
 
 __all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Citation", "Comparison", "Estimate", "Fault", "Fit",
            "Influence", "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
-           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "catalogue", "describe", "estimate", "open",
-           "record_columns"]
+           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "WearEvolution", "catalogue", "describe", "estimate",
+           "open", "record_columns"]
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:
-    """Opens what a command wrote: a Result, Campaign, Fit, Optimum, Match or Comparison."""
+    """Opens what a command wrote: a Result, Campaign, Fit, Optimum, Match, Comparison or WearEvolution."""
     place = Path(folder)
     if place.suffix == ".sqlite":
         return Campaign(place)
     for file, kind in (("summary.json", Result), ("campaign.sqlite", Campaign), ("fit.json", Fit),
                        ("match.json", Match), ("optimise.json", Optimum),
-                       ("compare.csv", Comparison)):
+                       ("compare.csv", Comparison), ("wear_evolution.json", WearEvolution)):
         if (place / file).is_file():
             return kind(place)
     what = "holds no result" if place.is_dir() else "is not a folder"

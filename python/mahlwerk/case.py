@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .campaign import Campaign
     from .citation import Citation
     from .result import Result
-    from .searches import Comparison, Fit, Match, Optimum
+    from .searches import Comparison, Fit, Match, Optimum, WearEvolution
 
 __all__ = ["Case"]
 
@@ -300,6 +300,27 @@ class Case:
             command(["compare"], case=target, set=self._titled(), out=place, force=force,
                     threads=threads, progress=progress)
         return Comparison(place)
+
+    def evolve_wear(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
+                    progress: Progress = None) -> WearEvolution:
+        """Follows shapes and ball sizes over the time [wear] evolve, as `mahlwerk run` does for such a case. A
+        second call with the same folder runs only the stages that are missing. Ctrl-C raises Interrupted;
+        its `result` is the evolution so far."""
+        from .searches import WearEvolution
+
+        if self._value("wear.evolve") is None:
+            raise InputError([_core.Fault("wear.evolve", "the case gives no time of operation",
+                                          'write for instance evolve = "500 h" in [wear]', "no-wear-evolution")])
+        place = self._source.result_folder(out, "")
+        try:
+            with self._source.as_file() as target:
+                command(["run"], case=target, set=self._titled(), out=place, force=force, threads=threads,
+                        progress=progress)
+        except (Interrupted, RunError) as error:
+            if (place / WearEvolution.numbers).exists():
+                error.result = WearEvolution(place)
+            raise
+        return WearEvolution(place)
 
     # Helpers
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Results of fit, optimise, match and compare."""
+"""Results of fit, optimise, match, compare and of wear over time."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import _core
 from .errors import InputError
 from .pages import Page
-from .quantities import Notice, notices_of
+from .quantities import Notice, nan_if_none, notices_of
 from .result import Result
 from .tables import frame_of, read_csv
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from .case import Case
 
-__all__ = ["Comparison", "Fit", "Match", "Optimum"]
+__all__ = ["Comparison", "Fit", "Match", "Optimum", "WearEvolution"]
 
 
 class Found:
@@ -183,3 +183,61 @@ class Comparison(Found):
 
     def __repr__(self) -> str:
         return f"<Comparison in {os.fspath(self.folder)}>"
+
+
+class WearEvolution(Found):
+    """Shapes and ball sizes of a mill over the time of operation. `table` has a row for each stage."""
+
+    numbers, rows, html = "wear_evolution.json", "wear_evolution.csv", "wear_evolution.html"
+
+    @property
+    def complete(self) -> bool:
+        """Whether the wear was followed to the end of its time."""
+        return self.data["complete"]
+
+    @property
+    def lives(self) -> dict[str, tuple[float, bool]]:
+        """Of each profile: its life in s, NaN if it does not wear, and whether that is extrapolated."""
+        return {one["profile"]: (nan_if_none(one["time_s"]), one["extrapolated"]) for one in self.data["lives"]}
+
+    @property
+    def notices(self) -> list[Notice]:
+        return notices_of(self.data)
+
+    @cached_property
+    def profiles(self) -> np.ndarray:
+        """The sections of bars and lifters: a row for each corner and stage."""
+        return read_csv(self.folder / "wear_profile.csv")
+
+    @cached_property
+    def ball_sizes(self) -> np.ndarray:
+        """A row for each size and stage."""
+        return read_csv(self.folder / "wear_ball_sizes.csv")
+
+    @cached_property
+    def spectra(self) -> np.ndarray:
+        """Impact energies: a row for each bin and stage."""
+        return read_csv(self.folder / "wear_spectra.csv")
+
+    def profile(self, stage: int, part: str = "lifters") -> np.ndarray:
+        """The corners of a profile in a stage: x and y in m, from its own axis. `stage` may count from the
+        end: -1. Raises KeyError where there are none."""
+        number = range(len(self))[stage]
+        rows = self.profiles
+        found = rows[(rows["stage"] == number) & (rows["part"] == part)]
+        if not len(found):
+            raise KeyError(part)
+        import numpy
+
+        return numpy.column_stack([found["x_m"], found["y_m"]])
+
+    def __len__(self) -> int:
+        """The number of stages."""
+        return self.data["stages"]
+
+    def __getitem__(self, stage: int) -> Result:
+        """The result of the run of a stage, which may count from the end."""
+        return Result(self.folder / f"stage-{range(len(self))[stage]:03}")
+
+    def __repr__(self) -> str:
+        return f"<WearEvolution of {len(self)} stages in {os.fspath(self.folder)}>"

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
-#include "mahlwerk/parts/wear/wear.hpp"
 #include "unit/cases/sample.hpp"
 
 namespace mahlwerk::cases::faults_test {
@@ -258,7 +258,7 @@ TEST(CaseFaults, a_case_made_by_a_program_is_checked_too) {
   EXPECT_EQ(codes([](Case& c) { c.jar.substance.conductivity = -1; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.density = 0; }), out);
   EXPECT_EQ(codes([](Case& c) { c.jar.wall = NAN; }), out);
-  EXPECT_EQ(codes([](Case& c) { c.parts.set(parts::wear::Wear{.coefficient = 0}); }), out);
+  EXPECT_EQ(codes([](Case& c) { c.parts.set(cases::Wear{.coefficient = 0}); }), out);
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat(); }), Codes{});
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.ambient = -1}; }), out);
   EXPECT_EQ(codes([](Case& c) { c.heat = Heat{.pause = -1}; }), out);

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "mahlwerk/cases/read.hpp"
-#include "mahlwerk/parts/wear/wear.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "statement.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -19,7 +19,7 @@ namespace mahlwerk::cases::wear_heat_test {
 namespace {
 
 using namespace sample;
-using parts::wear::Wear;
+using cases::Wear;
 using tests::states;
 
 /// The only fault as "line code"; all faults if their number is not one.

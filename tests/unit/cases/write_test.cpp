@@ -12,10 +12,10 @@
 #include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
-#include "mahlwerk/parts/wear/wear.hpp"
 #include "mahlwerk/powder/models.hpp"
 #include "unit/cases/sample.hpp"
 
@@ -23,7 +23,7 @@ namespace mahlwerk::cases::write_test {
 namespace {
 
 using namespace sample;
-using parts::wear::Wear;
+using cases::Wear;
 
 /// A catalogue without any entry: a resolved case needs none.
 const Catalogue& nothing() {

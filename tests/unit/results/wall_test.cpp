@@ -14,9 +14,9 @@
 #include <string>
 
 #include "mahlwerk/base/random.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/observe/collision_batch.hpp"
-#include "mahlwerk/parts/wear/wear.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
 #include "mahlwerk/results/quantities/replicate_setup.hpp"
 #include "mahlwerk/results/quantities/summarise.hpp"
@@ -245,7 +245,7 @@ TEST(WallMap, rings_of_a_disc_have_equal_areas) {
   }
 }
 
-using WearOf = parts::wear::Wear;
+using WearOf = cases::Wear;
 
 class Wear : public testing::TestWithParam<WearOf::Model> {
  protected:

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "crowd.hpp"
+#include "mahlwerk/geometry/prism.hpp"
 #include "mahlwerk/geometry/solids.hpp"
 #include "mahlwerk/soft/walls/chamber_wall.hpp"
 #include "mahlwerk/soft/walls/moving_wall.hpp"
@@ -306,6 +307,29 @@ TEST(MachineParts, with_an_opening_let_small_balls_pass_and_bear_large_ones) {
     engine->advance(0.3, none);
     EXPECT_GT(engine->balls()[0].position.z, 0.001);
     EXPECT_LT(engine->balls()[1].position.z, -0.02);
+  }
+}
+
+/// Near the edge of a mesh one of its faces is listed, but has no point that the ball can touch.
+TEST(MachineParts, a_ball_beside_an_edge_of_a_mesh_in_a_periodic_jar_flies_on) {
+  scene::Chamber mill{geometry::PeriodicCylinder{0.06, 0.02}, kinematics::Still{}, {}, {}};
+  const geometry::Section bar{{0.02, -0.004}, {0.032, -0.004}, {0.032, 0.004}, {0.02, 0.004}};
+  mill.parts.push_back(part_of(
+      geometry::MeshSolid(geometry::weld(geometry::prism(bar, 0.03, 1)), 0.5), {}, PartMotion{}));
+  scene::Ball ball = lattice_of(1, 0.0034, {0.003}, 0.1).front();
+  ball.position = {0.0201, 0.00701, 0}, ball.velocity = {0, 0, 0.5}, ball.spin = {};
+  for (const std::size_t few : {0U, 128U}) {
+    const auto engine = engine_of(mill, {ball}, few);
+    struct : scene::Observer {
+      void collisions(std::span<const scene::Collision> finished) override {
+        hits += finished.size();
+      }
+      std::size_t hits = 0;
+    } observer;
+    engine->advance(0.1, observer);
+    EXPECT_EQ(observer.hits, 0U);
+    states("speed along the axis [m/s]", engine->balls().front().velocity.z, 0.5, 1e-12,
+           "0.01 mm beside the flank: nothing touches the ball");
   }
 }
 

@@ -19,6 +19,7 @@
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/lammps/deck.hpp"
 #include "mahlwerk/results/notices/warnings.hpp"
 #include "mahlwerk/soft/on_device.hpp"
@@ -288,6 +289,11 @@ bool is_of_values(const std::vector<Fault>& soft) {
 }
 
 std::vector<Fault> run_faults(const cases::Case& mill_case) {
+  if (cases::evolves(mill_case))
+    return {{cases::location_of(mill_case, "wear.evolve"),
+             "a case whose shapes follow their wear is no single run",
+             "follow it by `mahlwerk run` or Case.evolve_wear() of Python, or remove `evolve`",
+             "no-wear-evolution"}};
   std::vector<Fault> found = replicate_faults(mill_case);
   if (found.empty() && mill_case.run.engine == cases::EngineName::automatic)
     found = automatic_faults(mill_case);

@@ -26,6 +26,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 #include "mahlwerk/commands/runs/cheaper.hpp"
@@ -88,13 +89,14 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
                        const std::vector<cases::Override>& set) {
   CheckResult c;
   c.mill_case = cases::read(file, known, set);
-  const campaign::CheckedPoints points(c.mill_case, file, known, set);
+  const cases::Case one_run = cases::of_one_run(c.mill_case);
+  const campaign::CheckedPoints points(one_run, file, known, set);
   c.points = points.size();
   c.bad_points = points.bad();
   c.engine = points.faults();
   const bool sweeps = !c.mill_case.sweep.empty();
   if (points.good().empty() && sweeps) throw InputError(c.engine);
-  const cases::Case& first = sweeps ? points.good().front() : c.mill_case;
+  const cases::Case& first = sweeps ? points.good().front() : one_run;
   c.follows = cases::derived_quantities(first);
   if (points.good().empty()) return c;
   // Before the pilot run, which needs the memory.
@@ -108,6 +110,9 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   const campaign::EngineChoice choice = campaign::choose_engine(first);
   const cases::Case decided = campaign::decided_case(first, choice);
   c.notes = cases::size_notes(first);
+  if (cases::evolves(c.mill_case))
+    c.notes.push_back(
+        "Shapes and sizes follow their wear: the costs are those of the run of one stage.");
   if (std::string grains = cases::grains_note(first); !grains.empty())
     c.notes.push_back(std::move(grains));
   c.notes.insert(c.notes.end(), choice.reason.begin(), choice.reason.end());

@@ -28,6 +28,7 @@
 #include "mahlwerk/commands/reporting/result_files.hpp"
 #include "mahlwerk/commands/runs/lammps.hpp"
 #include "mahlwerk/commands/runs/run_jobs.hpp"
+#include "mahlwerk/commands/runs/wear_evolution.hpp"
 #include "mahlwerk/report/key_numbers.hpp"
 #include "mahlwerk/report/report.hpp"
 #include "mahlwerk/report/states.hpp"
@@ -225,9 +226,9 @@ int run_cases(const RunArguments& given, const std::vector<RunJob>& jobs) {
 
 int run(const RunArguments& given) {
   catch_ctrl_c();
-  std::vector<RunJob> plain, campaigns;
+  std::vector<RunJob> plain, campaigns, evolving;
   for (RunJob& job : prepare_all(given))
-    (job.sweeps() ? campaigns : plain).push_back(std::move(job));
+    (job.sweeps() ? campaigns : job.evolves() ? evolving : plain).push_back(std::move(job));
   if (given.lammps.writes_only())
     return write_for_lammps(given.lammps, given.running, cases_of(plain), lammps_root(plain));
   int worst = plain.empty() ? success : run_cases(given, plain);
@@ -235,6 +236,10 @@ int run(const RunArguments& given) {
     if (worst == interrupted) break;
     worst =
         std::max<int>(worst, sweep_case(given.running, {}, job.file, given.overrides(), job.place));
+  }
+  for (const RunJob& job : evolving) {
+    if (worst == interrupted) break;
+    worst = std::max<int>(worst, evolve_wear(given.running, job));
   }
   return worst;
 }

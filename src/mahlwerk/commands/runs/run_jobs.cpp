@@ -46,9 +46,10 @@ RunJob prepare_run(const RunArguments& given, cases::CaseFile source, const fs::
              .folder = nullptr};
   job.mill_case = job.source.read(catalogue, given.overrides());
   if (job.sweeps()) return job;
-  if (std::vector<Fault> wrong = campaign::run_faults(job.mill_case); !wrong.empty())
+  if (std::vector<Fault> wrong = campaign::run_faults(cases::of_one_run(job.mill_case));
+      !wrong.empty())
     throw InputError(std::move(wrong));
-  if (given.lammps.writes_only()) return job;
+  if (given.lammps.writes_only() || job.evolves()) return job;
   job.folder =
       std::make_unique<results::Folder>(job.place, given.running.force || given.lammps.resume);
   job.folder->reserve();

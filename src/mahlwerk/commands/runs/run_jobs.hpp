@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/runs/lammps.hpp"
 #include "mahlwerk/results/files/folder.hpp"
@@ -32,9 +33,12 @@ struct RunJob {
   cases::CaseFile source;
   cases::Case mill_case;
   std::filesystem::path file, place;
-  std::unique_ptr<results::Folder> folder;  ///< null for a campaign, which has its own folder
+  std::unique_ptr<results::Folder>
+      folder;  ///< null for a campaign or wear over time, with their own
 
   bool sweeps() const { return !mill_case.sweep.empty(); }
+  /// Whether shapes and sizes follow their wear, stage by stage.
+  bool evolves() const { return cases::evolves(mill_case); }
 };
 
 /// Reads all cases and checks all result folders before anything is computed. A target that is no

@@ -105,6 +105,7 @@ const std::vector<CitedModel> models{
 
     {"wear", "archard", {"archard1953"}},
     {"wear", "finnie", {"finnie1960"}},
+    {"wear", "energy", {}, "worn volume in proportion to the energy lost"},
 
     {"heat", "flash", {"carslaw1959"}},
 

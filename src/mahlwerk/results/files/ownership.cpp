@@ -32,6 +32,13 @@ constexpr std::array our_files{std::string_view("summary.json"),
                                std::string_view("fields.csv"),
                                std::string_view("bed.csv"),
                                std::string_view("wear.csv"),
+                               std::string_view("wear_evolution.csv"),
+                               std::string_view("wear_evolution.html"),
+                               std::string_view("wear_evolution.json"),
+                               std::string_view("wear_evolution.state"),
+                               std::string_view("wear_profile.csv"),
+                               std::string_view("wear_ball_sizes.csv"),
+                               std::string_view("wear_spectra.csv"),
                                std::string_view("temperature.csv"),
                                std::string_view("capture.csv"),
                                std::string_view("captured_grains.csv"),
@@ -251,7 +258,8 @@ bool is_result(const fs::path& folder) {
          holds("campaign.csv", "collision_rate_per_s") ||
          begins("campaign.sqlite", "SQLite format 3") ||
          fs::exists(folder / "campaign.lock") ||  // a campaign that was killed as it began
-         holds("optimise.json", "\"mahlwerk\"") || holds("match.json", "\"mahlwerk\"") ||
+         fs::exists(folder / "wear_evolution.state") || holds("optimise.json", "\"mahlwerk\"") ||
+         holds("match.json", "\"mahlwerk\"") ||
          begins("compare.csv", "quantity,unit,event,event_ci95,soft") ||
          begins("fit.csv", "line,condition,what,unit,time_s,size_m") ||
          begins("claims.csv", "figure,the_paper_says,we_find,holds,why");

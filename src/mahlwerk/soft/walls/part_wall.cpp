@@ -126,7 +126,9 @@ class WallWithParts final : public MovingWall {
       const scene::PartPose& at = poses[part_motion_of(near[k].face)];
       const Vec3 position = get_lane(bodies[b].position, l);
       const geometry::Gap gap = part_gap(near[k].face, position, at, near[k].within);
-      const Vec3 point = position - gap.distance * gap.inward;
+      // A face that is not near has any normal: along a period its point would be an image near by.
+      const bool beyond = is_periodic(periods_) && !(gap.distance < geometry::not_near);
+      const Vec3 point = beyond ? position + out_of_reach() : position - gap.distance * gap.inward;
       BodyBlock& block = points[k / lanes];
       set_lane(block.position, k % lanes, point);
       set_lane(block.velocity, k % lanes, at.velocity_at(point));
@@ -281,6 +283,13 @@ class WallWithParts final : public MovingWall {
   scene::PartPose pose(std::size_t motion, double t) const {
     const SharedMotion& m = motions_[motion];
     return scene::part_pose(m.motion, m.in_laboratory, *motion_, mount_, t);
+  }
+  /// [m] From a ball to a point that it does not touch, nor does an image of it.
+  Vec3 out_of_reach() const {
+    const auto far = [](double period) {
+      return std::isfinite(period) ? 0.5 * period : geometry::not_near;
+    };
+    return {far(periods_.x), far(periods_.y), far(periods_.z)};
   }
   /// A position in the own axes of a part, in a periodic jar that of the nearest image.
   Vec3 in_own_axes(const Face& face, const Vec3& position, const scene::PartPose& pose) const {
