@@ -6,9 +6,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
+#include "mahlwerk/scene/body_shape.hpp"
 #include "mahlwerk/scene/flow.hpp"
 
 namespace mahlwerk::soft {
@@ -26,6 +28,8 @@ struct Settings {
   int threads = 1;  ///< threads of one run; results do not depend on it
   std::optional<contact::Liquid> liquid = std::nullopt;  ///< none: dry
   std::optional<scene::Flow> flow = std::nullopt;        ///< none: all balls stay in the jar
+  /// The shape of the balls of each Ball::kind; none: all are spheres.
+  std::vector<scene::BodyShape> shapes = {};
   /// Makes the device that computes a run; none: the processor.
   std::function<std::shared_ptr<Device>()> device = nullptr;
 };

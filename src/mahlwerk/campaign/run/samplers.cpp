@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
@@ -116,16 +117,19 @@ class ReplaySampler final : public Sampler {
       : setup_(&setup), replay_(&result.replay) {}
   void begin(double time) override {
     const cases::Case& mill_case = *setup_->mill_case;
-    *replay_ = observe::Replay(setup_->chamber,
-                               static_cast<std::size_t>(cases::balls_count(mill_case.balls)), time,
-                               mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
+    *replay_ = observe::Replay(
+        setup_->chamber,
+        cases::drawn_spheres(mill_case, cases::balls_by_set(mill_case.balls)).size(), time,
+        mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
   }
   double next() const override { return replay_->next_frame_time(); }
   void take(Moment& moment) override {
     while (replay_->next_frame_time() <= moment.now().time)
       replay_->add(moment.time_of_balls(),
                    kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
-                   moment.balls());
+                   cases::has_bodies(*setup_->mill_case)
+                       ? cases::drawn_spheres(*setup_->mill_case, moment.balls())
+                       : moment.balls());
   }
 
  private:

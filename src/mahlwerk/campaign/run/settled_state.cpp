@@ -24,7 +24,7 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
       seen_from_carrier(mill_case, run.balls(), run.energy_balance().time);
   cases::remove_overlaps(mill_case, balls, stop);
   for (const scene::Ball& b : balls)
-    states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
+    states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin, b.orientation});
   std::vector<std::vector<cases::BallState>> all(replicates_together(mill_case), states);
   return {
       .file = "",

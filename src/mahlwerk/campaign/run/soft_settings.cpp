@@ -34,14 +34,13 @@ std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
   std::vector<scene::Ball> balls;
   for (std::size_t i = 0; i < mill_case.balls.size(); ++i)
     for (const cases::SizeClass& size : mill_case.balls[i].sizes())
-      balls.push_back(
-          {.radius = 0.5 * size.diameter,
-           .density = mill_case.balls[i].layers().mean_density(0.5 * size.diameter),
-           .position = {},
-           .velocity = {},
-           .spin = {},
-           .kind = static_cast<std::int32_t>(i),
-           .inertia_ratio = mill_case.balls[i].layers().inertia_ratio(0.5 * size.diameter)});
+      balls.push_back({.radius = 0.5 * size.diameter,
+                       .density = mill_case.balls[i].layers().mean_density(0.5 * size.diameter),
+                       .position = {},
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(i),
+                       .inertia_ratio = mill_case.balls[i].inertia_ratio(size.diameter)});
   return balls;
 }
 
@@ -113,7 +112,8 @@ std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
 soft::TimeSteps time_steps(const cases::Case& mill_case, const contact::PairTable& pairs,
                            double speed) {
   return soft::time_steps(one_of_each(mill_case), *mill_case.contact.model.law, pairs, speed,
-                          mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt);
+                          mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt,
+                          cases::body_shapes(mill_case));
 }
 
 /// [s] The recommended step, rounded down to two digits.
@@ -132,6 +132,7 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   if (mill_case.flow) s.rules.flow = cases::flow_in_jar_frame(mill_case);
+  s.rules.shapes = cases::body_shapes(mill_case);
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
   if (mill_case.run.device == cases::DeviceName::gpu) s.rules.device = soft::graphics_card;
   // Balls that another run or the jar at rest has pressed together keep their overlaps.

@@ -71,6 +71,7 @@ void ManyBodySolver::begin_counting() {
 /// Energy of a ball in laboratory axes; `frame` is that of the jar at this step.
 ManyBodySolver::BallEnergy ManyBodySolver::energy_of(std::size_t row, const Vec3& body_kick_change,
                                                      const kinematics::FrameMotion& frame) const {
+  if (is_member(row)) return energy_of_sphere(row, body_kick_change, frame);
   const Species& of = pairs_.species(species_[row]);
   const Vec3 v = velocity(row, body_kick_change) + frame.velocity;
   return {0.5 * (of.mass * squared(v) + of.inertia * squared(spin(row))),

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "mahlwerk/soft/many/solver.hpp"
 
@@ -161,7 +162,11 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
   }
   if (!list.wall_normals.empty())
     set_lane(list.wall_normals[n].normal, l, get_lane(from.wall_normals[old].normal, m));
-  if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);
+  if (!list.parameters.empty()) {
+    PairParameters& own = list.parameters[n];
+    copy_lane(from.parameters[old], m, own, l);
+    if (sign < 0) std::swap(own.radius_i[l], own.radius_j[l]);
+  }
 }
 
 }  // namespace mahlwerk::soft

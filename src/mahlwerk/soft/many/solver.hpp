@@ -13,6 +13,7 @@
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
+#include "mahlwerk/soft/many/rigid_bodies.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
 #include "mahlwerk/soft/neighbours/grid.hpp"
@@ -88,6 +89,31 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void rebuild_after_flow();
   void drop_rows(std::size_t kept);
   bool leaves(std::size_t row) const { return !leaves_.empty() && leaves_[row]; }
+
+  // Bodies that are clumps of spheres (clumps.cpp).
+  struct PresentBody {
+    Vec3 velocity, momentum, spin;  // [m/s], [kg m2/s], [rad/s]
+  };
+  void assign_body_classes();
+  void place_spheres(const std::vector<scene::Ball>& balls);
+  void initialize_bodies(const std::vector<scene::Ball>& balls,
+                         const std::vector<DriveSample>& drive);
+  void sort_bodies(std::size_t size_class, std::vector<std::int32_t>& from) const;
+  void reorder_bodies(const std::vector<std::int32_t>& from);
+  Vec3 grid_position(std::size_t row) const;
+  void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
+                   ChunkDisplacement& displacement) override;
+  void apply_contact_mass(PairParameters& parameters, std::size_t lane, const ContactPacket& g,
+                          bool wall) const;
+  double contact_mass(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
+  PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
+  Vec3 velocity_of_sphere(std::size_t row, const Vec3& body_kick_change) const;
+  BallEnergy energy_of_sphere(std::size_t row, const Vec3& body_kick_change,
+                              const kinematics::FrameMotion& frame) const;
+  void add_bodies(std::vector<scene::Ball>& all, const Vec3& body_kick_change) const;
+  void add_body_forces(std::vector<Vec3>& all, const Vec3& pull) const;
+  void serialize_bodies(Archive& archive);
+  bool is_member(std::size_t row) const { return bodies_.has_members() && bodies_.is_member(row); }
 
   // State (state.cpp).
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
@@ -172,9 +198,11 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   std::unique_ptr<const MovingWall> jar_;
   Settings settings_;
+  BodySpeciesTable body_species_;  // before pairs_, which has a species for each of their spheres
   SpeciesPairs pairs_;
   std::optional<LiquidForces> liquid_;
   ChunkStepper step_chunk_;
+  std::size_t ball_count_;  // inside the jar and outside
   // pull_off_distance_: largest gap [m] of all pairs at which a contact persists or a liquid acts.
   double start_, pull_off_distance_ = 0, mass_ = 0;
   bool periodic_, large_, has_history_, has_friction_history_;
@@ -182,6 +210,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<Lanes> half_kick_factors_;    // of each species
   std::vector<std::int32_t> class_of_;      // size class of each species
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
+  std::size_t first_body_class_ = 0;        // classes from it on are of bodies
+  std::vector<double> class_row_radius_;    // [m] likewise; of bodies, of their largest sphere
   mutable ThreadTeam team_;
 
   std::int64_t step_ = 0;
@@ -193,6 +223,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   HugePageVector<SpinRecord> spins_, next_spins_;
   HugePageVector<VectorPair> half_step_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
+  RigidBodies bodies_;  // empty where all balls are spheres
 
   std::vector<Chunk> chunks_;
   std::vector<ChunkDisplacement> displacements_;

@@ -25,26 +25,30 @@ Vec3 ManyBodySolver::body_kick_change() const {
 
 /// Velocity at the present step, from the stored half-step and predicted velocities (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
+  if (is_member(row)) return velocity_of_sphere(row, body_kick_change);
   const VectorPair& half = half_step_[row];
   const BallRecord& predicted = next_rows_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{predicted.u, predicted.v, predicted.w} +
          body_kick_change;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
+  if (is_member(row)) return present(bodies_.body(row), {}).spin;
   const VectorPair& half = half_step_[row];
   const SpinRecord& predicted = next_spins_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{predicted.x, predicted.y, predicted.z};
 }
 
 std::vector<scene::Ball> ManyBodySolver::balls() const {
-  std::vector<scene::Ball> all(id_.size() + outside_.size());
+  std::vector<scene::Ball> all(ball_count_);
   const Vec3 change = body_kick_change();
   for (std::size_t k = 0; k < id_.size(); ++k) {
+    if (is_member(k)) continue;
     const Species& s = pairs_.species(species_[k]);
     const Vec3 position = jar_->within_period(rows_[k].position());
     all[static_cast<std::size_t>(id_[k])] = {
         s.radius, s.density, position, velocity(k, change), spin(k), s.kind, s.inertia_ratio};
   }
+  add_bodies(all, change);
   for (const OutsideBall& one : outside_) {
     const auto ball = static_cast<std::size_t>(one.ball);
     const Species& s = pairs_.species_of(ball);
@@ -57,10 +61,12 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 /// half-step velocity, plus half a kick of the contacts, plus half a step of the next body
 /// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
-  std::vector<Vec3> all(id_.size() + outside_.size());
+  std::vector<Vec3> all(ball_count_);
   const double half_dt = 0.5 * settings_.time_step;
   const Vec3 pull = half_dt * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
+  add_body_forces(all, pull);
   for (std::size_t k = 0; k < id_.size(); ++k) {
+    if (is_member(k)) continue;
     const VectorPair& half = half_step_[k];
     const BallRecord& predicted = next_rows_[k];
     const Vec3 gained =
@@ -86,6 +92,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
   if (rows_.size() + outside_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
+  if (bodies_.has_members()) serialize_bodies(archive);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);
   if (archive.reading()) {
