@@ -59,7 +59,7 @@ inline std::unique_ptr<scene::Engine> body_engine(
 inline double body_step(const std::vector<scene::Ball>& balls, const scene::Solid& solid,
                         const contact::AnyLaw& law, const contact::Pair& pair, double speed,
                         double steps = 50) {
-  return soft::time_steps(balls, law, contact::PairTable(1, 6, pair), speed, std::nullopt,
+  return soft::time_steps(balls, law, contact::PairTable(2, 6, pair), speed, std::nullopt,
                           {solid.shape()})
       .recommended(0.25, steps);
 }

@@ -13,7 +13,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
-#include "mahlwerk/cases/body.hpp"
+#include "mahlwerk/cases/ball_shape.hpp"
 #include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/cases/machine_part.hpp"
 #include "mahlwerk/cases/material.hpp"
@@ -95,7 +95,7 @@ struct BallSet {
   /// [m] of a layer of another density around it; none: no coating
   std::optional<double> coating_thickness = std::nullopt;
   std::optional<double> coating_density = std::nullopt;  ///< [kg/m3]
-  Body body = {};                                        ///< shape of the balls
+  BallShape body = {};                                   ///< shape of the balls
   scene::BallLayers layers() const;                      ///< of one ball
   scene::BodyShape shape() const;                        ///< of one ball; a sphere has none
   double inertia_ratio(double diameter) const;  ///< Ball::inertia_ratio of a ball of `diameter` [m]

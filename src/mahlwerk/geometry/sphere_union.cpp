@@ -15,7 +15,7 @@ struct ColumnIntegrals {
 };
 
 /// Sorts `pieces`, the intervals of a column in the spheres, and integrates over their union.
-ColumnIntegrals over_union(std::vector<std::pair<double, double>>& pieces) {
+ColumnIntegrals over_union(std::vector<std::pair<double, double>>& pieces, Hollows hollows) {
   std::ranges::sort(pieces);
   ColumnIntegrals sum;
   const auto add = [&](double low, double high) {
@@ -25,7 +25,7 @@ ColumnIntegrals over_union(std::vector<std::pair<double, double>>& pieces) {
   };
   auto [low, high] = pieces.front();
   for (const auto& [from, to] : pieces) {
-    if (from > high) {
+    if (from > high && hollows == Hollows::open) {
       add(low, high);
       low = from, high = to;
     }
@@ -37,7 +37,7 @@ ColumnIntegrals over_union(std::vector<std::pair<double, double>>& pieces) {
 
 }  // namespace
 
-SolidMoments union_moments(std::span<const MemberSphere> spheres, int columns) {
+SolidMoments union_moments(std::span<const MemberSphere> spheres, int columns, Hollows hollows) {
   Vec3 low{INFINITY, INFINITY, 0}, high{-INFINITY, -INFINITY, 0};
   for (const MemberSphere& s : spheres) {
     low.x = std::min(low.x, s.centre.x - s.radius),
@@ -64,7 +64,7 @@ SolidMoments union_moments(std::span<const MemberSphere> spheres, int columns) {
         pieces.emplace_back(s.centre.z - half, s.centre.z + half);
       }
       if (pieces.empty()) continue;
-      const auto [length, along, second] = over_union(pieces);
+      const auto [length, along, second] = over_union(pieces, hollows);
       volume += length;
       first += Vec3{x * length, y * length, along};
       squares += Vec3{x * x * length, y * y * length, second};

@@ -24,9 +24,14 @@ struct SolidMoments {
   Vec3 squares, products;
 };
 
+/// What a hollow between spheres counts as: part of the surroundings, or, if spheres stand for a
+/// convex solid, part of that.
+enum class Hollows { open, filled };
+
 /// The moments of the union of spheres (bod.2): a midpoint rule over columns along z, in which the
 /// lengths are exact. `columns` is their number along the longer edge of the box; the relative
 /// error of the volume is below columns^-1.5 (tests/unit/geometry/sphere_union_test.cpp).
-SolidMoments union_moments(std::span<const MemberSphere> spheres, int columns = 400);
+SolidMoments union_moments(std::span<const MemberSphere> spheres, int columns = 400,
+                           Hollows hollows = Hollows::open);
 
 }  // namespace mahlwerk::geometry

@@ -62,7 +62,7 @@ void describe(KeyVisitor& v, contact::BounceRule& rule, const contact::BounceRul
 bool describe(KeyVisitor& v, Distribution& d, double& diameter);
 /// The shape of a ball set; a reader sets the diameter of the sphere of the same volume. False for
 /// spheres.
-bool describe_body(KeyVisitor& v, Body& body, double& diameter);
+bool describe_body(KeyVisitor& v, BallShape& body, double& diameter);
 /// The size classes of `count` balls. Chooses the number of classes if it is not given.
 std::vector<SizeClass> read_classes(SectionReader& in, Distribution& d, std::int64_t count);
 using Sieves = std::vector<std::array<double, 2>>;  ///< as Distribution::passing

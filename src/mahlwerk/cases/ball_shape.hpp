@@ -12,7 +12,7 @@ namespace mahlwerk::cases {
 
 /// The shape of the balls of a set by its name and two numbers (docs/theory/bodies.md), made of
 /// spheres.
-struct Body {
+struct BallShape {
   enum class Kind {
     sphere,
     cylpebs,   ///< cylinder with flat ends
@@ -32,10 +32,10 @@ struct Body {
   scene::Solid solid() const;
   std::int64_t usual_spheres() const;   ///< neighbours are a radius apart
   std::int64_t fewest_spheres() const;  ///< fewer do not make the shape
-  bool operator==(const Body&) const = default;
+  bool operator==(const BallShape&) const = default;
 };
 
-/// "sphere", "cylpebs", ... in the order of Body::Kind.
+/// "sphere", "cylpebs", ... in the order of BallShape::Kind.
 const std::vector<std::string>& body_words();
 
 }  // namespace mahlwerk::cases

@@ -13,10 +13,10 @@
 namespace mahlwerk::cases {
 namespace {
 
-using Kind = Body::Kind;
+using Kind = BallShape::Kind;
 constexpr std::int64_t most_spheres = 2000;
 
-void describe_shape_word(KeyVisitor& v, Body& body) {
+void describe_shape_word(KeyVisitor& v, BallShape& body) {
   const SectionReader* in = v.reader();
   if (in == nullptr ? body.is_sphere() && !v.visits_all() : !v.gives("shape")) return;
   v.word({"shape",
@@ -46,7 +46,7 @@ void refuse_keys_of_others(KeyVisitor& v, Kind kind) {
     useless({"edge", "rounding"});
 }
 
-void describe_numbers(KeyVisitor& v, Body& body) {
+void describe_numbers(KeyVisitor& v, BallShape& body) {
   if (body.kind == Kind::cube) {
     v.number(NumberSpec("edge", "m", positive, "edge of a cube").plausible_within("", "0.5 m"),
              body.edge);
@@ -63,7 +63,7 @@ void describe_numbers(KeyVisitor& v, Body& body) {
 }
 
 /// The two numbers must make the shape. False after a fault.
-bool makes_a_solid(SectionReader& in, const Body& body) {
+bool makes_a_solid(SectionReader& in, const BallShape& body) {
   if (body.kind == Kind::cube) {
     if (std::isnan(body.edge + body.rounding)) return false;
     if (body.rounding < body.edge / 2) return true;
@@ -86,7 +86,7 @@ bool makes_a_solid(SectionReader& in, const Body& body) {
 }
 
 /// The number of spheres, the usual one if it is not given. False after a fault.
-bool read_spheres(SectionReader& in, Body& body) {
+bool read_spheres(SectionReader& in, BallShape& body) {
   if (!in.gives("spheres")) {
     body.spheres = body.usual_spheres();
     in.record_default("spheres", std::to_string(body.spheres),
@@ -101,7 +101,7 @@ bool read_spheres(SectionReader& in, Body& body) {
 
 }  // namespace
 
-bool describe_body(KeyVisitor& v, Body& body, double& diameter) {
+bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
   describe_shape_word(v, body);
   refuse_keys_of_others(v, body.kind);
   if (body.is_sphere()) return false;

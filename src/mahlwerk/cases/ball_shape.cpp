@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
-#include "mahlwerk/cases/body.hpp"
+#include "mahlwerk/cases/ball_shape.hpp"
 
 namespace mahlwerk::cases {
 
-scene::Solid Body::solid() const {
+scene::Solid BallShape::solid() const {
   const int count = static_cast<int>(spheres);
   switch (kind) {
     case Kind::cylpebs:
@@ -20,7 +20,7 @@ scene::Solid Body::solid() const {
   }
 }
 
-std::int64_t Body::usual_spheres() const {
+std::int64_t BallShape::usual_spheres() const {
   switch (kind) {
     case Kind::cylpebs:
       return scene::usual_spheres_of_cylinder(diameter, length);
@@ -35,7 +35,7 @@ std::int64_t Body::usual_spheres() const {
   }
 }
 
-std::int64_t Body::fewest_spheres() const {
+std::int64_t BallShape::fewest_spheres() const {
   constexpr std::int64_t of_a_cube = 9, of_a_row = 2;
   if (kind == Kind::cylpebs) return scene::fewest_in_cylinder(diameter, length);
   return kind == Kind::cube ? of_a_cube : of_a_row;
