@@ -13,7 +13,7 @@
 namespace mahlwerk::cases {
 namespace {
 
-using Kind = BallShape::Kind;
+using ShapeKind = BallShape::Kind;
 constexpr std::int64_t most_spheres = 2000;
 
 void describe_shape_word(KeyVisitor& v, BallShape& body) {
@@ -32,22 +32,22 @@ void describe_shape_word(KeyVisitor& v, BallShape& body) {
 }
 
 /// Faults for given keys that the shape does not have.
-void refuse_keys_of_others(KeyVisitor& v, Kind kind) {
+void refuse_keys_of_others(KeyVisitor& v, ShapeKind kind) {
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
     v.refuse(keys, fmt::format("with shape = \"{}\"", to_word(kind, body_words())),
              "remove it, or choose another shape");
   };
-  if (kind == Kind::sphere) return useless({"length", "edge", "rounding", "spheres"});
+  if (kind == ShapeKind::sphere) return useless({"length", "edge", "rounding", "spheres"});
   useless({"distribution", "spread", "smallest", "largest", "passing", "retained", "classes",
            "wall_thickness", "coating_thickness", "coating_density"});
-  if (kind == Kind::cube)
+  if (kind == ShapeKind::cube)
     useless({"diameter", "length"});
   else
     useless({"edge", "rounding"});
 }
 
-void describe_numbers(KeyVisitor& v, BallShape& body) {
-  if (body.kind == Kind::cube) {
+void describe_shape_numbers(KeyVisitor& v, BallShape& body) {
+  if (body.kind == ShapeKind::cube) {
     v.number(NumberSpec("edge", "m", positive, "edge of a cube").plausible_within("", "0.5 m"),
              body.edge);
     v.number({"rounding", "m", positive, "radius of the edges of a cube, below half of edge"},
@@ -64,7 +64,7 @@ void describe_numbers(KeyVisitor& v, BallShape& body) {
 
 /// The two numbers must make the shape. False after a fault.
 bool makes_a_solid(SectionReader& in, const BallShape& body) {
-  if (body.kind == Kind::cube) {
+  if (body.kind == ShapeKind::cube) {
     if (std::isnan(body.edge + body.rounding)) return false;
     if (body.rounding < body.edge / 2) return true;
     in.fault(*in.find("rounding"),
@@ -74,7 +74,7 @@ bool makes_a_solid(SectionReader& in, const BallShape& body) {
     return false;
   }
   if (std::isnan(body.diameter + body.length)) return false;
-  const bool flat = body.kind == Kind::cylpebs;
+  const bool flat = body.kind == ShapeKind::cylpebs;
   if (flat ? body.length >= body.diameter / 2 : body.length > body.diameter) return true;
   in.fault(*in.find("length"),
            fmt::format("length ({}) is not {} diameter ({})", show_rounded(body.length, "m"),
@@ -105,7 +105,7 @@ bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
   describe_shape_word(v, body);
   refuse_keys_of_others(v, body.kind);
   if (body.is_sphere()) return false;
-  describe_numbers(v, body);
+  describe_shape_numbers(v, body);
   SectionReader* in = v.reader();
   if (in == nullptr || v.gives("spheres"))
     v.integer({.key = "spheres",

@@ -13,7 +13,7 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Writes the rows of a body's spheres, as they are at `at` with the predicted motion.
+/// Writes the rows of a body's spheres, as they are at `at` with the predicted motion (bod.7).
 void write_rows(const BodySpecies& of, const BodyRecord& at, const BodyMotion& motion,
                 BallRecord* rows, SpinRecord* spins) {
   const Rotation axes = rotation_of(at.orientation);
@@ -26,7 +26,7 @@ void write_rows(const BodySpecies& of, const BodyRecord& at, const BodyMotion& m
   }
 }
 
-/// Force [N] and torque [N m] about the centre of mass of a body: the sum over its rows.
+/// Force [N] and torque [N m] about the centre of mass of a body: the sum over its rows (bod.11).
 struct BodyLoad {
   Vec3 force, torque;
 };
