@@ -22,7 +22,7 @@ namespace {
 constexpr double radius = 0.005, density = 7800, time_step = 1e-5, drum_size = 0.25;
 constexpr double settling = 0.2, measured = 0.05;  // [s]
 
-struct Nobody final : scene::Observer {
+struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}
 };
 
@@ -61,7 +61,7 @@ double ns_per_body(const scene::Solid& solid) {
   if (!solid.spheres.empty()) rules.shapes = {solid.shape()};
   const std::vector<scene::Ball> balls = on_lattice(solid, drum);
   const auto engine = soft::make_engine(drum, balls, rules, {1, geometry::Cylinder::faces, pair});
-  Nobody nobody;
+  NullObserver nobody;
   engine->advance(settling, nobody);
   std::vector<double> found;
   for (int k = 1; k <= 5; ++k) {

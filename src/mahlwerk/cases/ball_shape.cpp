@@ -2,22 +2,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/ball_shape.hpp"
 
+#include "mahlwerk/base/elementary.hpp"
+
 namespace mahlwerk::cases {
 
-scene::Solid BallShape::solid() const {
-  const int count = static_cast<int>(spheres);
-  switch (kind) {
+namespace {
+
+using Kind = BallShape::Kind;
+
+/// The spheres within the solid.
+scene::Solid inscribed(const BallShape& s) {
+  const int count = static_cast<int>(s.spheres);
+  switch (s.kind) {
     case Kind::cylpebs:
-      return scene::cylinder_of_spheres(diameter, length, count);
+      return scene::cylinder_of_spheres(s.diameter, s.length, count);
     case Kind::rod:
-      return scene::rod_of_spheres(diameter, length, count);
+      return scene::rod_of_spheres(s.diameter, s.length, count);
     case Kind::cube:
-      return scene::cube_of_spheres(edge, rounding, count);
+      return scene::cube_of_spheres(s.edge, s.rounding, count);
     case Kind::ellipsoid:
-      return scene::ellipsoid_of_spheres(diameter, length, count);
+      return scene::ellipsoid_of_spheres(s.diameter, s.length, count);
     default:
       return {};
   }
+}
+
+/// [1] The scale at which the spheres of a solid have its volume.
+double scale_of(const scene::Solid& solid) {
+  constexpr int columns = 100;  // the scale to 1e-4
+  const double volume =
+      geometry::union_moments(solid.spheres, columns, geometry::Hollows::filled).volume;
+  return math::cbrt(solid.volume / volume);
+}
+
+}  // namespace
+
+scene::Solid BallShape::solid() const {
+  scene::Solid made = inscribed(*this);
+  const double scale = scale_of(made);
+  for (geometry::MemberSphere& s : made.spheres) s = {scale * s.centre, scale * s.radius};
+  return made;
+}
+
+double BallShape::scale() const {
+  return scale_of(inscribed(*this));
 }
 
 std::int64_t BallShape::usual_spheres() const {

@@ -28,8 +28,11 @@ struct BallShape {
   std::int64_t spheres = 0;  ///< largest number of spheres that stand for it
 
   bool is_sphere() const { return kind == Kind::sphere; }
-  /// Its spheres, and the mass and inertia of the solid that they stand for.
+  /// Its spheres, scaled so that their volume is that of the solid that they stand for, and mass
+  /// and inertia of this solid (bod.15).
   scene::Solid solid() const;
+  double scale() const;                                             ///< [1] of the spheres
+  std::int64_t count() const { return is_sphere() ? 1 : spheres; }  ///< of spheres, about
   std::int64_t usual_spheres() const;   ///< neighbours are a radius apart
   std::int64_t fewest_spheres() const;  ///< fewer do not make the shape
   bool operator==(const BallShape&) const = default;

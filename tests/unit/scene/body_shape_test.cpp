@@ -20,7 +20,8 @@ constexpr double pi = std::numbers::pi;
 
 /// The union of very many spheres is nearly the solid that they stand for.
 void resembles(const std::string& what, const scene::Solid& solid, double tolerance) {
-  const geometry::SolidMoments m = geometry::union_moments(solid.spheres, 300, geometry::Hollows::filled);
+  const geometry::SolidMoments m =
+      geometry::union_moments(solid.spheres, 300, geometry::Hollows::filled);
   states(what + ": volume of the spheres over that of the solid", m.volume / solid.volume, 1,
          tolerance, "bod.2");
   const Vec3 &s = m.squares, inertia = {s.y + s.z, s.z + s.x, s.x + s.y};

@@ -12,6 +12,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
+#include "mahlwerk/scene/drawn_spheres.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -114,7 +115,7 @@ class FrameSampler final : public Sampler {
 class ReplaySampler final : public Sampler {
  public:
   ReplaySampler(const RunSetup& setup, results::Replicate& result)
-      : setup_(&setup), replay_(&result.replay) {}
+      : setup_(&setup), replay_(&result.replay), shapes_(cases::body_shapes(*setup.mill_case)) {}
   void begin(double time) override {
     const cases::Case& mill_case = *setup_->mill_case;
     *replay_ = observe::Replay(
@@ -125,16 +126,16 @@ class ReplaySampler final : public Sampler {
   double next() const override { return replay_->next_frame_time(); }
   void take(Moment& moment) override {
     while (replay_->next_frame_time() <= moment.now().time)
-      replay_->add(moment.time_of_balls(),
-                   kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
-                   cases::has_bodies(*setup_->mill_case)
-                       ? cases::drawn_spheres(*setup_->mill_case, moment.balls())
-                       : moment.balls());
+      replay_->add(
+          moment.time_of_balls(),
+          kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
+          shapes_.empty() ? moment.balls() : scene::drawn_spheres(moment.balls(), shapes_).spheres);
   }
 
  private:
   const RunSetup* setup_;
   observe::Replay* replay_;
+  std::vector<scene::BodyShape> shapes_;  // by ball set; none: all are spheres
 };
 
 }  // namespace

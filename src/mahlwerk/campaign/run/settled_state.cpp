@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -36,6 +37,7 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
 
 std::optional<SettledState> settled_state(const cases::Case& mill_case, double most_work,
                                           const std::atomic<bool>* stop) try {
+  if (cases::has_bodies(mill_case)) return std::nullopt;  // remove_overlaps() parts spheres only
   cases::Case softer = mill_case;
   softer.run.engine = cases::EngineName::soft;
   softer.contact.softening = std::min(softer.contact.softening, least_softening);

@@ -168,9 +168,9 @@ soft::StepError step_error(const cases::Case& mill_case, const SoftSettings& s, 
 }
 
 double soft_work(const cases::Case& mill_case) {
-  std::int64_t balls = 0;
-  for (const cases::BallSet& set : mill_case.balls) balls += set.count;
-  return static_cast<double>(balls) *
+  std::int64_t spheres = 0;
+  for (const cases::BallSet& set : mill_case.balls) spheres += set.count * set.body.count();
+  return static_cast<double>(spheres) *
          (mill_case.run.settle_at_rest + cases::simulated_time(mill_case)) /
          soft_settings(mill_case).rules.time_step;
 }

@@ -15,7 +15,6 @@
 #include "mahlwerk/cases/mill_power.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
-#include "mahlwerk/geometry/sphere_union.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
 namespace mahlwerk::cases {
@@ -216,11 +215,8 @@ class Derivation {
         "diameter of the sphere of the same volume as a body of the set (bod.1)");
     add("spheres_of_a_body" + number, static_cast<double>(solid.spheres.size()), "",
         "number of spheres that stand for a body");
-    const double spheres =
-        geometry::union_moments(solid.spheres, 200, geometry::Hollows::filled).volume;
-    add("volume_of_spheres" + number, 100 * spheres / solid.volume, "%",
-        "volume of these spheres over that of the body; mass and inertia are those of the body "
-        "(bod.2)");
+    add("scale_of_spheres" + number, 100 * set.body.scale(), "%",
+        "size of the clump of spheres over that of the body: their volumes are the same (bod.15)");
   }
 
   void grains(const BallSet& set, const Powder& powder, double jar) {
