@@ -2,59 +2,74 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "mahlwerk/base/lanes.hpp"
 #include "mahlwerk/base/quaternion.hpp"
 
 // The motion of a rigid body about its centre of mass.
 namespace mahlwerk::soft {
 
-/// A free rotation: the orientation, and the angular momentum [kg m2/s] along the principal axes.
-struct FreeRotation {
-  Quaternion q;  ///< not normalised
-  Vec3 momentum;
-
-  /// Turn about a principal axis by the angle that the momentum along it makes in a time: `rate`
-  /// is that time over the moment of inertia. `a`, `b`, `c`: the axis, and the next two in turn;
-  /// `i`, `j`, `k` the same components of the quaternion (bod.10).
-  static void turn(double rate, double a, double& b, double& c, Quaternion& q,
-                   double Quaternion::*i, double Quaternion::*j, double Quaternion::*k) {
-    const double half = 0.5 * rate * a, square = half * half;
-    const double t = half * (1 + square * (1.0 / 3 + square * (2.0 / 15)));  // tan(half)
-    const double scale = 1 / (1 + t * t), cos = (1 - t * t) * scale, sin = 2 * t * scale;
-    const double b_before = b;
-    b = cos * b + sin * c;
-    c = cos * c - sin * b_before;
-    const Quaternion p = q;
-    q.w = p.w - t * p.*i, q.*i = p.*i + t * p.w;
-    q.*j = p.*j + t * p.*k, q.*k = p.*k - t * p.*j;
-  }
-  void turn_x(double rate) {
-    turn(rate, momentum.x, momentum.y, momentum.z, q, &Quaternion::x, &Quaternion::y,
-         &Quaternion::z);
-  }
-  void turn_y(double rate) {
-    turn(rate, momentum.y, momentum.z, momentum.x, q, &Quaternion::y, &Quaternion::z,
-         &Quaternion::x);
-  }
-  void turn_z(double rate) {
-    turn(rate, momentum.z, momentum.x, momentum.y, q, &Quaternion::z, &Quaternion::x,
-         &Quaternion::y);
-  }
+/// Quaternions and 3-vectors of a body, or of those in the lanes of a register V.
+template <class V>
+struct OrientationOf {
+  V w, x, y, z;
 };
 
-/// The orientation after the time `dt` [s] of a body without torque (bod.10). `momentum`: angular
-/// momentum [kg m2/s] in laboratory axes, which stays; `inverse_inertia`: [1/(kg m2)] principal. Of
-/// second order, symplectic and reversible.
+/// The turn of a free body about a principal axis by the angle that its angular momentum along the
+/// axis makes in a time (bod.10). `rate` [1/(kg m2/s)]: this time over the moment of inertia; `a`,
+/// `b`, `c`: momentum along the axis and the next two in turn; `i`, `j`, `k`: the same components
+/// of the quaternion, which loses its length.
+template <class V>
+[[gnu::always_inline]] inline void turn_about_axis(const V& rate, const V& a, V& b, V& c, V& w,
+                                                   V& i, V& j, V& k) {
+  const V half = 0.5 * rate * a, square = half * half;
+  const V t = half * (1.0 + square * (1.0 / 3 + square * (2.0 / 15)));  // tan(half)
+  const V scale = 1.0 / (1.0 + t * t), cos = (1.0 - t * t) * scale, sin = 2.0 * t * scale;
+  const V b_before = b, w_before = w, j_before = j;
+  b = cos * b + sin * c;
+  c = cos * c - sin * b_before;
+  w = w - t * i, i = i + t * w_before;
+  j = j + t * k, k = k - t * j_before;
+}
+
+/// The orientation after a time without torque (bod.10). `momentum` [kg m2/s]: angular momentum in
+/// laboratory axes, which stays; `rate`: the time over the principal moments of inertia. Of second
+/// order, symplectic and reversible.
+template <class V>
+[[gnu::always_inline]] inline OrientationOf<V> turned_freely(OrientationOf<V> q,
+                                                             const Vec<V>& momentum,
+                                                             const Vec<V>& rate) {
+  const V xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, yz = q.y * q.z,
+          zx = q.z * q.x, wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  const Vec<V>& m = momentum;
+  V lx = (1.0 - 2.0 * (yy + zz)) * m.x + 2.0 * (xy + wz) * m.y + 2.0 * (zx - wy) * m.z;
+  V ly = 2.0 * (xy - wz) * m.x + (1.0 - 2.0 * (zz + xx)) * m.y + 2.0 * (yz + wx) * m.z;
+  V lz = 2.0 * (zx + wy) * m.x + 2.0 * (yz - wx) * m.y + (1.0 - 2.0 * (xx + yy)) * m.z;
+  turn_about_axis<V>(0.5 * rate.x, lx, ly, lz, q.w, q.x, q.y, q.z);
+  turn_about_axis<V>(0.5 * rate.y, ly, lz, lx, q.w, q.y, q.z, q.x);
+  turn_about_axis<V>(rate.z, lz, lx, ly, q.w, q.z, q.x, q.y);
+  turn_about_axis<V>(0.5 * rate.y, ly, lz, lx, q.w, q.y, q.z, q.x);
+  turn_about_axis<V>(0.5 * rate.x, lx, ly, lz, q.w, q.x, q.y, q.z);
+  const V scale = 1.0 / sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {scale * q.w, scale * q.x, scale * q.y, scale * q.z};
+}
+
+/// The same for one body.
 inline Quaternion after_free_rotation(const Quaternion& q, const Vec3& momentum,
                                       const Vec3& inverse_inertia, double dt) {
-  FreeRotation body{q, rotation_of(q).apply_inverse(momentum)};
   const Vec3 rate = dt * inverse_inertia;
-  body.turn_x(0.5 * rate.x);
-  body.turn_y(0.5 * rate.y);
-  body.turn_z(rate.z);
-  body.turn_y(0.5 * rate.y);
-  body.turn_x(0.5 * rate.x);
-  return normalised(body.q);
+  const auto [w, x, y, z] = turned_freely<double>(
+      {q.w, q.x, q.y, q.z}, {momentum.x, momentum.y, momentum.z}, {rate.x, rate.y, rate.z});
+  return {w, x, y, z};
 }
+
+/// Eight bodies that turn freely: turned_freely() of each.
+struct alignas(64) FreeBodies {
+  OrientationOf<Lanes> orientation{};
+  Vec<Lanes> momentum{}, rate{};
+};
+/// Compiled for the instruction set of this machine.
+using TurnFreeBodies = void (*)(FreeBodies&);
+TurnFreeBodies turn_free_bodies();
 
 /// The vector whose components along the axes of a body are those of `a` times `factors`: spin from
 /// angular momentum with the inverse moments of inertia (bod.9).

@@ -191,35 +191,55 @@ Vec3 ManyBodySolver::grid_position(std::size_t row) const {
   return is_member(row) ? bodies_.now[bodies_.body(row)].centre : rows_[row].position();
 }
 
+/// Kicks a body by the forces on its rows (bod.8), and puts it into a lane of `turning`.
+void ManyBodySolver::kick_body(std::size_t b, const BodyKicks& kicks, const ChunkStep& s,
+                               const VectorPair* on_rows, FreeBodies& turning, std::size_t lane) {
+  const double dt = s.constants.dt;
+  const BodySpecies& of = body_species_[bodies_.rows[b].species];
+  const BodyRecord& now = bodies_.now[b];
+  BodyMotion& m = bodies_.motion[b];
+  const BodyLoad load =
+      load_on(now.centre, of.offsets.size(), s.rows + bodies_.rows[b].first, on_rows);
+  const Vec3 half_kick = (0.5 * dt / of.mass) * load.force, half_spin_kick = 0.5 * dt * load.torque;
+  m.velocity += 2.0 * half_kick + kicks.before;
+  m.predicted_velocity = m.velocity + half_kick + kicks.after;
+  m.momentum += 2.0 * half_spin_kick;
+  m.predicted_momentum = m.momentum + half_spin_kick;
+  bodies_.next[b].centre = now.centre + dt * m.velocity;
+  OrientationOf<Lanes>& q = turning.orientation;
+  q.w[lane] = now.orientation.w, q.x[lane] = now.orientation.x;
+  q.y[lane] = now.orientation.y, q.z[lane] = now.orientation.z;
+  set_lane(turning.momentum, lane, m.momentum);
+  set_lane(turning.rate, lane, dt * of.inverse_inertia);
+}
+
 /// Velocity Verlet (dem.26) for the centres of mass; for the rotation a leapfrog of the angular
-/// momentum (bod.8).
+/// momentum (bod.8), of eight bodies at a time.
 void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const BallForces& forces,
                                  ChunkDisplacement& displacement) {
-  const double dt = s.constants.dt;
-  const Vec3 before = dt * s.drive.body_acceleration,
-             after = 0.5 * dt * s.next_drive.body_acceleration;
+  const BodyKicks kicks{s.constants.dt * s.drive.body_acceleration,
+                        0.5 * s.constants.dt * s.next_drive.body_acceleration};
   DisplacementSum displacements(displacement.predicted_mean);
-  for (std::int32_t row = chunk.first; row < chunk.last;) {
-    const std::size_t b = bodies_.body(static_cast<std::size_t>(row));
-    const BodySpecies& of = body_species_[bodies_.rows[b].species];
-    const std::size_t count = of.offsets.size();
-    const BodyRecord& now = bodies_.now[b];
-    BodyRecord& next = bodies_.next[b];
-    BodyMotion& m = bodies_.motion[b];
-    const BodyLoad load = load_on(now.centre, count, s.rows + row,
-                                  forces.data() + static_cast<std::size_t>(row - chunk.first));
-    const Vec3 half_kick = (0.5 * dt / of.mass) * load.force,
-               half_spin_kick = 0.5 * dt * load.torque;
-    m.velocity += 2.0 * half_kick + before;
-    m.predicted_velocity = m.velocity + half_kick + after;
-    m.momentum += 2.0 * half_spin_kick;
-    m.predicted_momentum = m.momentum + half_spin_kick;
-    next.centre = now.centre + dt * m.velocity;
-    next.orientation = after_free_rotation(now.orientation, m.momentum, of.inverse_inertia, dt);
-    write_rows(of, next, m, s.next_rows + row, s.next_spins + row);
-    for (std::size_t k = 0; k < count; ++k, ++row) {
-      const FloatPosition& reference = s.reference_positions[row];
-      displacements.add(s.next_rows[row].position() - Vec3{reference.x, reference.y, reference.z});
+  const std::size_t first = bodies_.body(static_cast<std::size_t>(chunk.first)),
+                    last = bodies_.body(static_cast<std::size_t>(chunk.last - 1)) + 1;
+  FreeBodies turning;
+  for (std::size_t block = first; block < last; block += lanes) {
+    const std::size_t count = std::min<std::size_t>(lanes, last - block);
+    for (std::size_t l = 0; l < count; ++l)
+      kick_body(block + l, kicks, s, forces.data() + (bodies_.rows[block + l].first - chunk.first),
+                turning, l);
+    turn_free_bodies_(turning);
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::size_t b = block + l;
+      const OrientationOf<Lanes>& q = turning.orientation;
+      bodies_.next[b].orientation = {q.w[l], q.x[l], q.y[l], q.z[l]};
+      const BodySpecies& of = body_species_[bodies_.rows[b].species];
+      const std::int32_t row = bodies_.rows[b].first;
+      write_rows(of, bodies_.next[b], bodies_.motion[b], s.next_rows + row, s.next_spins + row);
+      for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k) {
+        const FloatPosition& reference = s.reference_positions[k];
+        displacements.add(s.next_rows[k].position() - Vec3{reference.x, reference.y, reference.z});
+      }
     }
   }
   displacements.put(chunk.last - chunk.first, displacement);

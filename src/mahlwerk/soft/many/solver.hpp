@@ -12,6 +12,7 @@
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
+#include "mahlwerk/soft/kernel/rigid_body.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
 #include "mahlwerk/soft/many/rigid_bodies.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
@@ -101,6 +102,11 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void sort_bodies(std::size_t size_class, std::vector<std::int32_t>& from) const;
   void reorder_bodies(const std::vector<std::int32_t>& from);
   Vec3 grid_position(std::size_t row) const;
+  struct BodyKicks {
+    Vec3 before, after;  // [m/s] of the body acceleration: a whole step; half a step at the next
+  };
+  void kick_body(std::size_t body, const BodyKicks& kicks, const ChunkStep& step,
+                 const VectorPair* on_rows, FreeBodies& turning, std::size_t lane);
   void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
                    ChunkDisplacement& displacement) override;
   void apply_contact_mass(PairParameters& parameters, std::size_t lane, const ContactPacket& g,
@@ -224,6 +230,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   HugePageVector<VectorPair> half_step_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
   RigidBodies bodies_;  // empty where all balls are spheres
+  TurnFreeBodies turn_free_bodies_ = turn_free_bodies();
 
   std::vector<Chunk> chunks_;
   std::vector<ChunkDisplacement> displacements_;
