@@ -29,7 +29,7 @@ scene::Solid inscribed(const BallShape& s) {
 
 /// [1] The scale at which the spheres of a solid have its volume.
 double scale_of(const scene::Solid& solid) {
-  constexpr int columns = 100;  // the scale to 1e-4
+  constexpr int columns = 100;  // the volume to 1e-3
   const double volume =
       geometry::union_moments(solid.spheres, columns, geometry::Hollows::filled).volume;
   return math::cbrt(solid.volume / volume);

@@ -65,7 +65,7 @@ TEST(BallShape, mass_and_volume_are_those_of_the_body) {
   // The spheres take the volume of the body: 4/3 pi in units of its equivalent radius.
   const double spheres =
       geometry::union_moments(shapes[0].spheres, 300, geometry::Hollows::filled).volume;
-  EXPECT_NEAR(spheres, 4.0 / 3 * std::numbers::pi, 2e-3);
+  EXPECT_NEAR(spheres, 4.0 / 3 * std::numbers::pi, 4.2e-3) << "100^-1.5 of it";
 }
 
 TEST(BallShape, each_name_is_read_and_written) {

@@ -16,6 +16,12 @@ struct FreeTurnLoop {
                                            group(all.momentum), group(all.rate));
       group.put(q.w, turned.w), group.put(q.x, turned.x);
       group.put(q.y, turned.y), group.put(q.z, turned.z);
+      Vec<V> ex, ey, ez;
+      axes_of(turned, ex, ey, ez);
+      group.put(all.ex, ex), group.put(all.ey, ey), group.put(all.ez, ez);
+      const Vec<V> momentum = group(all.predicted_momentum), factors = group(all.inverse_inertia);
+      group.put(all.spin, factors.x * dot(ex, momentum) * ex + factors.y * dot(ey, momentum) * ey +
+                              factors.z * dot(ez, momentum) * ez);
     }
   }
 };

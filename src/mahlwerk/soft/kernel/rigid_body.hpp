@@ -31,6 +31,17 @@ template <class V>
   j = j + t * k, k = k - t * j_before;
 }
 
+/// The images of the principal axes under a unit quaternion.
+template <class V>
+[[gnu::always_inline]] inline void axes_of(const OrientationOf<V>& q, Vec<V>& ex, Vec<V>& ey,
+                                           Vec<V>& ez) {
+  const V xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, yz = q.y * q.z,
+          zx = q.z * q.x, wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
+  ex = {1.0 - 2.0 * (yy + zz), 2.0 * (xy + wz), 2.0 * (zx - wy)};
+  ey = {2.0 * (xy - wz), 1.0 - 2.0 * (zz + xx), 2.0 * (yz + wx)};
+  ez = {2.0 * (zx + wy), 2.0 * (yz - wx), 1.0 - 2.0 * (xx + yy)};
+}
+
 /// The orientation after a time without torque (bod.10). `momentum` [kg m2/s]: angular momentum in
 /// laboratory axes, which stays; `rate`: the time over the principal moments of inertia. Of second
 /// order, symplectic and reversible.
@@ -38,12 +49,9 @@ template <class V>
 [[gnu::always_inline]] inline OrientationOf<V> turned_freely(OrientationOf<V> q,
                                                              const Vec<V>& momentum,
                                                              const Vec<V>& rate) {
-  const V xx = q.x * q.x, yy = q.y * q.y, zz = q.z * q.z, xy = q.x * q.y, yz = q.y * q.z,
-          zx = q.z * q.x, wx = q.w * q.x, wy = q.w * q.y, wz = q.w * q.z;
-  const Vec<V>& m = momentum;
-  V lx = (1.0 - 2.0 * (yy + zz)) * m.x + 2.0 * (xy + wz) * m.y + 2.0 * (zx - wy) * m.z;
-  V ly = 2.0 * (xy - wz) * m.x + (1.0 - 2.0 * (zz + xx)) * m.y + 2.0 * (yz + wx) * m.z;
-  V lz = 2.0 * (zx + wy) * m.x + 2.0 * (yz - wx) * m.y + (1.0 - 2.0 * (xx + yy)) * m.z;
+  Vec<V> ex, ey, ez;
+  axes_of(q, ex, ey, ez);
+  V lx = dot(ex, momentum), ly = dot(ey, momentum), lz = dot(ez, momentum);
   turn_about_axis<V>(0.5 * rate.x, lx, ly, lz, q.w, q.x, q.y, q.z);
   turn_about_axis<V>(0.5 * rate.y, ly, lz, lx, q.w, q.y, q.z, q.x);
   turn_about_axis<V>(rate.z, lz, lx, ly, q.w, q.z, q.x, q.y);
@@ -62,10 +70,13 @@ inline Quaternion after_free_rotation(const Quaternion& q, const Vec3& momentum,
   return {w, x, y, z};
 }
 
-/// Eight bodies that turn freely: turned_freely() of each.
+/// Eight bodies that turn freely: turned_freely() of each, and then their axes and predicted spins
+/// (bod.9).
 struct alignas(64) FreeBodies {
   OrientationOf<Lanes> orientation{};
   Vec<Lanes> momentum{}, rate{};
+  Vec<Lanes> predicted_momentum{}, inverse_inertia{};
+  Vec<Lanes> ex{}, ey{}, ez{}, spin{};  ///< results: images of the principal axes; [rad/s]
 };
 /// Compiled for the instruction set of this machine.
 using TurnFreeBodies = void (*)(FreeBodies&);

@@ -13,14 +13,11 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Writes the rows of a body's spheres, as they are at `at` with the predicted motion (bod.7).
-void write_rows(const BodySpecies& of, const BodyRecord& at, const BodyMotion& motion,
-                BallRecord* rows, SpinRecord* spins) {
-  const Rotation axes = rotation_of(at.orientation);
-  const Vec3 w = scaled_along_axes(axes, of.inverse_inertia, motion.predicted_momentum);
+/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin.
+void write_rows(const BodySpecies& of, const Vec3& centre, const Rotation& axes,
+                const Vec3& v_centre, const Vec3& w, BallRecord* rows, SpinRecord* spins) {
   for (std::size_t k = 0; k < of.offsets.size(); ++k) {
-    const Vec3 arm = axes * of.offsets[k], x = at.centre + arm,
-               v = motion.predicted_velocity + cross(w, arm);
+    const Vec3 arm = axes * of.offsets[k], x = centre + arm, v = v_centre + cross(w, arm);
     rows[k] = {x.x, x.y, x.z, of.radii[k], v.x, v.y, v.z, 0};
     spins[k] = {w.x, w.y, w.z, 0};
   }
@@ -116,7 +113,8 @@ void ManyBodySolver::place_spheres(const std::vector<scene::Ball>& balls) {
       bodies_.rows.push_back(
           {static_cast<std::int32_t>(row), s, static_cast<std::int32_t>(number)});
       bodies_.now.push_back({ball.position, q});
-      write_rows(body_species_[s], bodies_.now.back(), {}, &rows_[row], &spins_[row]);
+      write_rows(body_species_[s], ball.position, rotation_of(q), {}, {}, &rows_[row],
+                 &spins_[row]);
       for (std::size_t k = 0; k < count; ++k) {
         bodies_.body_of[row + k] = body;
         bodies_.sphere_of[row + k] = static_cast<std::int32_t>(k);
@@ -145,7 +143,10 @@ void ManyBodySolver::initialize_bodies(const std::vector<scene::Ball>& balls,
     bodies_.next[b] = {now.centre + dt * m.velocity,
                        after_free_rotation(now.orientation, m.momentum, of.inverse_inertia, dt)};
     const auto first = static_cast<std::size_t>(at.first);
-    write_rows(of, bodies_.next[b], m, &next_rows_[first], &next_spins_[first]);
+    const Rotation axes = rotation_of(bodies_.next[b].orientation);
+    write_rows(of, bodies_.next[b].centre, axes, m.predicted_velocity,
+               scaled_along_axes(axes, of.inverse_inertia, m.predicted_momentum),
+               &next_rows_[first], &next_spins_[first]);
   }
 }
 
@@ -211,6 +212,8 @@ void ManyBodySolver::kick_body(std::size_t b, const BodyKicks& kicks, const Chun
   q.y[lane] = now.orientation.y, q.z[lane] = now.orientation.z;
   set_lane(turning.momentum, lane, m.momentum);
   set_lane(turning.rate, lane, dt * of.inverse_inertia);
+  set_lane(turning.predicted_momentum, lane, m.predicted_momentum);
+  set_lane(turning.inverse_inertia, lane, of.inverse_inertia);
 }
 
 /// Velocity Verlet (dem.26) for the centres of mass; for the rotation a leapfrog of the angular
@@ -235,7 +238,10 @@ void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const B
       bodies_.next[b].orientation = {q.w[l], q.x[l], q.y[l], q.z[l]};
       const BodySpecies& of = body_species_[bodies_.rows[b].species];
       const std::int32_t row = bodies_.rows[b].first;
-      write_rows(of, bodies_.next[b], bodies_.motion[b], s.next_rows + row, s.next_spins + row);
+      write_rows(of, bodies_.next[b].centre,
+                 {get_lane(turning.ex, l), get_lane(turning.ey, l), get_lane(turning.ez, l)},
+                 bodies_.motion[b].predicted_velocity, get_lane(turning.spin, l), s.next_rows + row,
+                 s.next_spins + row);
       for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k) {
         const FloatPosition& reference = s.reference_positions[k];
         displacements.add(s.next_rows[k].position() - Vec3{reference.x, reference.y, reference.z});
@@ -306,7 +312,12 @@ ManyBodySolver::PresentBody ManyBodySolver::present(std::size_t b,
           scaled_along_axes(rotation_of(bodies_.now[b].orientation), of.inverse_inertia, momentum)};
 }
 
-Vec3 ManyBodySolver::velocity_of_sphere(std::size_t row, const Vec3& body_kick_change) const {
+Vec3 ManyBodySolver::spin_of_row(std::size_t row) const {
+  return is_member(row) ? present(bodies_.body(row), {}).spin : spin(row);
+}
+
+Vec3 ManyBodySolver::velocity_of_row(std::size_t row, const Vec3& body_kick_change) const {
+  if (!is_member(row)) return velocity(row, body_kick_change);
   const std::size_t b = bodies_.body(row);
   const PresentBody at = present(b, body_kick_change);
   return at.velocity + cross(at.spin, rows_[row].position() - bodies_.now[b].centre);

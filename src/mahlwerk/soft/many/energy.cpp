@@ -127,13 +127,13 @@ void ManyBodySolver::check_energy() {
   if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t k = 1; k < rows_.size(); ++k)
-    if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
+    if (!(squared(velocity_of_row(k, {})) <= squared(velocity_of_row(fastest, {})))) fastest = k;
   stop(fastest, energy_jump_message);
 }
 
 void ManyBodySolver::check_rest() {
   const auto ball = [&](std::size_t k) {
-    return std::tuple(pairs_.species(species_[k]), velocity(k, {}), spin(k));
+    return std::tuple(pairs_.species(species_[k]), velocity_of_row(k, {}), spin_of_row(k));
   };
   rest_.update(time_of(step_), settings_, *jar_, rows_.size(), ball);
 }

@@ -302,7 +302,7 @@ void ManyBodySolver::collect_records() {
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
   throw unstable_run_error(time_of(step_), static_cast<std::size_t>(id_[row]), why,
-                           rows_[row].position(), velocity(row, body_kick_change()),
+                           rows_[row].position(), velocity_of_row(row, body_kick_change()),
                            settings_.time_step);
 }
 

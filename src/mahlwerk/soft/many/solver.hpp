@@ -113,7 +113,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
                           bool wall) const;
   double contact_mass(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
   PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
-  Vec3 velocity_of_sphere(std::size_t row, const Vec3& body_kick_change) const;
+  Vec3 velocity_of_row(std::size_t row, const Vec3& body_kick_change) const;  // ball or sphere
+  Vec3 spin_of_row(std::size_t row) const;
   BallEnergy energy_of_sphere(std::size_t row, const Vec3& body_kick_change,
                               const kinematics::FrameMotion& frame) const;
   void add_bodies(std::vector<scene::Ball>& all, const Vec3& body_kick_change) const;
@@ -123,7 +124,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   // State (state.cpp).
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
-  Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
+  Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;  // of a ball
   Vec3 spin(std::size_t row) const;
 
   // The state for another solver (transfer.cpp).

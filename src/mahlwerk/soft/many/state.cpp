@@ -25,14 +25,12 @@ Vec3 ManyBodySolver::body_kick_change() const {
 
 /// Velocity at the present step, from the stored half-step and predicted velocities (dem.26).
 Vec3 ManyBodySolver::velocity(std::size_t row, const Vec3& body_kick_change) const {
-  if (is_member(row)) return velocity_of_sphere(row, body_kick_change);
   const VectorPair& half = half_step_[row];
   const BallRecord& predicted = next_rows_[row];
   return 2.0 * Vec3{half.x, half.y, half.z} - Vec3{predicted.u, predicted.v, predicted.w} +
          body_kick_change;
 }
 Vec3 ManyBodySolver::spin(std::size_t row) const {
-  if (is_member(row)) return present(bodies_.body(row), {}).spin;
   const VectorPair& half = half_step_[row];
   const SpinRecord& predicted = next_spins_[row];
   return 2.0 * Vec3{half.a, half.b, half.c} - Vec3{predicted.x, predicted.y, predicted.z};
