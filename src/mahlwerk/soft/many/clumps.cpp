@@ -13,13 +13,26 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin.
+/// A vector in two registers: x and y; z and 0.
+using Half = Register<2>;
+struct Halves {
+  Half xy, z;
+  explicit Halves(const Vec3& a) : xy{a.x, a.y}, z{a.z, 0} {}
+};
+
+/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin. The
+/// velocity of a sphere is linear in its offset, as its position is.
 void write_rows(const BodySpecies& of, const Vec3& centre, const Rotation& axes,
                 const Vec3& v_centre, const Vec3& w, BallRecord* rows, SpinRecord* spins) {
+  const Halves x(centre), ex(axes.ex), ey(axes.ey), ez(axes.ez), v(v_centre), spin(w),
+      fx(cross(w, axes.ex)), fy(cross(w, axes.ey)), fz(cross(w, axes.ez));
   for (std::size_t k = 0; k < of.offsets.size(); ++k) {
-    const Vec3 arm = axes * of.offsets[k], x = centre + arm, v = v_centre + cross(w, arm);
-    rows[k] = {x.x, x.y, x.z, of.radii[k], v.x, v.y, v.z, 0};
-    spins[k] = {w.x, w.y, w.z, 0};
+    const Vec3& o = of.offsets[k];
+    store_part<Half>(rows[k], 0, x.xy + o.x * ex.xy + o.y * ey.xy + o.z * ez.xy);
+    store_part<Half>(rows[k], 2, x.z + o.x * ex.z + o.y * ey.z + o.z * ez.z + Half{0, of.radii[k]});
+    store_part<Half>(rows[k], 4, v.xy + o.x * fx.xy + o.y * fy.xy + o.z * fz.xy);
+    store_part<Half>(rows[k], 6, v.z + o.x * fx.z + o.y * fy.z + o.z * fz.z);
+    store_part<Half>(spins[k], 0, spin.xy), store_part<Half>(spins[k], 2, spin.z);
   }
 }
 
@@ -32,6 +45,7 @@ BodyLoad load_on(const Vec3& centre, std::size_t count, const BallRecord* rows,
   BodyLoad sum;
   for (std::size_t k = 0; k < count; ++k) {
     const VectorPair& f = on_rows[k];
+    if (f.x == 0 && f.y == 0 && f.z == 0 && f.a == 0 && f.b == 0 && f.c == 0) continue;  // faster
     const Vec3 force{f.x, f.y, f.z};
     sum.force += force;
     sum.torque += Vec3{f.a, f.b, f.c} + cross(rows[k].position() - centre, force);
@@ -42,19 +56,23 @@ BodyLoad load_on(const Vec3& centre, std::size_t count, const BallRecord* rows,
 /// Displacements of the rows of a chunk, as integrate_balls() finds them (dem.34).
 class DisplacementSum {
  public:
-  explicit DisplacementSum(const Vec3& predicted_mean) : predicted_mean_(predicted_mean) {}
-  void add(const Vec3& way) {
-    const Vec3 off = componentwise_abs(way - predicted_mean_);
-    sum_ += way;
-    most_ = {std::max(most_.x, off.x), std::max(most_.y, off.y), std::max(most_.z, off.z)};
+  explicit DisplacementSum(const Vec3& predicted_mean) : mean_(predicted_mean) {}
+  void add(const BallRecord& row, const FloatPosition& reference) {
+    add(load_part<Half>(row, 0) - reference_part<Half>(reference, 0), mean_.xy, sum_.xy, most_.xy);
+    add(load_part<Half>(row, 2) - reference_part<Half>(reference, 2), mean_.z, sum_.z, most_.z);
   }
   void put(std::int32_t rows, ChunkDisplacement& out) const {
-    out.spread = norm(most_);
-    out.mean = sum_ / rows;
+    out.spread = norm(Vec3{most_.xy[0], most_.xy[1], most_.z[0]});
+    out.mean = Vec3{sum_.xy[0], sum_.xy[1], sum_.z[0]} / rows;
   }
 
  private:
-  Vec3 predicted_mean_, sum_, most_;
+  static void add(const Half& way, const Half& mean, Half& sum, Half& most) {
+    const Half off = way - mean;
+    sum += way;
+    most = max(most, max(off, -off));
+  }
+  Halves mean_, sum_{Vec3{}}, most_{Vec3{}};
 };
 
 }  // namespace
@@ -242,10 +260,8 @@ void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const B
                  {get_lane(turning.ex, l), get_lane(turning.ey, l), get_lane(turning.ez, l)},
                  bodies_.motion[b].predicted_velocity, get_lane(turning.spin, l), s.next_rows + row,
                  s.next_spins + row);
-      for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k) {
-        const FloatPosition& reference = s.reference_positions[k];
-        displacements.add(s.next_rows[k].position() - Vec3{reference.x, reference.y, reference.z});
-      }
+      for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k)
+        displacements.add(s.next_rows[k], s.reference_positions[k]);
     }
   }
   displacements.put(chunk.last - chunk.first, displacement);
