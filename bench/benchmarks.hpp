@@ -23,6 +23,7 @@ std::vector<Row> one_ball();
 std::vector<Row> fluid();
 std::vector<Row> event();
 std::vector<Row> soft();
+std::vector<Row> bodies();
 std::vector<Row> few();
 std::vector<Row> crowd();
 inline std::vector<Row> beside_peers() {
@@ -51,6 +52,7 @@ inline constexpr std::array benchmarks{Benchmark{"one-ball", one_ball},
                                        Benchmark{"fluid", fluid},
                                        Benchmark{"event", event},
                                        Benchmark{"soft", soft},
+                                       Benchmark{"bodies", bodies},
                                        Benchmark{"mesh", mesh, true},
                                        Benchmark{"observers", observers},
                                        Benchmark{"grinding", grinding},

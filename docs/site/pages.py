@@ -6,7 +6,7 @@ import pathlib
 HOME = pathlib.Path(__file__).resolve().parents[2]
 
 THEORY = ["bond", "mill-power", "mixing", "flow", "geometry", "kinematics", "event", "many-balls", "soft", "engine-choice", "elastic-plastic", "capillary",
-          "hollow-balls", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
+          "hollow-balls", "bodies", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
           "kinetics", "sensors", "measure", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]

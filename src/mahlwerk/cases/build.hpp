@@ -36,6 +36,11 @@ std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets);
 void remove_overlaps(const Case& c, std::vector<scene::Ball>& balls,
                      const std::atomic<bool>* stop = nullptr);
 
+/// The shapes of the balls of each set; none if all are spheres.
+std::vector<scene::BodyShape> body_shapes(const Case& c);
+/// The balls as pictures show them: the spheres of bodies in their place.
+std::vector<scene::Ball> drawn_spheres(const Case& c, const std::vector<scene::Ball>& balls);
+
 /// Index of the ball set of each ball, in the order of starting_balls().
 std::vector<std::int32_t> kinds_of_balls(const Case& c);
 

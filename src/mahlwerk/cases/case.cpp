@@ -24,6 +24,19 @@ scene::BallLayers BallSet::layers() const {
           .coating_density = coating_density.value_or(0)};
 }
 
+scene::BodyShape BallSet::shape() const {
+  return body.is_sphere() ? scene::BodyShape{} : body.solid().shape();
+}
+
+double BallSet::inertia_ratio(double of_diameter) const {
+  return body.is_sphere() ? layers().inertia_ratio(0.5 * of_diameter)
+                          : shape().mean_inertia_ratio();
+}
+
+double BallSet::reach() const {
+  return body.is_sphere() ? 1 : shape().reach();
+}
+
 double BallSet::surface_density() const {
   return coating_thickness ? coating_density.value_or(density) : density;
 }

@@ -13,6 +13,7 @@
 
 #include "mahlwerk/base/notice.hpp"
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/cases/ball_shape.hpp"
 #include "mahlwerk/cases/bed_breakage.hpp"
 #include "mahlwerk/cases/flow.hpp"
 #include "mahlwerk/cases/machine_part.hpp"
@@ -74,9 +75,11 @@ struct Jar {
 /// Balls of one material with one set of bounce rules, in one or more sizes.
 struct BallSet {
   std::int64_t count = 1;  ///< number of balls of all sizes
-  double diameter = 0;     ///< [m] of each ball; with a distribution, of the ball of mean volume
-  double density = 0;      ///< [kg/m3] of its material
-  std::string material;    ///< name in the catalogue, or empty
+  /// [m] of each ball; with a distribution, of the ball of mean volume; of a body, of the sphere of
+  /// its volume
+  double diameter = 0;
+  double density = 0;    ///< [kg/m3] of its material
+  std::string material;  ///< name in the catalogue, or empty
   contact::ElasticConstants elastic = steel;
   Substance substance = hardened_steel;
   /// [m] initial positions in the jar's own axes, relative to its centre: one for each ball, or
@@ -93,7 +96,12 @@ struct BallSet {
   /// [m] of a layer of another density around it; none: no coating
   std::optional<double> coating_thickness = std::nullopt;
   std::optional<double> coating_density = std::nullopt;  ///< [kg/m3]
+  BallShape body = {};                                   ///< shape of the balls
   scene::BallLayers layers() const;                      ///< of one ball
+  scene::BodyShape shape() const;                        ///< of one ball; a sphere has none
+  double inertia_ratio(double diameter) const;  ///< Ball::inertia_ratio of a ball of `diameter` [m]
+  /// [1] Diameter of the sphere that holds a ball over the diameter of the sphere of its volume.
+  double reach() const;
   double surface_density() const;        ///< [kg/m3] of the coating, or of an uncoated ball
   double mass() const;                   ///< [kg] of one ball; with a distribution, the mean
   std::vector<SizeClass> sizes() const;  ///< the classes, or one class of equal balls

@@ -56,11 +56,16 @@ std::int64_t balls_count(const std::vector<BallSet>& balls) {
   return count;
 }
 
+bool has_bodies(const Case& c) {
+  return std::ranges::any_of(c.balls, [](const BallSet& set) { return !set.body.is_sphere(); });
+}
+
 double largest_ball(const std::vector<BallSet>& balls) {
   double diameter = 0;
   for (const BallSet& set : balls) {
     if (std::isnan(set.diameter)) return set.diameter;
-    for (const SizeClass& size : set.sizes()) diameter = std::max(diameter, size.diameter);
+    for (const SizeClass& size : set.sizes())
+      diameter = std::max(diameter, set.reach() * size.diameter);
   }
   return diameter;
 }

@@ -17,6 +17,7 @@ double ball_volume(const BallSet& set);                  ///< [m3] of one ball
 double balls_mass(const std::vector<BallSet>& balls);    ///< [kg] without grains of the powder
 double balls_volume(const std::vector<BallSet>& balls);  ///< [m3] without grains of the powder
 std::int64_t balls_count(const std::vector<BallSet>& balls);
+bool has_bodies(const Case& c);                          ///< whether some balls are no spheres
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter; NaN if one is unknown
 /// [m] Diameter of the smallest ball, without grains of the powder; infinite without balls.
 double smallest_ball(const std::vector<BallSet>& balls);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/base/quaternion.hpp"
 #include "mahlwerk/base/vec3.hpp"
 
 // The section [run] of a case: engine, times, and how the balls and the mill start.
@@ -29,11 +30,12 @@ enum class StartLayout {
 
 /// State of a ball at the start of a run, in the axes of the jar's carrier.
 struct BallState {
-  double radius = 0;      ///< [m]
-  std::int32_t kind = 0;  ///< ball set, from 0
-  Vec3 position;          ///< [m] from the jar's centre
-  Vec3 velocity;          ///< [m/s] relative to the jar's centre
-  Vec3 spin;              ///< [rad/s]
+  double radius = 0;            ///< [m]
+  std::int32_t kind = 0;        ///< ball set, from 0
+  Vec3 position;                ///< [m] from the jar's centre
+  Vec3 velocity;                ///< [m/s] relative to the jar's centre
+  Vec3 spin;                    ///< [rad/s]
+  Quaternion orientation = {};  ///< of a body that is no sphere
   bool operator==(const BallState&) const = default;
 };
 

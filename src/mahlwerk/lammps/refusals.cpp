@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/geometry/shapes.hpp"
@@ -65,6 +66,8 @@ std::vector<Fault> faults(const cases::Case& c) {
   refuse(std::ranges::any_of(c.balls, [](const auto& set) { return set.layers().layered(); }),
          "balls", "hollow or coated balls: its spheres are homogeneous",
          "leave out wall_thickness and coating_thickness");
+  refuse(cases::has_bodies(c), "balls", "balls that are no spheres here",
+         "write shape = \"sphere\"");
   refuse(c.contact.model.rolling == contact::Rolling::viscous, "contact.rolling",
          "rolling = \"viscous\"", "write rolling = \"cdt\" or \"none\"");
   refuse(c.contact.model.partial_slip, "contact.partial_slip", "partial_slip = true",

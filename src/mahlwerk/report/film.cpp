@@ -99,6 +99,10 @@ bool is_round(const results::Outcome& outcome) {
   return norm(cross(normal, outcome.mill_case.mill.jar_axis)) < 1e-9;
 }
 
+std::vector<scene::Ball> drawn_at_start(const cases::Case& c, int replicate) {
+  return cases::drawn_spheres(c, cases::starting_balls(c, replicate));
+}
+
 }  // namespace
 
 std::string film_json(const results::Outcome& outcome) {
@@ -113,7 +117,7 @@ std::string film_json(const results::Outcome& outcome) {
         {{"replicate", one.replicate + 1},
          {"words", one.words},
          {"times_s", film.times()},
-         {"balls", filmed ? film.balls(outcome, cases::starting_balls(outcome.mill_case, number))
+         {"balls", filmed ? film.balls(outcome, drawn_at_start(outcome.mill_case, number))
                           : Json::array()}}));
   }
   return Json::object({{"half_m", six_digits(half)},

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "mahlwerk/base/base64.hpp"
+#include "mahlwerk/base/quaternion.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
@@ -33,27 +34,9 @@ std::string packed(const std::vector<T>& list) {
   return base64({reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T)});
 }
 
-/// Quaternion (x, y, z, w) of a rotation.
-std::array<double, 4> quaternion(const Rotation& r) {
-  const double xx = r.ex.x, yy = r.ey.y, zz = r.ez.z;
-  const auto half_root = [](double square) { return 0.5 * std::sqrt(std::max(0.0, 1 + square)); };
-  const double w = half_root(xx + yy + zz), x = half_root(xx - yy - zz),
-               y = half_root(yy - xx - zz), z = half_root(zz - xx - yy);
-  // Uses the largest component as divisor, for accuracy.
-  if (w >= x && w >= y && w >= z)
-    return {(r.ey.z - r.ez.y) / (4 * w), (r.ez.x - r.ex.z) / (4 * w), (r.ex.y - r.ey.x) / (4 * w),
-            w};
-  if (x >= y && x >= z)
-    return {x, (r.ex.y + r.ey.x) / (4 * x), (r.ex.z + r.ez.x) / (4 * x),
-            (r.ey.z - r.ez.y) / (4 * x)};
-  if (y >= z)
-    return {(r.ex.y + r.ey.x) / (4 * y), y, (r.ey.z + r.ez.y) / (4 * y),
-            (r.ez.x - r.ex.z) / (4 * y)};
-  return {(r.ex.z + r.ez.x) / (4 * z), (r.ey.z + r.ez.y) / (4 * z), z, (r.ex.y - r.ey.x) / (4 * z)};
-}
-
 void append(std::vector<float>& list, const Rotation& r) {
-  for (const double v : quaternion(r)) list.push_back(static_cast<float>(v));
+  const Quaternion q = quaternion_of(r);
+  for (const double v : {q.x, q.y, q.z, q.w}) list.push_back(static_cast<float>(v));
 }
 void append(std::vector<float>& list, const Vec3& v) {
   for (const double one : {v.x, v.y, v.z}) list.push_back(static_cast<float>(one));
@@ -119,7 +102,7 @@ std::string part_meshes(const cases::Case& c, const std::vector<double>& times) 
 }  // namespace
 
 std::string replay_data(const cases::Case& c, const observe::Replay& film) {
-  const std::vector<scene::Ball> balls = cases::starting_balls(c, 0);
+  const std::vector<scene::Ball> balls = cases::drawn_spheres(c, cases::starting_balls(c, 0));
   std::vector<float> radius;
   std::vector<std::uint8_t> species;
   for (std::size_t i = 0; i < balls.size(); i += film.ball_stride()) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/body_species.hpp"
 #include "mahlwerk/soft/few/replicate_batch.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 #include "mahlwerk/soft/on_device.hpp"
@@ -20,7 +21,8 @@ std::unique_ptr<scene::Engine> make_engine(const scene::Chamber& chamber,
                                            const contact::PairTable& pairs, double start) {
   if (settings.device) return make_device_engine(chamber, balls, settings, pairs, start);
   auto jar = moving_wall(chamber);
-  if (balls.size() > settings.few_ball_limit || settings.flow || settings.breakage)
+  const bool bodies = !std::ranges::all_of(settings.shapes, &scene::BodyShape::is_sphere);
+  if (balls.size() > settings.few_ball_limit || settings.flow || settings.breakage || bodies)
     return std::make_unique<ManyBodySolver>(std::move(jar), balls, settings, pairs, start);
   return std::make_unique<FewBodySolver>(std::move(jar), balls, settings, pairs, start);
 }
@@ -49,8 +51,11 @@ double TimeSteps::recommended(double fraction, double steps_per_collision) const
 
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed,
-                     const std::optional<contact::Liquid>& liquid) {
-  const SpeciesPairs species_pairs(balls, pairs, law);
+                     const std::optional<contact::Liquid>& liquid,
+                     const std::vector<scene::BodyShape>& shapes) {
+  const BodySpeciesTable bodies(balls, shapes);
+  const std::vector<scene::Ball> contacts = bodies.lightest_contacts(balls);
+  const SpeciesPairs species_pairs(contacts, pairs, law);
   TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
   const auto include_pair = [&](std::int32_t pair, double radius) {
     const contact::EffectivePair& t = species_pairs[pair].effective;
@@ -74,7 +79,10 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
     for (int face = 0; face < pairs.faces(); ++face)
       include_pair(species_pairs.wall_pair_index(a, face), species_pairs.species(a).radius);
   }
-  for (const scene::Ball& ball : balls) {
+  for (std::size_t b = 0; b < balls.size(); ++b) {
+    const scene::Ball& ball = balls[b];
+    const double radius =
+        bodies.of_ball(b) < 0 ? ball.radius : std::ranges::min(bodies[bodies.of_ball(b)].radii);
     // The stiffest partner decides: its G* and E* give the highest wave speed (dem.28).
     for (int k = 0; k < pairs.kinds(); ++k) {
       const contact::Pair& pair = pairs.balls(ball.kind, k);
@@ -82,8 +90,8 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
       const double nu = std::clamp((q - 2) / (q - 1), -0.99, 0.5);
       const double shear = 2 * (2 - nu) * pair.shear_modulus;
       found.rayleigh =
-          std::min(found.rayleigh, std::numbers::pi * ball.radius *
-                                       std::sqrt(ball.density / shear) / (0.1631 * nu + 0.8766));
+          std::min(found.rayleigh, std::numbers::pi * radius * std::sqrt(ball.density / shear) /
+                                       (0.1631 * nu + 0.8766));
     }
   }
   if (liquid && liquid->flooded && liquid->drag)

@@ -49,9 +49,11 @@ struct TimeSteps {
   /// dashpot / 5 (dem.30).
   double recommended(double fraction, double steps_per_collision) const;
 };
-/// With a liquid, `dashpot` is also at most the time in which it stops a ball (liq.9).
+/// With a liquid, `dashpot` is also at most the time in which it stops a ball (liq.9). Balls whose
+/// kind has one of `shapes` count by the lightest of their contacts (bod.13).
 TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLaw& law,
                      const contact::PairTable& pairs, double speed,
-                     const std::optional<contact::Liquid>& liquid = std::nullopt);
+                     const std::optional<contact::Liquid>& liquid = std::nullopt,
+                     const std::vector<scene::BodyShape>& shapes = {});
 
 }  // namespace mahlwerk::soft

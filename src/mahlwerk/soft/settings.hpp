@@ -6,9 +6,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "mahlwerk/contact/contact_model.hpp"
 #include "mahlwerk/contact/lubrication.hpp"
+#include "mahlwerk/scene/body_shape.hpp"
 #include "mahlwerk/scene/flow.hpp"
 #include "mahlwerk/scene/grain_breakage.hpp"
 
@@ -30,6 +32,8 @@ struct Settings {
   /// How grains break; null: they do not. Balls of their set that are outside become fragments.
   std::shared_ptr<const scene::GrainBreakage> breakage = nullptr;
   bool breakage_from_start = true;  ///< else from begin_counting() on
+  /// The shape of the balls of each Ball::kind; none: all are spheres.
+  std::vector<scene::BodyShape> shapes = {};
   /// Makes the device that computes a run; none: the processor.
   std::function<std::shared_ptr<Device>()> device = nullptr;
 };

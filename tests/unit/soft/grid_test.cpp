@@ -34,7 +34,8 @@ void expect_all_found(int count, const Vec3& size, double radius, double margin,
   constexpr std::int32_t first = 100;
   std::vector<BallRecord> rows(first);
   for (const Vec3& p : places) rows.push_back({p.x, p.y, p.z, radius, 0, 0, 0, 0});
-  grid.fill(rows.data(), first, static_cast<std::int32_t>(rows.size()));
+  grid.fill(first, static_cast<std::int32_t>(rows.size()),
+            [&](std::int32_t row) { return rows[static_cast<std::size_t>(row)].position(); });
   const auto apart = [&](const Vec3& a, const Vec3& b) {
     Vec3 d = b - a;
     if (std::isfinite(periods.x)) d.x = std::remainder(d.x, periods.x);

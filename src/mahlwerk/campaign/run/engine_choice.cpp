@@ -137,6 +137,9 @@ std::optional<EngineChoice> only_engine(const cases::Case& mill_case) {
     return choose(cases::EngineName::soft,
                   "Engine: soft, chosen by auto. In the event engine no ball leaves the jar or "
                   "enters it.");
+  if (cases::has_bodies(mill_case))
+    return choose(cases::EngineName::soft,
+                  "Engine: soft, chosen by auto. The event engine computes spheres only.");
   const auto law = adhesive_law(mill_case);
   if (cases::balls_count(mill_case.balls) == 1 && !law)
     return choose(

@@ -84,7 +84,9 @@ std::string bytes_in_words(double bytes) {
 }
 
 double memory_needed(const cases::Case& mill_case) {
-  const auto balls = static_cast<double>(cases::balls_count(mill_case.balls));
+  double balls = 0;  // of bodies, their spheres
+  for (const cases::BallSet& set : mill_case.balls)
+    balls += static_cast<double>(set.count * set.body.count());
   const auto sets = static_cast<double>(mill_case.balls.size());
   const double each = mill_case.run.engine == cases::EngineName::event
                           ? event_ball

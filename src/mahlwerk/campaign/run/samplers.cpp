@@ -8,9 +8,11 @@
 #include <limits>
 #include <utility>
 
+#include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/results/quantities/motion_states.hpp"
+#include "mahlwerk/scene/drawn_spheres.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -113,12 +115,13 @@ class FrameSampler final : public Sampler {
 class ReplaySampler final : public Sampler {
  public:
   ReplaySampler(const RunSetup& setup, results::Replicate& result)
-      : setup_(&setup), replay_(&result.replay) {}
+      : setup_(&setup), replay_(&result.replay), shapes_(cases::body_shapes(*setup.mill_case)) {}
   void begin(double time) override {
     const cases::Case& mill_case = *setup_->mill_case;
-    *replay_ = observe::Replay(setup_->chamber,
-                               static_cast<std::size_t>(cases::balls_count(mill_case.balls)), time,
-                               mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
+    *replay_ = observe::Replay(
+        setup_->chamber,
+        cases::drawn_spheres(mill_case, cases::balls_by_set(mill_case.balls)).size(), time,
+        mill_case.run.time, setup_->steps ? setup_->steps->frame_time() : 0);
   }
   double next() const override { return replay_->next_frame_time(); }
   /// Fragments of grains are not shown: a ball of the replay has one size.
@@ -137,12 +140,14 @@ class ReplaySampler final : public Sampler {
     while (replay_->next_frame_time() <= moment.now().time)
       replay_->add(moment.time_of_balls(),
                    kinematics::clock(*setup_->chamber.motion, moment.time_of_balls()).time,
-                   shown(moment.balls()));
+                   shapes_.empty() ? shown(moment.balls())
+                                   : scene::drawn_spheres(moment.balls(), shapes_).spheres);
   }
 
  private:
   const RunSetup* setup_;
   observe::Replay* replay_;
+  std::vector<scene::BodyShape> shapes_;  // by ball set; none: all are spheres
 };
 
 }  // namespace

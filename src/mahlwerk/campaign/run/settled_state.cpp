@@ -11,6 +11,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/campaign/run/start.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 
 namespace mahlwerk::campaign {
 namespace {
@@ -24,7 +25,7 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
       seen_from_carrier(mill_case, run.balls(), run.energy_balance().time);
   cases::remove_overlaps(mill_case, balls, stop);
   for (const scene::Ball& b : balls)
-    states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin});
+    states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin, b.orientation});
   std::vector<std::vector<cases::BallState>> all(replicates_together(mill_case), states);
   return {
       .file = "",
@@ -36,6 +37,7 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
 
 std::optional<SettledState> settled_state(const cases::Case& mill_case, double most_work,
                                           const std::atomic<bool>* stop) try {
+  if (cases::has_bodies(mill_case)) return std::nullopt;  // remove_overlaps() parts spheres only
   cases::Case softer = mill_case;
   softer.run.engine = cases::EngineName::soft;
   softer.contact.softening = std::min(softer.contact.softening, least_softening);

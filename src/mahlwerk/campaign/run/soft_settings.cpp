@@ -35,14 +35,13 @@ std::vector<scene::Ball> one_of_each(const cases::Case& mill_case) {
   std::vector<scene::Ball> balls;
   for (std::size_t i = 0; i < mill_case.balls.size(); ++i)
     for (const cases::SizeClass& size : mill_case.balls[i].sizes())
-      balls.push_back(
-          {.radius = 0.5 * size.diameter,
-           .density = mill_case.balls[i].layers().mean_density(0.5 * size.diameter),
-           .position = {},
-           .velocity = {},
-           .spin = {},
-           .kind = static_cast<std::int32_t>(i),
-           .inertia_ratio = mill_case.balls[i].layers().inertia_ratio(0.5 * size.diameter)});
+      balls.push_back({.radius = 0.5 * size.diameter,
+                       .density = mill_case.balls[i].layers().mean_density(0.5 * size.diameter),
+                       .position = {},
+                       .velocity = {},
+                       .spin = {},
+                       .kind = static_cast<std::int32_t>(i),
+                       .inertia_ratio = mill_case.balls[i].inertia_ratio(size.diameter)});
   if (mill_case.bed_breakage && !cases::coarse_grains(mill_case)) {
     balls.push_back(balls.back());
     balls.back().radius = 0.5 * cases::bed_breakage(mill_case).diameters().back();
@@ -118,7 +117,8 @@ std::string error_note(const cases::Case& mill_case, const SoftSettings& s) {
 soft::TimeSteps time_steps(const cases::Case& mill_case, const contact::PairTable& pairs,
                            double speed) {
   return soft::time_steps(one_of_each(mill_case), *mill_case.contact.model.law, pairs, speed,
-                          mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt);
+                          mill_case.liquid ? std::optional(mill_case.liquid->model) : std::nullopt,
+                          cases::body_shapes(mill_case));
 }
 
 /// [s] The recommended step, rounded down to two digits.
@@ -137,6 +137,7 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   if (mill_case.flow) s.rules.flow = cases::flow_in_jar_frame(mill_case);
+  s.rules.shapes = cases::body_shapes(mill_case);
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
   if (mill_case.run.device == cases::DeviceName::gpu) s.rules.device = soft::graphics_card;
   // Balls that another run or the jar at rest has pressed together keep their overlaps.
@@ -172,9 +173,9 @@ soft::StepError step_error(const cases::Case& mill_case, const SoftSettings& s, 
 }
 
 double soft_work(const cases::Case& mill_case) {
-  std::int64_t balls = 0;
-  for (const cases::BallSet& set : mill_case.balls) balls += set.count;
-  return static_cast<double>(balls) *
+  std::int64_t spheres = 0;
+  for (const cases::BallSet& set : mill_case.balls) spheres += set.count * set.body.count();
+  return static_cast<double>(spheres) *
          (mill_case.run.settle_at_rest + cases::simulated_time(mill_case)) /
          soft_settings(mill_case).rules.time_step;
 }

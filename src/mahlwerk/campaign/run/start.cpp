@@ -74,10 +74,12 @@ std::vector<scene::Ball> balls_at_start(const cases::Case& mill_case, const scen
 std::vector<scene::Ball> seen_from_carrier(const cases::Case& mill_case,
                                            std::vector<scene::Ball> balls, double time) {
   const Rotation carrier = kinematics::carrier(*cases::chamber(mill_case).motion, time).rotation;
+  const Quaternion q = quaternion_of(carrier), back{q.w, -q.x, -q.y, -q.z};
   for (scene::Ball& b : balls) {
     b.position = carrier.apply_inverse(b.position);
     b.velocity = carrier.apply_inverse(b.velocity);
     b.spin = carrier.apply_inverse(b.spin);
+    b.orientation = back * b.orientation;
   }
   return balls;
 }

@@ -12,9 +12,38 @@
 namespace mahlwerk::cases {
 namespace {
 
+std::string shape_key(const Case& c) {
+  std::size_t set = 0;
+  while (c.balls[set].body.is_sphere()) ++set;
+  return fmt::format("balls.{}.shape", set + 1);
+}
+
+/// What bodies that are no spheres do not go with, in the soft engine.
+void refuse_with_bodies(const Case& c, std::vector<Fault>& found) {
+  if (!has_bodies(c)) return;
+  const auto refuse = [&](bool given, const std::string& key, const char* what,
+                          const char* remedy) {
+    if (given)
+      found.push_back({location_of(c, key),
+                       fmt::format("{} does not go with balls that are no spheres", what), remedy,
+                       "not-with-bodies"});
+  };
+  refuse(c.liquid.has_value(), "liquid.kind", "a liquid", "remove [liquid], or shape");
+  refuse(c.flow.has_value(), "flow.outlet", "a flow of balls", "remove [flow], or shape");
+  refuse(c.contact.model.curved_walls, "contact.curved_walls", "curved_walls = true",
+         "write curved_walls = false, or remove shape");
+  refuse(c.run.device == DeviceName::gpu, "run.device", "device = \"gpu\"",
+         "write device = \"cpu\", or remove shape");
+  refuse(!c.run.start_from.file.empty(), "run.start_from",
+         "start_from, whose files have no orientations,", "remove start_from, or shape");
+  refuse(c.observe.final_state, "observe.final_state",
+         "final_state, whose files have no orientations,", "remove final_state, or shape");
+}
+
 /// Faults for the soft engine: its contacts have one damping for all speeds.
 std::vector<Fault> soft_faults(const Case& c) {
   std::vector<Fault> found;
+  refuse_with_bodies(c, found);
   const auto check = [&](const std::string& section, const contact::Restitution& e) {
     if (e.law() == contact::Restitution::Law::constant) return;
     found.push_back(
@@ -49,6 +78,9 @@ std::vector<Fault> liquid_faults(const Case& c) {
 }
 
 std::vector<Fault> event_faults(const Case& c) {
+  if (has_bodies(c))
+    return {{location_of(c, shape_key(c)), "the event engine computes spheres only",
+             "write engine = \"soft\" or \"auto\", or remove shape", "bodies-need-soft"}};
   if (auto found = liquid_faults(c); !found.empty()) return found;
   if (c.flow)
     return {{location_of(c, "run.engine"),
@@ -110,9 +142,10 @@ bool fits_exactly(const Case& c) {
 
 std::vector<Fault> engine_faults(const Case& c) {
   const bool exact = soft_only_wall(c).empty();  // else "auto" chooses soft
-  const bool soft = in_time_steps(c.run.engine) ||
-                    ((!exact || liquid_needs_soft(c) || c.flow || c.bed_breakage) &&
-                     c.run.engine == EngineName::automatic);
+  const bool needs_soft =
+      !exact || liquid_needs_soft(c) || c.flow || c.bed_breakage || has_bodies(c);
+  const bool soft =
+      in_time_steps(c.run.engine) || (needs_soft && c.run.engine == EngineName::automatic);
   return soft ? soft_faults(c) : event_faults(c);
 }
 

@@ -209,6 +209,7 @@ void describe_count(KeyVisitor& v, BallSet& set) {
 
 /// False after a fault.
 bool describe_sizes(KeyVisitor& v, BallSet& set) {
+  if (describe_body(v, set.body, set.diameter)) return !std::isnan(set.diameter);
   const bool sound = describe(v, set.distribution, set.diameter);
   SectionReader* in = v.reader();
   if (in == nullptr || set.distribution.law == Distribution::Law::equal) return sound;
@@ -229,6 +230,7 @@ constexpr NumberSpec coating_density("coating_density", "kg/m3", positive,
 /// Hollow and coated balls. The number of balls of a size distribution follows from the mass of
 /// solid ones, and layers of one thickness would make the small ones denser or lighter.
 void describe_layers(KeyVisitor& v, BallSet& set) {
+  if (!set.body.is_sphere()) return;  // describe_body() refuses them
   SectionReader* in = v.reader();
   if (in != nullptr && set.distribution.law != Distribution::Law::equal) {
     in->refuse({wall_of_ball.key, coating_of_ball.key, coating_density.key},

@@ -60,6 +60,9 @@ bool has_use(KeyVisitor& v, std::string_view key, const ContactModel* model);
 void describe(KeyVisitor& v, contact::BounceRule& rule, const contact::BounceRule* all);
 /// The size distribution of a ball set, or its diameter; false after a fault.
 bool describe(KeyVisitor& v, Distribution& d, double& diameter);
+/// The shape of a ball set; a reader sets the diameter of the sphere of the same volume. False for
+/// spheres.
+bool describe_body(KeyVisitor& v, BallShape& body, double& diameter);
 /// The size classes of `count` balls. Chooses the number of classes if it is not given.
 std::vector<SizeClass> read_classes(SectionReader& in, Distribution& d, std::int64_t count);
 using Sieves = std::vector<std::array<double, 2>>;  ///< as Distribution::passing

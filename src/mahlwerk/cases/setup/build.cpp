@@ -3,11 +3,14 @@
 #include "mahlwerk/cases/build.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/setup/fill.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
+#include "mahlwerk/scene/drawn_spheres.hpp"
 
 namespace mahlwerk::cases {
 
@@ -67,7 +70,7 @@ std::vector<scene::Ball> balls_by_set(const std::vector<BallSet>& sets) {
                     .velocity = {},
                     .spin = {},
                     .kind = static_cast<std::int32_t>(i),
-                    .inertia_ratio = sets[i].layers().inertia_ratio(0.5 * size.diameter)});
+                    .inertia_ratio = sets[i].inertia_ratio(size.diameter)});
   return balls;
 }
 
@@ -81,8 +84,18 @@ std::vector<scene::Ball> balls_of_state(const Case& c, const std::vector<BallSta
     balls[i].position = carrier * state[i].position;
     balls[i].velocity = carrier * state[i].velocity;
     balls[i].spin = carrier * state[i].spin;
+    balls[i].orientation = quaternion_of(carrier) * state[i].orientation;
   }
   return balls;
+}
+
+/// Uniform over all orientations (Shoemake 1992).
+Quaternion random_orientation(Random& random) {
+  const double share = random.uniform();
+  const SinCos a = sin_cos(2 * std::numbers::pi * random.uniform());
+  const SinCos b = sin_cos(2 * std::numbers::pi * random.uniform());
+  const double one = std::sqrt(1 - share), other = std::sqrt(share);
+  return {other * b.cos, one * a.sin, one * a.cos, other * b.sin};
 }
 
 /// Gives balls of a set with given velocities or spins these; `of_set` is the ball's number there.
@@ -147,9 +160,21 @@ std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
     const double spin = random.uniform(0, c.run.start_spin);
     ball.spin = spin * random.direction();
     const auto set = static_cast<std::size_t>(ball.kind);
+    if (!c.balls[set].body.is_sphere()) ball.orientation = random_orientation(random);
     set_given_motion(ball, c.balls[set], placed[set]++, axes, frame);
   }
   return with_fresh_feed(c, balls);
+}
+
+std::vector<scene::BodyShape> body_shapes(const Case& c) {
+  std::vector<scene::BodyShape> shapes;
+  if (has_bodies(c))
+    for (const BallSet& set : c.balls) shapes.push_back(set.shape());
+  return shapes;
+}
+
+std::vector<scene::Ball> drawn_spheres(const Case& c, const std::vector<scene::Ball>& balls) {
+  return has_bodies(c) ? scene::drawn_spheres(balls, body_shapes(c)).spheres : balls;
 }
 
 std::vector<std::int32_t> kinds_of_balls(const Case& c) {

@@ -51,15 +51,17 @@ class Derivation {
   explicit Derivation(const Case& c) : c_(c) {
     largest_ = *std::ranges::max_element(
         c.balls, {}, [](const BallSet& set) { return set.grains ? 0 : largest_ball({set}); });
-    largest_.diameter = largest_ball({largest_});
+    const double widest = largest_ball({largest_});
+    if (largest_.body.is_sphere()) largest_.diameter = widest;
     largest_.classes.clear();
-    arm_ = jar_radius(c.jar) - 0.5 * largest_.diameter;
+    arm_ = jar_radius(c.jar) - 0.5 * widest;
   }
 
   std::vector<DerivedQuantity> all() {
     std::visit([&](const auto& motion) { speeds(motion); }, *c_.mill.motion);
     std::visit([&](const auto& motion) { special(motion); }, *c_.mill.motion);
     charge();
+    for (std::size_t i = 0; i < c_.balls.size(); ++i) body(i);
     return std::move(found_);
   }
 
@@ -201,6 +203,20 @@ class Derivation {
       add("void_filling", 100 * *voids, "%",
           "U: bulk volume of the powder over the voids between the balls at rest (obs.15)");
     if (c_.balls.back().grains) grains(c_.balls.back(), *c_.powder, jar);
+  }
+
+  /// A set of bodies that are no spheres.
+  void body(std::size_t i) {
+    const BallSet& set = c_.balls[i];
+    if (set.body.is_sphere()) return;
+    const std::string number = c_.balls.size() > 1 ? fmt::format("_{}", i + 1) : "";
+    const scene::Solid solid = set.body.solid();
+    add("equivalent_diameter" + number, set.diameter, "m",
+        "diameter of the sphere of the same volume as a body of the set (bod.1)");
+    add("spheres_of_a_body" + number, static_cast<double>(solid.spheres.size()), "",
+        "number of spheres that stand for a body");
+    add("scale_of_spheres" + number, 100 * set.body.scale(), "%",
+        "size of the clump of spheres over that of the body: their volumes are the same (bod.15)");
   }
 
   void grains(const BallSet& set, const Powder& powder, double jar) {

@@ -25,7 +25,8 @@ constexpr double min_gap = 1e-3;      // between balls placed one by one, over t
 /// Balls of one size of one set.
 struct Portion {
   std::size_t set = 0;
-  double diameter = 0;  // [m]
+  double ball = 0;      // [m] diameter of a ball
+  double diameter = 0;  // [m] of the room that it takes: of a body, in any orientation
   std::size_t count = 0;
   std::size_t from = 0;  // index of its first ball in placed_
 };
@@ -34,7 +35,8 @@ std::vector<Portion> portions(const std::vector<BallSet>& sets) {
   std::vector<Portion> found;
   for (std::size_t i = 0; i < sets.size(); ++i)
     for (const SizeClass& size : sets[i].sizes())
-      found.push_back({i, size.diameter, static_cast<std::size_t>(size.count)});
+      found.push_back({i, size.diameter, sets[i].reach() * size.diameter,
+                       static_cast<std::size_t>(size.count)});
   return found;
 }
 
@@ -131,15 +133,16 @@ class ChargeFiller {
     std::vector<scene::Ball> all;
     all.reserve(count_);
     for (const Portion& portion : portions_) {
-      const scene::BallLayers layers = sets_[portion.set].layers();
+      const BallSet& set = sets_[portion.set];
+      const double inertia_ratio = set.inertia_ratio(portion.ball);
       for (std::size_t n = 0; n < portion.count; ++n)
-        all.push_back({.radius = 0.5 * portion.diameter,
-                       .density = layers.mean_density(0.5 * portion.diameter),
+        all.push_back({.radius = 0.5 * portion.ball,
+                       .density = set.layers().mean_density(0.5 * portion.ball),
                        .position = placed_[portion.from + n].position,
                        .velocity = {},
                        .spin = {},
                        .kind = static_cast<std::int32_t>(portion.set),
-                       .inertia_ratio = layers.inertia_ratio(0.5 * portion.diameter)});
+                       .inertia_ratio = inertia_ratio});
     }
     return all;
   }

@@ -63,7 +63,8 @@ bool jar_mesh_is_static(const Case& c) {
 }
 
 double frame_bytes(const Case& c) {
-  const auto balls = static_cast<double>(balls_count(c.balls));
+  double balls = 0;  // of bodies, their spheres
+  for (const BallSet& set : c.balls) balls += static_cast<double>(set.count * set.body.count());
   const bool forces = c.run.engine == EngineName::soft || c.run.engine == EngineName::automatic;
   double bytes = 0;
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/section_reader.hpp"
 #include "mahlwerk/cases/settling.hpp"
@@ -75,6 +76,9 @@ class BedBreakageCheck {
             "remove [flow] or [bed_breakage]");
     if (c_.liquid)
       fault("liquid", "grains that break in a liquid", "remove [liquid] or [bed_breakage]");
+    if (cases::has_bodies(c_))
+      fault("balls.1.shape", "grains that break among balls that are no spheres",
+            "leave the shapes out, or remove [bed_breakage]");
     if (c_.observe.final_state)
       fault("observe.final_state", "final_state = true: no run can start from grains that broke",
             "leave final_state out");

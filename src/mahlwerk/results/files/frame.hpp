@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -16,11 +17,13 @@ namespace mahlwerk::results {
 /// The balls and the jar at one instant, in the jar frame: axes of the laboratory, origin at the
 /// jar's centre.
 struct Frame {
-  double time;  ///< [s] since the start of the run
-  const std::vector<scene::Ball>& balls;
-  const std::vector<Vec3>& forces;  ///< [N] contact force on each ball; empty where not known
-  Vec3 centre;                      ///< [m] the jar's centre in the laboratory
-  Rotation turn;                    ///< from the jar's own axes to the laboratory's
+  double time;                            ///< [s] since the start of the run
+  const std::vector<scene::Ball>& balls;  ///< of bodies, each of their spheres
+  const std::vector<Vec3>& forces;        ///< [N] contact force on each ball; empty where not known
+  Vec3 centre;                            ///< [m] the jar's centre in the laboratory
+  Rotation turn;                          ///< from the jar's own axes to the laboratory's
+  /// Number of the body of each ball; empty where all are spheres.
+  std::vector<std::int32_t> bodies = {};
 };
 
 struct CloseFile {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/scene/drawn_spheres.hpp"
 
 namespace mahlwerk::results {
 
@@ -21,7 +22,7 @@ InputError cannot_write_frames(const std::filesystem::path& file) {
 }
 
 FrameFiles::FrameFiles(const std::filesystem::path& stem, const cases::Case& mill_case)
-    : chamber_(cases::chamber(mill_case)) {
+    : chamber_(cases::chamber(mill_case)), shapes_(cases::body_shapes(mill_case)) {
   using cases::FramesFormat;
   const auto with = [&](const char* ending) { return stem.string() + ending; };
   if (mill_case.observe.frames_format != FramesFormat::vtk)
@@ -37,9 +38,15 @@ void FrameFiles::move_with(const kinematics::AnyMotion& motion) {
 
 void FrameFiles::add(double time, const std::vector<scene::Ball>& balls,
                      const std::vector<Vec3>& forces) {
-  const Frame frame{time, balls, forces, kinematics::frame_motion(*chamber_.motion, time).centre,
-                    kinematics::rotation(*chamber_.motion, time) * chamber_.mount};
-  if (!failed_) write(frame);
+  if (failed_) return;
+  const Vec3 centre = kinematics::frame_motion(*chamber_.motion, time).centre;
+  const Rotation turn = kinematics::rotation(*chamber_.motion, time) * chamber_.mount;
+  if (shapes_.empty()) return write({time, balls, forces, centre, turn});
+  auto [spheres, of_ball] = scene::drawn_spheres(balls, shapes_);
+  std::vector<Vec3> on_bodies;
+  for (std::size_t k = 0; k < of_ball.size() && !forces.empty(); ++k)
+    on_bodies.push_back(forces[static_cast<std::size_t>(of_ball[k])]);
+  write({time, spheres, on_bodies, centre, turn, of_ball});
 }
 
 void FrameFiles::write(const Frame& frame) try {

@@ -41,6 +41,7 @@ class FrameFiles {
   std::function<void(std::exception_ptr)> keep_;
   bool failed_ = false;
   scene::Chamber chamber_;
+  std::vector<scene::BodyShape> shapes_;  // by ball set; none: all are spheres
   std::optional<XyzFrames> xyz_;
   std::optional<VtkFrames> vtk_;
 };

@@ -68,8 +68,8 @@ std::string vtk_piece(std::size_t points, std::size_t verts, std::size_t polys,
 }
 
 std::string balls_text(const Frame& frame) {
-  Doubles places, radii, velocities, spins, forces;
-  Integers numbers, species, points;
+  Doubles places, radii, velocities, spins, forces, orientations;
+  Integers numbers, species, points, bodies;
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {
     const scene::Ball& b = frame.balls[i];
     if (b.outside) continue;
@@ -81,13 +81,19 @@ std::string balls_text(const Frame& frame) {
     points.push_back(static_cast<std::int32_t>(points.size()));
     numbers.push_back(static_cast<std::int32_t>(i) + 1);
     if (!frame.forces.empty()) add(forces, frame.forces[i]);
+    if (frame.bodies.empty()) continue;
+    bodies.push_back(frame.bodies[i] + 1);
+    const Quaternion& q = b.orientation;
+    orientations.insert(orientations.end(), {q.x, q.y, q.z, q.w});
   }
   const std::string content =
       "<PointData Scalars=\"radius\" Vectors=\"velocity\">\n" + array("radius", radii) +
       array("velocity", velocities, 3) + array("spin", spins, 3) +
       (frame.forces.empty() ? "" : array("force", forces, 3)) + array("species", species) +
-      array("id", numbers) + "</PointData>\n<Points>\n" + array("Points", places, 3) +
-      "</Points>\n" + cells("Verts", points, 1);
+      array("id", numbers) +
+      (frame.bodies.empty() ? "" : array("body", bodies) + array("orientation", orientations, 4)) +
+      "</PointData>\n<Points>\n" + array("Points", places, 3) + "</Points>\n" +
+      cells("Verts", points, 1);
   const Vec3& c = frame.centre;
   return vtk_head("PolyData", "1.0") +
          fmt::format(

@@ -49,21 +49,27 @@ XyzFrames::XyzFrames(std::filesystem::path file, const geometry::AnyShape& shape
 }
 
 void XyzFrames::add(const Frame& frame) {
-  const bool forces = !frame.forces.empty();
+  const bool forces = !frame.forces.empty(), bodies = !frame.bodies.empty();
   if (cell_.empty()) cell_ = cell_of(*shape_, frame.turn.ez);
   std::string text = fmt::format(
-      "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{} "
+      "{}\n{} Properties=id:I:1:species:S:1:pos:R:3:radius:R:1:velo:R:3:angular_velocity:R:3{}{} "
       "Time={} axes=\"of the laboratory, origin at the centre of the jar\" jar_centre=\"{}\" "
       "jar_x=\"{}\" jar_y=\"{}\" jar_z=\"{}\"\n",
       std::ranges::count(frame.balls, false, &scene::Ball::outside), cell_,
-      forces ? ":forces:R:3" : "", shortest(frame.time), numbers(frame.centre),
-      numbers(frame.turn.ex), numbers(frame.turn.ey), numbers(frame.turn.ez));
+      forces ? ":forces:R:3" : "", bodies ? ":body:I:1:orientation:R:4" : "", shortest(frame.time),
+      numbers(frame.centre), numbers(frame.turn.ex), numbers(frame.turn.ey),
+      numbers(frame.turn.ez));
   for (std::size_t i = 0; i < frame.balls.size(); ++i) {
     const scene::Ball& b = frame.balls[i];
     if (b.outside) continue;
     fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}", i + 1, b.kind + 1,
                    numbers(b.position), shortest(b.radius), numbers(b.velocity), numbers(b.spin));
     if (forces) text += ' ' + numbers(frame.forces[i]);
+    if (bodies) {
+      const Quaternion& q = b.orientation;
+      text +=
+          fmt::format(" {} {} {}", frame.bodies[i] + 1, numbers({q.x, q.y, q.z}), shortest(q.w));
+    }
     text += '\n';
   }
   errno = 0;

@@ -29,6 +29,9 @@ class ManyContactCallbacks {
   /// Adds a force at the wall to the loads of the jar and its parts.
   virtual void add_wall_load(const ChunkStep& step, Chunk& chunk,
                              const MovingWall::WallForce& force) = 0;
+  /// Moves the bodies of a chunk over a step, with the forces on their rows.
+  virtual void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
+                           ChunkDisplacement& displacement) = 0;
   /// Adds the forces of the liquid to those on the balls of a chunk.
   virtual void add_liquid_forces(const ChunkStep& step, Chunk& chunk, BallForces& forces) = 0;
 };
@@ -59,9 +62,10 @@ struct alignas(64) ChunkStep {
   bool turning = false;           ///< the jar has a rotor or parts
   bool liquid = false;            ///< there is a liquid
   bool loads = false;             ///< callbacks->add_wall_load() is called for each wall contact
-  bool has_history = false;       ///< the law or rolling model needs OptionalHistory
-  bool stresses = false;          ///< grains break: contacts have a StressHistory
-  double stored_share = 0;        ///< [1] elastic energy over force and overlap (bed.1)
+  const std::int32_t* body_of = nullptr;  ///< body of each row, < 0: none; null: all are spheres
+  bool has_history = false;               ///< the law or rolling model needs OptionalHistory
+  bool stresses = false;                  ///< grains break: contacts have a StressHistory
+  double stored_share = 0;                ///< [1] elastic energy over force and overlap (bed.1)
   StepConstants constants;
 };
 

@@ -81,7 +81,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     if (has_friction_history_) list.friction_histories.emplace_back();
     if (wall) list.wall_normals.emplace_back();
     if (settings_.breakage) list.stresses.emplace_back();
-    if (settings_.model.curved_walls && wall)
+    if ((settings_.model.curved_walls && wall) || bodies_.has_members())
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
     for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
   }
@@ -113,6 +113,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
 }
 
 void ManyBodySolver::change_contact_count(Chunk& chunk, std::int32_t ball, int more) {
+  if (is_member(static_cast<std::size_t>(ball))) ball = bodies_.first_row(ball);
   std::int32_t& count = contacts_of_[static_cast<std::size_t>(ball)];
   const bool was = count > 0;
   count += more;
@@ -129,6 +130,10 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n) {
     if (list.parameters.empty()) continue;
     PairParameters& own = list.parameters[n];
     copy_lane(parameters_[static_cast<std::size_t>(g.species_pair[l])], l, own, l);
+    if (bodies_.has_members()) {
+      apply_contact_mass(own, l, g, &list == &chunk.wall);
+      continue;
+    }
     apply_wall_curvature(own, l, *jar_, g.j[l], rows_[static_cast<std::size_t>(g.i[l])].position(),
                          mill_time(step_), pairs_[g.species_pair[l]], settings_.model);
   }
@@ -195,7 +200,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
                              .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
                              .where = jar_->to_face_point(where, t, face),
                              .normal = jar_->to_face_axes(normal, t, face),
-                             .mass = pair.effective.mass,
+                             .mass = contact_mass(list, n, l),
                              .approach = onset.approach,
                              .slip = onset.slip,
                              .glide = onset.glide,

@@ -74,6 +74,7 @@ void ManyBodySolver::begin_counting() {
 /// Energy of a ball in laboratory axes; `frame` is that of the jar at this step.
 ManyBodySolver::BallEnergy ManyBodySolver::energy_of(std::size_t row, const Vec3& body_kick_change,
                                                      const kinematics::FrameMotion& frame) const {
+  if (is_member(row)) return energy_of_sphere(row, body_kick_change, frame);
   const Species& of = pairs_.species(species_[row]);
   const Vec3 v = velocity(row, body_kick_change) + frame.velocity;
   return {0.5 * (of.mass * squared(v) + of.inertia * squared(spin(row))),
@@ -129,13 +130,13 @@ void ManyBodySolver::check_energy() {
   if (!watch_.update_and_test(a, 0.5 * mass_ * wall * wall, least)) return;
   std::size_t fastest = 0;
   for (std::size_t k = 1; k < rows_.size(); ++k)
-    if (!(squared(velocity(k, {})) <= squared(velocity(fastest, {})))) fastest = k;
+    if (!(squared(velocity_of_row(k, {})) <= squared(velocity_of_row(fastest, {})))) fastest = k;
   stop(fastest, energy_jump_message);
 }
 
 void ManyBodySolver::check_rest() {
   const auto ball = [&](std::size_t k) {
-    return std::tuple(pairs_.species(species_[k]), velocity(k, {}), spin(k));
+    return std::tuple(pairs_.species(species_[k]), velocity_of_row(k, {}), spin_of_row(k));
   };
   rest_.update(time_of(step_), settings_, *jar_, rows_.size(), ball);
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "mahlwerk/soft/many/solver.hpp"
 
@@ -167,7 +168,11 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
     extra.rest[l] = past.rest[m], extra.lost[l] = past.lost[m], extra.energy[l] = past.energy[m];
     if ((past.unloading & bit(m)) != 0) extra.unloading |= bit(l);
   }
-  if (!list.parameters.empty()) copy_lane(from.parameters[old], m, list.parameters[n], l);
+  if (!list.parameters.empty()) {
+    PairParameters& own = list.parameters[n];
+    copy_lane(from.parameters[old], m, own, l);
+    if (sign < 0) std::swap(own.radius_i[l], own.radius_j[l]);
+  }
 }
 
 }  // namespace mahlwerk::soft

@@ -147,19 +147,23 @@ void ManyBodySolver::tune_skin() {
 std::int32_t ManyBodySolver::gather_candidates(const Chunk& chunk, std::int32_t from,
                                                Candidates& candidates) const {
   const BallRecord& first = rows_[static_cast<std::size_t>(from)];
-  const Grid& own = grids_[class_of(static_cast<std::size_t>(from))];
-  const std::size_t cell = own.cell(first.position());
+  const std::size_t size_class = class_of(static_cast<std::size_t>(from));
+  const Grid& own = grids_[size_class];
+  const auto cell_of = [&](std::int32_t row) {
+    return own.cell(grid_position(static_cast<std::size_t>(row)));
+  };
+  const std::size_t cell = cell_of(from);
   Vec3 low = first.position(), high = low;
   std::int32_t to = from + 1;
   for (; to < chunk.last; ++to) {
     const Vec3 x = rows_[static_cast<std::size_t>(to)].position();
-    if (own.cell(x) != cell) break;
+    if (cell_of(to) != cell) break;
     low = {std::min(low.x, x.x), std::min(low.y, x.y), std::min(low.z, x.z)};
     high = {std::max(high.x, x.x), std::max(high.y, x.y), std::max(high.z, x.z)};
   }
   candidates.clear();
   for (const Grid& grid : grids_) {
-    const double far = own.radius() + grid.radius() + skin_ + pull_off_distance_;
+    const double far = class_row_radius_[size_class] + grid.radius() + skin_ + pull_off_distance_;
     grid.for_each_near(0.5 * (low + high), 0.5 * (high - low) + Vec3{far, far, far},
                        [&](std::int32_t a, std::int32_t b) {
                          if (a < chunk.first || b > from) candidates.add(rows_.data(), a, b);
@@ -199,6 +203,10 @@ void ManyBodySolver::find_ball_pairs(Chunk& chunk) {
       for (const auto& [j, gap] : candidates.find_near(query)) {
         if (outside(j)) is_neighbour[static_cast<std::size_t>(chunk_of(j))] = true;
         if (std::find(begin, at, std::pair(i, j)) != at) continue;
+        if (is_member(static_cast<std::size_t>(i)) &&
+            bodies_.body_of[static_cast<std::size_t>(i)] ==
+                bodies_.body_of[static_cast<std::size_t>(j)])
+          continue;
         found.push_back({i, j});
         gaps.push_back(gap - ball.radius);
       }

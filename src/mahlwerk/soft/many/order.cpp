@@ -96,6 +96,10 @@ std::vector<std::int32_t> ManyBodySolver::sort_balls() {
   from.reserve(rows_.size());
   std::vector<KeyedRow> order;
   for (std::size_t c = 0; c < grids_.size(); ++c) {
+    if (c >= first_body_class_) {
+      sort_bodies(c, from);
+      continue;
+    }
     order.clear();
     order.reserve(bounds[c].count);
     for (std::size_t k = 0; k < rows_.size(); ++k)
@@ -116,24 +120,31 @@ void ManyBodySolver::reorder(const std::vector<std::int32_t>& from) {
   permute(id_, from);
   permute(species_, from);
   permute(contacts_of_, from);
+  if (bodies_.has_members()) reorder_bodies(from);
   if (keeps_next_rows_) permute(next_rows_, from), permute(next_spins_, from);
   const auto kept = static_cast<std::size_t>(class_first_.back());
   if (kept < from.size()) drop_rows(kept);
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c)
-    grids_[c].fill(rows_.data(), class_first_[c], class_first_[c + 1]);
+    grids_[c].fill(class_first_[c], class_first_[c + 1],
+                   [&](std::int32_t row) { return grid_position(static_cast<std::size_t>(row)); });
 }
 
 /// Makes chunks of about equal size; returns the old ones.
 std::vector<Chunk> ManyBodySolver::make_chunks() {
   std::vector<Chunk> old = std::move(chunks_);
   chunks_.clear();
+  const auto cut = [&](std::int32_t row) {  // a chunk holds whole bodies
+    return static_cast<std::size_t>(row) < rows_.size() && is_member(static_cast<std::size_t>(row))
+               ? bodies_.first_row(row)
+               : row;
+  };
   for (std::size_t c = 0; c + 1 < class_first_.size(); ++c) {
     const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
     const std::int32_t all = chunk_count(count);
     for (std::int32_t p = 0; p < all; ++p) {
       Chunk& chunk = chunks_.emplace_back();
-      chunk.first = first + static_cast<std::int32_t>(std::int64_t{count} * p / all);
-      chunk.last = first + static_cast<std::int32_t>(std::int64_t{count} * (p + 1) / all);
+      chunk.first = cut(first + static_cast<std::int32_t>(std::int64_t{count} * p / all));
+      chunk.last = cut(first + static_cast<std::int32_t>(std::int64_t{count} * (p + 1) / all));
       for (std::int32_t row = chunk.first; row < chunk.last; ++row)
         if (contacts_of_[static_cast<std::size_t>(row)] > 0) ++chunk.balls_in_contact;
     }
@@ -148,7 +159,9 @@ std::int32_t ManyBodySolver::chunk_of(std::int32_t ball) const {
     chunk += chunk_count(class_first_[c + 1] - class_first_[c]);
   const std::int32_t first = class_first_[c], count = class_first_[c + 1] - first;
   chunk += static_cast<std::int32_t>(std::int64_t{ball - first} * chunk_count(count) / count);
-  return chunk + (ball >= chunks_[static_cast<std::size_t>(chunk)].last ? 1 : 0);  // rounding
+  // Rounding; bodies move a border by less than a body.
+  while (ball >= chunks_[static_cast<std::size_t>(chunk)].last) ++chunk;
+  return chunk;
 }
 
 /// Divides the chunks among the threads, with about the same number of balls and contacts each.
@@ -169,7 +182,9 @@ void ManyBodySolver::share_work() {
     share_.push_back(c);
   }
   share_.push_back(static_cast<std::int32_t>(chunks_.size()));
-  for (BallForces& ball_forces : ball_forces_) ball_forces.resize(chunk_size);
+  std::int32_t most = chunk_size;
+  for (const Chunk& chunk : chunks_) most = std::max(most, chunk.last - chunk.first);
+  for (BallForces& ball_forces : ball_forces_) ball_forces.resize(static_cast<std::size_t>(most));
 }
 
 }  // namespace mahlwerk::soft

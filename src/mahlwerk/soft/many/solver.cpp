@@ -34,21 +34,28 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
                                const contact::PairTable& pairs, double start)
     : jar_(std::move(jar)),
       settings_(settings),
-      pairs_(balls, pairs, *settings.model.law),
+      body_species_(balls, settings.shapes),
+      pairs_(body_species_.empty()
+                 ? SpeciesPairs(balls, pairs, *settings.model.law)
+                 : SpeciesPairs(body_species_.spheres(balls), pairs, *settings.model.law)),
       step_chunk_(
           std::visit([]<class L>(const L&) { return chunk_stepper<L>(); }, *settings_.model.law)),
+      ball_count_(balls.size()),
       start_(start),
       periodic_(is_periodic(jar_->periods())),
-      large_(balls.size() > in_cache),
+      large_(body_species_.sphere_count(balls) > in_cache),
       has_history_(
           std::visit([]<class L>(const L&) { return L::has_history; }, *settings_.model.law) ||
           contact::rule_of(settings.model.rolling).has_history ||
           settings.model.rescaled_unloading),
       has_friction_history_(settings.model.partial_slip ||
                             settings.model.twisting != contact::Twisting::none),
-      team_(std::clamp(settings.threads, 1, useful_threads(balls.size()))) {
+      team_(std::clamp(settings.threads, 1, useful_threads(body_species_.sphere_count(balls)))) {
   const SizeClasses classes(pairs_.all_species(), std::numeric_limits<int>::max());
-  class_of_ = classes.of, class_radius_ = classes.radius;
+  class_of_ = classes.of, class_radius_ = class_row_radius_ = classes.radius;
+  first_body_class_ = class_radius_.size();
+  skin_ = 0.5 * classes.smallest;
+  if (!body_species_.empty()) assign_body_classes();
   parameters_ = all_pair_parameters(pairs_, pairs.faces(), settings_);
   for (const Species& s : pairs_.all_species()) {
     const double half_kick_factor = 0.5 * settings.time_step / s.mass,
@@ -63,7 +70,6 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
     liquid_.emplace(*settings.liquid, settings.time_step);
     pull_off_distance_ = std::max(pull_off_distance_, liquid_->gap_reach(pairs_.all()));
   }
-  skin_ = 0.5 * classes.smallest;
   loads_.resize(jar_->load_count());
   if (kinematics::Drive* drive = jar_->drive()) start_drive(*drive, start, settings.time_step);
   ball_forces_.resize(static_cast<std::size_t>(team_.size()));
@@ -79,12 +85,12 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
 /// Initialises the rows of step 0, and of step 1 without contact forces (dem.26).
 void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   for (std::size_t ball = 0; ball < balls.size(); ++ball) {
-    if (!settings_.breakage || !balls[ball].outside) mass_ += pairs_.species_of(ball).mass;
+    if (!settings_.breakage || !balls[ball].outside) mass_ += balls[ball].mass();
     const auto number = static_cast<std::int32_t>(ball);
     if (balls[ball].outside)
       outside_.push_back({balls[ball].position, number, 0});
     else
-      id_.push_back(number);
+      id_.insert(id_.end(), body_species_.sphere_count(ball), number);
   }
   mix_fresh_feed();
   const std::size_t n = id_.size();
@@ -93,7 +99,8 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   half_step_.resize(n), species_.resize(n), contacts_of_.assign(n, 0);
   const std::vector<DriveSample> b = drive_samples(0, 1);
   const double dt = settings_.time_step;
-  for (std::size_t k = 0; k < n; ++k) {
+  if (!body_species_.empty()) place_spheres(balls);
+  for (std::size_t k = 0; k < n && body_species_.empty(); ++k) {
     const auto number = static_cast<std::size_t>(id_[k]);
     const scene::Ball& ball = balls[number];
     species_[k] = pairs_.species_index(number);
@@ -103,6 +110,7 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
   rebuild();
   refuse_overlaps();
   for (std::size_t k = 0; k < n; ++k) {
+    if (is_member(k)) continue;
     const scene::Ball& ball = balls[static_cast<std::size_t>(id_[k])];
     Vec3 v = ball.velocity + 0.5 * dt * b[0].body_acceleration,
          predicted = v + 0.5 * dt * b[1].body_acceleration;
@@ -122,6 +130,7 @@ void ManyBodySolver::initialize_rows(const std::vector<scene::Ball>& balls) {
     next_rows_[k] = {x.x, x.y, x.z, ball.radius, predicted.x, predicted.y, predicted.z, 0};
     next_spins_[k] = {predicted_spin.x, predicted_spin.y, predicted_spin.z, 0};
   }
+  initialize_bodies(balls, b);
   for (ChunkDisplacement& d : displacements_)
     d.spread = geometry::never;  // forces a rebuild at the first step
 }
@@ -201,6 +210,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
   wall_axes_ = jar_->axes(mill_time(step_));
   rows_.swap(next_rows_);
   spins_.swap(next_spins_);
+  bodies_.now.swap(bodies_.next);
   if (!update_bounds())
     rebuild_neighbour_lists();
   else if (rebin_is_due())
@@ -226,6 +236,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .turning = jar_->first_rotor_face() < jar_->faces(),
               .liquid = liquid_.has_value(),
               .loads = !loads_.empty(),
+              .body_of = bodies_.has_members() ? bodies_.body_of.data() : nullptr,
               .has_history = has_history_,
               .stresses = settings_.breakage != nullptr,
               .stored_share = stored_share_,
@@ -251,6 +262,7 @@ void ManyBodySolver::rebuild_neighbour_lists() {
   } catch (const RunError&) {
     next_rows_ = rows_;  // last valid state of the balls
     next_spins_ = spins_;
+    bodies_.next = bodies_.now;
     throw;
   }
 }
@@ -297,7 +309,7 @@ void ManyBodySolver::collect_records() {
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
   throw unstable_run_error(time_of(step_), static_cast<std::size_t>(id_[row]), why,
-                           rows_[row].position(), velocity(row, body_kick_change()),
+                           rows_[row].position(), velocity_of_row(row, body_kick_change()),
                            settings_.time_step);
 }
 

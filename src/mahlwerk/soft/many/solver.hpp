@@ -12,8 +12,10 @@
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
+#include "mahlwerk/soft/kernel/rigid_body.hpp"
 #include "mahlwerk/soft/many/breakage_state.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
+#include "mahlwerk/soft/many/rigid_bodies.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
 #include "mahlwerk/soft/neighbours/grid.hpp"
@@ -123,10 +125,40 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void grind_fines(std::vector<scene::SizeChange>& changes);
   void begin_relaxed(ContactPackets& list, std::size_t n, std::size_t l, bool wall);
   void end_new_fragments();
+  // Bodies that are clumps of spheres (clumps.cpp).
+  struct PresentBody {
+    Vec3 velocity, momentum, spin;  // [m/s], [kg m2/s], [rad/s]
+  };
+  void assign_body_classes();
+  void place_spheres(const std::vector<scene::Ball>& balls);
+  void initialize_bodies(const std::vector<scene::Ball>& balls,
+                         const std::vector<DriveSample>& drive);
+  void sort_bodies(std::size_t size_class, std::vector<std::int32_t>& from) const;
+  void reorder_bodies(const std::vector<std::int32_t>& from);
+  Vec3 grid_position(std::size_t row) const;
+  struct BodyKicks {
+    Vec3 before, after;  // [m/s] of the body acceleration: a whole step; half a step at the next
+  };
+  void kick_body(std::size_t body, const BodyKicks& kicks, const ChunkStep& step,
+                 const VectorPair* on_rows, FreeBodies& turning, std::size_t lane);
+  void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
+                   ChunkDisplacement& displacement) override;
+  void apply_contact_mass(PairParameters& parameters, std::size_t lane, const ContactPacket& g,
+                          bool wall) const;
+  double contact_mass(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
+  PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
+  Vec3 velocity_of_row(std::size_t row, const Vec3& body_kick_change) const;  // ball or sphere
+  Vec3 spin_of_row(std::size_t row) const;
+  BallEnergy energy_of_sphere(std::size_t row, const Vec3& body_kick_change,
+                              const kinematics::FrameMotion& frame) const;
+  void add_bodies(std::vector<scene::Ball>& all, const Vec3& body_kick_change) const;
+  void add_body_forces(std::vector<Vec3>& all, const Vec3& pull) const;
+  void serialize_bodies(Archive& archive);
+  bool is_member(std::size_t row) const { return bodies_.has_members() && bodies_.is_member(row); }
 
   // State (state.cpp).
   Vec3 body_kick_change() const;  // [m/s] half a step times the change of the body acceleration
-  Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;
+  Vec3 velocity(std::size_t row, const Vec3& body_kick_change) const;  // of a ball
   Vec3 spin(std::size_t row) const;
 
   // The state for another solver (transfer.cpp).
@@ -207,9 +239,11 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
 
   std::unique_ptr<const MovingWall> jar_;
   Settings settings_;
+  BodySpeciesTable body_species_;  // before pairs_, which has a species for each of their spheres
   SpeciesPairs pairs_;
   std::optional<LiquidForces> liquid_;
   ChunkStepper step_chunk_;
+  std::size_t ball_count_;  // inside the jar and outside
   // pull_off_distance_: largest gap [m] of all pairs at which a contact persists or a liquid acts.
   double start_, pull_off_distance_ = 0, mass_ = 0;
   bool periodic_, large_, has_history_, has_friction_history_;
@@ -217,6 +251,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<Lanes> half_kick_factors_;    // of each species
   std::vector<std::int32_t> class_of_;      // size class of each species
   std::vector<double> class_radius_;        // [m] of the largest ball of each class
+  std::size_t first_body_class_ = 0;        // classes from it on are of bodies
+  std::vector<double> class_row_radius_;    // [m] likewise; of bodies, of their largest sphere
   mutable ThreadTeam team_;
 
   std::int64_t step_ = 0;
@@ -228,6 +264,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   HugePageVector<SpinRecord> spins_, next_spins_;
   HugePageVector<VectorPair> half_step_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
+  RigidBodies bodies_;  // empty where all balls are spheres
+  TurnFreeBodies turn_free_bodies_ = turn_free_bodies();
 
   std::vector<Chunk> chunks_;
   std::vector<ChunkDisplacement> displacements_;

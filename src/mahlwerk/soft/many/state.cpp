@@ -37,14 +37,16 @@ Vec3 ManyBodySolver::spin(std::size_t row) const {
 }
 
 std::vector<scene::Ball> ManyBodySolver::balls() const {
-  std::vector<scene::Ball> all(id_.size() + outside_.size());
+  std::vector<scene::Ball> all(ball_count_);
   const Vec3 change = body_kick_change();
   for (std::size_t k = 0; k < id_.size(); ++k) {
+    if (is_member(k)) continue;
     const Species& s = pairs_.species(species_[k]);
     const Vec3 position = jar_->within_period(rows_[k].position());
     all[static_cast<std::size_t>(id_[k])] = {
         s.radius, s.density, position, velocity(k, change), spin(k), s.kind, s.inertia_ratio};
   }
+  add_bodies(all, change);
   for (const OutsideBall& one : outside_) {
     const auto ball = static_cast<std::size_t>(one.ball);
     const Species& s = pairs_.species_of(ball);
@@ -57,10 +59,12 @@ std::vector<scene::Ball> ManyBodySolver::balls() const {
 /// half-step velocity, plus half a kick of the contacts, plus half a step of the next body
 /// acceleration (dem.26).
 std::vector<Vec3> ManyBodySolver::forces() const {
-  std::vector<Vec3> all(id_.size() + outside_.size());
+  std::vector<Vec3> all(ball_count_);
   const double half_dt = 0.5 * settings_.time_step;
   const Vec3 pull = half_dt * drive_samples(step_ + 1, step_ + 1).front().body_acceleration;
+  add_body_forces(all, pull);
   for (std::size_t k = 0; k < id_.size(); ++k) {
+    if (is_member(k)) continue;
     const VectorPair& half = half_step_[k];
     const BallRecord& predicted = next_rows_[k];
     const Vec3 gained =
@@ -87,6 +91,7 @@ void ManyBodySolver::serialize(Archive& archive) {
   archive(rows_)(next_rows_)(reference_positions_)(spins_)(next_spins_)(half_step_);
   if (rows_.size() + outside_.size() != balls) throw Archive::broken();
   archive(id_)(species_)(contacts_of_)(displacements_)(predicted_means_)(class_first_);
+  if (bodies_.has_members()) serialize_bodies(archive);
   auto count = static_cast<std::uint64_t>(chunks_.size());
   archive(count);
   if (archive.reading()) {

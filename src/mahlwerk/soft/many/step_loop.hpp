@@ -322,6 +322,8 @@ template <class Law, class V>
   }
   if (s.liquid) s.callbacks->add_liquid_forces(s, chunk, ball_forces);
   chunk.sums.ball_steps += chunk.balls_in_contact;
+  if (s.body_of != nullptr && chunk.first < chunk.last && s.body_of[chunk.first] >= 0)
+    return s.callbacks->step_bodies(s, chunk, ball_forces, displacement);
   if (s.large)
     integrate_balls<V, true>(s, chunk, ball_forces.data(), displacement);
   else

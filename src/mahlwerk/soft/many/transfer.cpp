@@ -111,6 +111,7 @@ void ManyBodySolver::take_contact(Chunk& chunk, const SolverState::Contact& c,
 
 /// Takes a state over. All contacts are in one chunk until the lists are built in the next step.
 void ManyBodySolver::take(const SolverState& s) {
+  if (bodies_.has_members()) throw RunError("bodies that are no spheres have no state for a card");
   if (s.rows.size() != id_.size() || s.spins.size() != id_.size() ||
       s.half_step.size() != id_.size())
     throw Archive::broken();

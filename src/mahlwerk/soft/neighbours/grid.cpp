@@ -69,16 +69,11 @@ std::size_t Grid::cell(const Vec3& p) const {
   return cell(index(folded(p.x, 0), 0), index(folded(p.y, 1), 1), index(folded(p.z, 2), 2));
 }
 
-void Grid::fill(const BallRecord* rows, std::int32_t first, std::int32_t last) {
+void Grid::clear() {
   const auto count = static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) *
                      static_cast<std::size_t>(count_[2]);
   from_.assign(count, 0);
   to_.assign(count, 0);
-  for (std::int32_t ball = first; ball < last; ++ball) {
-    const std::size_t c = cell(rows[ball].position());
-    if (from_[c] == to_[c]) from_[c] = ball;
-    to_[c] = ball + 1;
-  }
 }
 
 std::array<std::int32_t, 2> Grid::cells(double x, double reach, std::size_t axis) const {

@@ -35,9 +35,17 @@ class Grid {
   double radius() const { return radius_; }  ///< [m] of the largest ball
   /// Morton code of the cell of a position.
   std::uint64_t key(const Vec3& position) const;
-  /// Fills the cells with the balls of rows first to last - 1, which are in the order of their
-  /// keys.
-  void fill(const BallRecord* rows, std::int32_t first, std::int32_t last);
+  /// Fills the cells with the balls of rows first to last - 1, which are in the order of the keys
+  /// of `position(row)`.
+  template <class Position>
+  void fill(std::int32_t first, std::int32_t last, const Position& position) {
+    clear();
+    for (std::int32_t ball = first; ball < last; ++ball) {
+      const std::size_t c = cell(position(ball));
+      if (from_[c] == to_[c]) from_[c] = ball;
+      to_[c] = ball + 1;
+    }
+  }
 
   std::size_t cell(const Vec3& position) const;
   /// Calls `f(first, last)` for ranges of balls. The ranges contain all balls whose centres are
@@ -55,6 +63,7 @@ class Grid {
   }
 
  private:
+  void clear();
   static double at(const Vec3& a, std::size_t axis) {
     return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
   }

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include "mahlwerk/cases/ball_shape.hpp"
+
+#include "mahlwerk/base/elementary.hpp"
+
+namespace mahlwerk::cases {
+
+namespace {
+
+using Kind = BallShape::Kind;
+
+/// The spheres within the solid.
+scene::Solid inscribed(const BallShape& s) {
+  const int count = static_cast<int>(s.spheres);
+  switch (s.kind) {
+    case Kind::cylpebs:
+      return scene::cylinder_of_spheres(s.diameter, s.length, count);
+    case Kind::rod:
+      return scene::rod_of_spheres(s.diameter, s.length, count);
+    case Kind::cube:
+      return scene::cube_of_spheres(s.edge, s.rounding, count);
+    case Kind::ellipsoid:
+      return scene::ellipsoid_of_spheres(s.diameter, s.length, count);
+    default:
+      return {};
+  }
+}
+
+/// [1] The scale at which the spheres of a solid have its volume.
+double scale_of(const scene::Solid& solid) {
+  constexpr int columns = 100;  // the volume to 1e-3
+  const double volume =
+      geometry::union_moments(solid.spheres, columns, geometry::Hollows::filled).volume;
+  return math::cbrt(solid.volume / volume);
+}
+
+}  // namespace
+
+scene::Solid BallShape::solid() const {
+  scene::Solid made = inscribed(*this);
+  const double scale = scale_of(made);
+  for (geometry::MemberSphere& s : made.spheres) s = {scale * s.centre, scale * s.radius};
+  return made;
+}
+
+double BallShape::scale() const {
+  return scale_of(inscribed(*this));
+}
+
+std::int64_t BallShape::usual_spheres() const {
+  switch (kind) {
+    case Kind::cylpebs:
+      return scene::usual_spheres_of_cylinder(diameter, length);
+    case Kind::rod:
+      return scene::usual_spheres_of_rod(diameter, length);
+    case Kind::cube:
+      return scene::usual_spheres_of_cube(edge, rounding);
+    case Kind::ellipsoid:
+      return scene::usual_spheres_of_ellipsoid(diameter, length);
+    default:
+      return 1;
+  }
+}
+
+std::int64_t BallShape::fewest_spheres() const {
+  constexpr std::int64_t of_a_cube = 9, of_a_row = 2;
+  if (kind == Kind::cylpebs) return scene::fewest_in_cylinder(diameter, length);
+  return kind == Kind::cube ? of_a_cube : of_a_row;
+}
+
+const std::vector<std::string>& body_words() {
+  static const std::vector<std::string> words{"sphere", "cylpebs", "rod", "cube", "ellipsoid"};
+  return words;
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mahlwerk/scene/body_shape.hpp"
+
+namespace mahlwerk::cases {
+
+/// The shape of the balls of a set by its name and two numbers (docs/theory/bodies.md), made of
+/// spheres.
+struct BallShape {
+  enum class Kind {
+    sphere,
+    cylpebs,   ///< cylinder with flat ends
+    rod,       ///< cylinder with hemispherical ends
+    cube,      ///< with rounded edges
+    ellipsoid  ///< of revolution, longer along its axis than across
+  };
+  Kind kind = Kind::sphere;
+  double diameter = 0;       ///< [m] across the axis; not of a cube
+  double length = 0;         ///< [m] along the axis; not of a cube
+  double edge = 0;           ///< [m] of a cube
+  double rounding = 0;       ///< [m] radius of its edges
+  std::int64_t spheres = 0;  ///< largest number of spheres that stand for it
+
+  bool is_sphere() const { return kind == Kind::sphere; }
+  /// Its spheres, scaled so that their volume is that of the solid that they stand for, and mass
+  /// and inertia of this solid (bod.15).
+  scene::Solid solid() const;
+  double scale() const;                                             ///< [1] of the spheres
+  std::int64_t count() const { return is_sphere() ? 1 : spheres; }  ///< of spheres, about
+  std::int64_t usual_spheres() const;   ///< neighbours are a radius apart
+  std::int64_t fewest_spheres() const;  ///< fewer do not make the shape
+  bool operator==(const BallShape&) const = default;
+};
+
+/// "sphere", "cylpebs", ... in the order of BallShape::Kind.
+const std::vector<std::string>& body_words();
+
+}  // namespace mahlwerk::cases

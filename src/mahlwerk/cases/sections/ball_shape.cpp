@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The shape of the balls of a set that are no spheres.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "mahlwerk/base/units.hpp"
+#include "mahlwerk/cases/sections/fields.hpp"
+#include "mahlwerk/cases/sections/sections.hpp"
+
+namespace mahlwerk::cases {
+namespace {
+
+using ShapeKind = BallShape::Kind;
+constexpr std::int64_t most_spheres = 2000;
+
+void describe_shape_word(KeyVisitor& v, BallShape& body) {
+  const SectionReader* in = v.reader();
+  if (in == nullptr ? body.is_sphere() && !v.visits_all() : !v.gives("shape")) return;
+  v.word({"shape",
+          body_words(),
+          "sphere",
+          "balls are spheres",
+          "shape of the balls",
+          {"balls", "cylinders with flat ends, as rings of spheres",
+           "cylinders with round ends, as rows of spheres",
+           "cubes with round edges, as grids of spheres",
+           "ellipsoids of revolution, as rows of spheres"}},
+         body.kind);
+}
+
+/// Faults for given keys that the shape does not have.
+void refuse_keys_of_others(KeyVisitor& v, ShapeKind kind) {
+  const auto useless = [&](std::initializer_list<std::string_view> keys) {
+    v.refuse(keys, fmt::format("with shape = \"{}\"", to_word(kind, body_words())),
+             "remove it, or choose another shape");
+  };
+  if (kind == ShapeKind::sphere) return useless({"length", "edge", "rounding", "spheres"});
+  useless({"distribution", "spread", "smallest", "largest", "passing", "retained", "classes",
+           "wall_thickness", "coating_thickness", "coating_density"});
+  if (kind == ShapeKind::cube)
+    useless({"diameter", "length"});
+  else
+    useless({"edge", "rounding"});
+}
+
+void describe_shape_numbers(KeyVisitor& v, BallShape& body) {
+  if (body.kind == ShapeKind::cube) {
+    v.number(NumberSpec("edge", "m", positive, "edge of a cube").plausible_within("", "0.5 m"),
+             body.edge);
+    v.number({"rounding", "m", positive, "radius of the edges of a cube, below half of edge"},
+             body.rounding);
+    return;
+  }
+  v.number(NumberSpec("diameter", "m", positive, "diameter of a body across its axis")
+               .plausible_within("", "0.5 m"),
+           body.diameter);
+  v.number(NumberSpec("length", "m", positive, "length of a body along its axis")
+               .plausible_within("", "2 m"),
+           body.length);
+}
+
+/// The two numbers must make the shape. False after a fault.
+bool makes_a_solid(SectionReader& in, const BallShape& body) {
+  if (body.kind == ShapeKind::cube) {
+    if (std::isnan(body.edge + body.rounding)) return false;
+    if (body.rounding < body.edge / 2) return true;
+    in.fault(*in.find("rounding"),
+             fmt::format("rounding ({}) is not below half of edge ({})",
+                         show_rounded(body.rounding, "m"), show_rounded(body.edge, "m")),
+             "give a smaller rounding; shape = \"sphere\" is a ball", "out-of-range");
+    return false;
+  }
+  if (std::isnan(body.diameter + body.length)) return false;
+  const bool flat = body.kind == ShapeKind::cylpebs;
+  if (flat ? body.length >= body.diameter / 2 : body.length > body.diameter) return true;
+  in.fault(*in.find("length"),
+           fmt::format("length ({}) is not {} diameter ({})", show_rounded(body.length, "m"),
+                       flat ? "at least half of" : "above", show_rounded(body.diameter, "m")),
+           flat ? "give a longer cylinder: flat discs have no spheres yet"
+                : "give a greater length; shape = \"sphere\" is a ball",
+           "out-of-range");
+  return false;
+}
+
+/// The number of spheres, the usual one if it is not given. False after a fault.
+bool read_spheres(SectionReader& in, BallShape& body) {
+  if (!in.gives("spheres")) {
+    body.spheres = body.usual_spheres();
+    in.record_default("spheres", std::to_string(body.spheres),
+                      "neighbours are a radius of theirs apart");
+  }
+  if (body.spheres >= body.fewest_spheres() && body.spheres <= most_spheres) return true;
+  const Node* at = in.find("spheres") != nullptr ? in.find("spheres") : in.find("shape");
+  in.fault(*at, fmt::format("{} spheres do not make this shape", body.spheres),
+           fmt::format("give {} to {}", body.fewest_spheres(), most_spheres), "out-of-range");
+  return false;
+}
+
+}  // namespace
+
+bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
+  describe_shape_word(v, body);
+  refuse_keys_of_others(v, body.kind);
+  if (body.is_sphere()) return false;
+  describe_shape_numbers(v, body);
+  SectionReader* in = v.reader();
+  if (in == nullptr || v.gives("spheres"))
+    v.integer({.key = "spheres",
+               .least = 2,
+               .most = most_spheres,
+               .about = "largest number of spheres that make a body",
+               .default_text = "as many as lie a radius of theirs apart"},
+              body.spheres);
+  if (in == nullptr) return true;
+  const bool sound = makes_a_solid(*in, body) && read_spheres(*in, body);
+  diameter = sound ? 2 * body.solid().equivalent_radius() : invalid_value;
+  return true;
+}
+
+}  // namespace mahlwerk::cases

@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mahlwerk/base/elementary.hpp"
+#include "mahlwerk/contact/laws.hpp"
+#include "mahlwerk/soft/kernel/rigid_body.hpp"
+#include "mahlwerk/soft/many/solver.hpp"
+
+// Bodies that are clumps of spheres (docs/theory/bodies.md).
+namespace mahlwerk::soft {
+namespace {
+
+/// A vector in two registers: x and y; z and 0.
+using Half = Register<2>;
+struct Halves {
+  Half xy, z;
+  explicit Halves(const Vec3& a) : xy{a.x, a.y}, z{a.z, 0} {}
+};
+
+/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin. The
+/// velocity of a sphere is linear in its offset, as its position is.
+void write_rows(const BodySpecies& of, const Vec3& centre, const Rotation& axes,
+                const Vec3& v_centre, const Vec3& w, BallRecord* rows, SpinRecord* spins) {
+  const Halves x(centre), ex(axes.ex), ey(axes.ey), ez(axes.ez), v(v_centre), spin(w),
+      fx(cross(w, axes.ex)), fy(cross(w, axes.ey)), fz(cross(w, axes.ez));
+  for (std::size_t k = 0; k < of.offsets.size(); ++k) {
+    const Vec3& o = of.offsets[k];
+    store_part<Half>(rows[k], 0, x.xy + o.x * ex.xy + o.y * ey.xy + o.z * ez.xy);
+    store_part<Half>(rows[k], 2, x.z + o.x * ex.z + o.y * ey.z + o.z * ez.z + Half{0, of.radii[k]});
+    store_part<Half>(rows[k], 4, v.xy + o.x * fx.xy + o.y * fy.xy + o.z * fz.xy);
+    store_part<Half>(rows[k], 6, v.z + o.x * fx.z + o.y * fy.z + o.z * fz.z);
+    store_part<Half>(spins[k], 0, spin.xy), store_part<Half>(spins[k], 2, spin.z);
+  }
+}
+
+/// Force [N] and torque [N m] about the centre of mass of a body: the sum over its rows (bod.11).
+struct BodyLoad {
+  Vec3 force, torque;
+};
+BodyLoad load_on(const Vec3& centre, std::size_t count, const BallRecord* rows,
+                 const VectorPair* on_rows) {
+  BodyLoad sum;
+  for (std::size_t k = 0; k < count; ++k) {
+    const VectorPair& f = on_rows[k];
+    if (f.x == 0 && f.y == 0 && f.z == 0 && f.a == 0 && f.b == 0 && f.c == 0) continue;  // faster
+    const Vec3 force{f.x, f.y, f.z};
+    sum.force += force;
+    sum.torque += Vec3{f.a, f.b, f.c} + cross(rows[k].position() - centre, force);
+  }
+  return sum;
+}
+
+/// Displacements of the rows of a chunk, as integrate_balls() finds them (dem.34).
+class DisplacementSum {
+ public:
+  explicit DisplacementSum(const Vec3& predicted_mean) : mean_(predicted_mean) {}
+  void add(const BallRecord& row, const FloatPosition& reference) {
+    add(load_part<Half>(row, 0) - reference_part<Half>(reference, 0), mean_.xy, sum_.xy, most_.xy);
+    add(load_part<Half>(row, 2) - reference_part<Half>(reference, 2), mean_.z, sum_.z, most_.z);
+  }
+  void put(std::int32_t rows, ChunkDisplacement& out) const {
+    out.spread = norm(Vec3{most_.xy[0], most_.xy[1], most_.z[0]});
+    out.mean = Vec3{sum_.xy[0], sum_.xy[1], sum_.z[0]} / rows;
+  }
+
+ private:
+  static void add(const Half& way, const Half& mean, Half& sum, Half& most) {
+    const Half off = way - mean;
+    sum += way;
+    most = max(most, max(off, -off));
+  }
+  Halves mean_, sum_{Vec3{}}, most_{Vec3{}};
+};
+
+}  // namespace
+
+/// Bodies have size classes of their own, octaves of their reach, so that a chunk holds whole
+/// bodies.
+void ManyBodySolver::assign_body_classes() {
+  std::map<std::pair<bool, int>, std::int32_t> numbers;  // spheres before bodies
+  const auto octave = [&](double size) {
+    return static_cast<int>(std::floor(math::log2(size / (2 * skin_))));
+  };
+  std::vector<const BodySpecies*> body_of(pairs_.all_species().size());
+  for (const BodySpecies& body : body_species_.all())
+    for (std::size_t s = 0; s < body_of.size(); ++s) {
+      const Species& sphere = pairs_.species(static_cast<std::int32_t>(s));
+      if (sphere.kind == body.ball.kind && std::abs(sphere.mass - body.mass) < 1e-9 * body.mass)
+        body_of[s] = &body;
+    }
+  const auto key = [&](std::size_t s) {
+    return body_of[s] != nullptr
+               ? std::pair{true, octave(body_of[s]->reach)}
+               : std::pair{false, octave(pairs_.species(static_cast<std::int32_t>(s)).radius)};
+  };
+  for (std::size_t s = 0; s < body_of.size(); ++s) numbers[key(s)] = 0;
+  first_body_class_ = 0;
+  for (std::int32_t next = 0; auto& [at, number] : numbers) {
+    number = next++;
+    if (!at.first) first_body_class_ = static_cast<std::size_t>(next);
+  }
+  class_radius_.assign(numbers.size(), 0);
+  class_row_radius_.assign(numbers.size(), 0);
+  for (std::size_t s = 0; s < body_of.size(); ++s) {
+    const auto c = static_cast<std::size_t>(class_of_[s] = numbers[key(s)]);
+    const double radius = pairs_.species(static_cast<std::int32_t>(s)).radius;
+    class_row_radius_[c] = std::max(class_row_radius_[c], radius);
+    class_radius_[c] = std::max(class_radius_[c], body_of[s] ? body_of[s]->reach : radius);
+  }
+}
+
+/// The rows of step 0 of all balls, some of which are bodies.
+void ManyBodySolver::place_spheres(const std::vector<scene::Ball>& balls) {
+  bodies_.body_of.assign(rows_.size(), -1);
+  bodies_.sphere_of.assign(rows_.size(), 0);
+  std::size_t row = 0;
+  for (std::size_t number = 0; number < balls.size(); ++number) {
+    const scene::Ball& ball = balls[number];
+    const std::int32_t s = body_species_.of_ball(number);
+    const std::size_t count = body_species_.sphere_count(number);
+    for (std::size_t k = 0; k < count; ++k) species_[row + k] = pairs_.species_index(row + k);
+    if (s < 0) {
+      const Vec3& x = ball.position;
+      rows_[row] = {x.x, x.y, x.z, ball.radius, 0, 0, 0, 0};
+    } else {
+      const auto body = static_cast<std::int32_t>(bodies_.rows.size());
+      const Quaternion q = normalised(ball.orientation);
+      bodies_.rows.push_back(
+          {static_cast<std::int32_t>(row), s, static_cast<std::int32_t>(number)});
+      bodies_.now.push_back({ball.position, q});
+      write_rows(body_species_[s], ball.position, rotation_of(q), {}, {}, &rows_[row],
+                 &spins_[row]);
+      for (std::size_t k = 0; k < count; ++k) {
+        bodies_.body_of[row + k] = body;
+        bodies_.sphere_of[row + k] = static_cast<std::int32_t>(k);
+      }
+    }
+    row += count;
+  }
+  bodies_.motion.resize(bodies_.rows.size());
+  bodies_.next.resize(bodies_.rows.size());
+}
+
+/// The rows of step 1, without contact forces (bod.8).
+void ManyBodySolver::initialize_bodies(const std::vector<scene::Ball>& balls,
+                                       const std::vector<DriveSample>& drive) {
+  const double dt = settings_.time_step;
+  for (std::size_t b = 0; b < bodies_.rows.size(); ++b) {
+    const BodyRows& at = bodies_.rows[b];
+    const BodySpecies& of = body_species_[at.species];
+    const scene::Ball& ball = balls[static_cast<std::size_t>(at.ball)];
+    const BodyRecord& now = bodies_.now[b];
+    BodyMotion& m = bodies_.motion[b];
+    m.velocity = ball.velocity + 0.5 * dt * drive[0].body_acceleration;
+    m.predicted_velocity = m.velocity + 0.5 * dt * drive[1].body_acceleration;
+    m.momentum = m.predicted_momentum =
+        scaled_along_axes(rotation_of(now.orientation), of.inertia, ball.spin);
+    bodies_.next[b] = {now.centre + dt * m.velocity,
+                       after_free_rotation(now.orientation, m.momentum, of.inverse_inertia, dt)};
+    const auto first = static_cast<std::size_t>(at.first);
+    const Rotation axes = rotation_of(bodies_.next[b].orientation);
+    write_rows(of, bodies_.next[b].centre, axes, m.predicted_velocity,
+               scaled_along_axes(axes, of.inverse_inertia, m.predicted_momentum),
+               &next_rows_[first], &next_spins_[first]);
+  }
+}
+
+/// Adds the old rows of the bodies of a class, in the order of their centres along the curve.
+void ManyBodySolver::sort_bodies(std::size_t size_class, std::vector<std::int32_t>& from) const {
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t b = 0; b < bodies_.rows.size(); ++b)
+    if (class_of(static_cast<std::size_t>(bodies_.rows[b].first)) == size_class)
+      order.emplace_back(grids_[size_class].key(bodies_.now[b].centre), b);
+  std::ranges::stable_sort(order, {}, &std::pair<std::uint64_t, std::size_t>::first);
+  for (const auto& [key, b] : order) {
+    const BodyRows& at = bodies_.rows[b];
+    const auto count = static_cast<std::int32_t>(body_species_[at.species].offsets.size());
+    for (std::int32_t k = 0; k < count; ++k) from.push_back(at.first + k);
+  }
+}
+
+/// Brings the bodies into the order of their new rows; `from` has the old row of each.
+void ManyBodySolver::reorder_bodies(const std::vector<std::int32_t>& from) {
+  RigidBodies old = std::move(bodies_);
+  bodies_ = {};
+  const std::size_t rows = from.size();
+  bodies_.body_of.resize(rows), bodies_.sphere_of.resize(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const auto was = static_cast<std::size_t>(from[row]);
+    bodies_.sphere_of[row] = old.sphere_of[was];
+    if (!old.is_member(was)) {
+      bodies_.body_of[row] = -1;
+      continue;
+    }
+    const std::size_t b = old.body(was);
+    if (old.sphere_of[was] == 0) {
+      bodies_.now.push_back(old.now[b]), bodies_.next.push_back(old.next[b]);
+      bodies_.motion.push_back(old.motion[b]), bodies_.rows.push_back(old.rows[b]);
+      bodies_.rows.back().first = static_cast<std::int32_t>(row);
+    }
+    bodies_.body_of[row] = static_cast<std::int32_t>(bodies_.rows.size()) - 1;
+  }
+}
+
+/// A body stands in the cell of its centre, with all its rows.
+Vec3 ManyBodySolver::grid_position(std::size_t row) const {
+  return is_member(row) ? bodies_.now[bodies_.body(row)].centre : rows_[row].position();
+}
+
+/// Kicks a body by the forces on its rows (bod.8), and puts it into a lane of `turning`.
+void ManyBodySolver::kick_body(std::size_t b, const BodyKicks& kicks, const ChunkStep& s,
+                               const VectorPair* on_rows, FreeBodies& turning, std::size_t lane) {
+  const double dt = s.constants.dt;
+  const BodySpecies& of = body_species_[bodies_.rows[b].species];
+  const BodyRecord& now = bodies_.now[b];
+  BodyMotion& m = bodies_.motion[b];
+  const BodyLoad load =
+      load_on(now.centre, of.offsets.size(), s.rows + bodies_.rows[b].first, on_rows);
+  const Vec3 half_kick = (0.5 * dt / of.mass) * load.force, half_spin_kick = 0.5 * dt * load.torque;
+  m.velocity += 2.0 * half_kick + kicks.before;
+  m.predicted_velocity = m.velocity + half_kick + kicks.after;
+  m.momentum += 2.0 * half_spin_kick;
+  m.predicted_momentum = m.momentum + half_spin_kick;
+  bodies_.next[b].centre = now.centre + dt * m.velocity;
+  OrientationOf<Lanes>& q = turning.orientation;
+  q.w[lane] = now.orientation.w, q.x[lane] = now.orientation.x;
+  q.y[lane] = now.orientation.y, q.z[lane] = now.orientation.z;
+  set_lane(turning.momentum, lane, m.momentum);
+  set_lane(turning.rate, lane, dt * of.inverse_inertia);
+  set_lane(turning.predicted_momentum, lane, m.predicted_momentum);
+  set_lane(turning.inverse_inertia, lane, of.inverse_inertia);
+}
+
+/// Velocity Verlet (dem.26) for the centres of mass; for the rotation a leapfrog of the angular
+/// momentum (bod.8), of eight bodies at a time.
+void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const BallForces& forces,
+                                 ChunkDisplacement& displacement) {
+  const BodyKicks kicks{s.constants.dt * s.drive.body_acceleration,
+                        0.5 * s.constants.dt * s.next_drive.body_acceleration};
+  DisplacementSum displacements(displacement.predicted_mean);
+  const std::size_t first = bodies_.body(static_cast<std::size_t>(chunk.first)),
+                    last = bodies_.body(static_cast<std::size_t>(chunk.last - 1)) + 1;
+  FreeBodies turning;
+  for (std::size_t block = first; block < last; block += lanes) {
+    const std::size_t count = std::min<std::size_t>(lanes, last - block);
+    for (std::size_t l = 0; l < count; ++l)
+      kick_body(block + l, kicks, s, forces.data() + (bodies_.rows[block + l].first - chunk.first),
+                turning, l);
+    turn_free_bodies_(turning);
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::size_t b = block + l;
+      const OrientationOf<Lanes>& q = turning.orientation;
+      bodies_.next[b].orientation = {q.w[l], q.x[l], q.y[l], q.z[l]};
+      const BodySpecies& of = body_species_[bodies_.rows[b].species];
+      const std::int32_t row = bodies_.rows[b].first;
+      write_rows(of, bodies_.next[b].centre,
+                 {get_lane(turning.ex, l), get_lane(turning.ey, l), get_lane(turning.ez, l)},
+                 bodies_.motion[b].predicted_velocity, get_lane(turning.spin, l), s.next_rows + row,
+                 s.next_spins + row);
+      for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k)
+        displacements.add(s.next_rows[k], s.reference_positions[k]);
+    }
+  }
+  displacements.put(chunk.last - chunk.first, displacement);
+}
+
+/// Replaces the coefficients of a contact by those of its effective mass at the point of first
+/// touch (bod.12).
+void ManyBodySolver::apply_contact_mass(PairParameters& parameters, std::size_t lane,
+                                        const ContactPacket& g, bool wall) const {
+  const auto i = static_cast<std::size_t>(g.i[lane]), j = static_cast<std::size_t>(g.j[lane]);
+  const Vec3 x = rows_[i].position();
+  Vec3 n;
+  if (wall) {
+    n = -jar_->gap(g.j[lane], x, wall_axes_, rows_[i].radius + pull_off_distance_).inward;
+  } else {
+    n = nearest(rows_[j].position() - x);
+    n = (1 / norm(n)) * n;
+  }
+  const auto inverse_mass = [&](std::size_t row, double side) {
+    const double radius = rows_[row].radius;
+    if (!is_member(row)) {
+      const Species& of = pairs_.species(species_[row]);
+      return InverseMass{1 / of.mass, 1 / of.mass + radius * radius / of.inertia};
+    }
+    const std::size_t b = bodies_.body(row);
+    const BodyRecord& at = bodies_.now[b];
+    const BodySpecies& of = body_species_[bodies_.rows[b].species];
+    const Vec3 arm = rows_[row].position() + side * radius * n - at.centre;
+    return inverse_mass_at(of.mass, of.inverse_inertia, rotation_of(at.orientation), arm, n);
+  };
+  InverseMass sum = inverse_mass(i, 1);
+  if (!wall) {
+    const InverseMass of_j = inverse_mass(j, -1);
+    sum.normal += of_j.normal, sum.tangential += of_j.tangential;
+  }
+  SpeciesPair pair = pairs_[g.species_pair[lane]];
+  pair.effective.mass = 1 / sum.normal;
+  pair.effective.slip_factor = sum.tangential / sum.normal;
+  const contact::LawCoefficients coefficients =
+      std::visit([&](const auto& l) { return l.coefficients(pair.effective, pair.damping); },
+                 *settings_.model.law);
+  for (std::size_t n_coefficient = 0; n_coefficient < coefficients.size(); ++n_coefficient)
+    parameters.coefficients[n_coefficient][lane] = coefficients[n_coefficient];
+  const double dt = settings_.time_step;
+  parameters.phase_squared_per_stiffness[lane] = pair.phase_squared_per_stiffness(dt);
+  parameters.half_step_squared_over_mass[lane] = 0.5 * dt * dt / pair.effective.mass;
+  parameters.slip_factor[lane] = pair.effective.slip_factor;
+}
+
+double ManyBodySolver::contact_mass(const ContactPackets& list, std::size_t n,
+                                    std::size_t l) const {
+  if (!bodies_.has_members()) return pairs_[list.packets[n].species_pair[l]].effective.mass;
+  const double dt = settings_.time_step;
+  return 0.5 * dt * dt / list.parameters[n].half_step_squared_over_mass[l];
+}
+
+/// The motion of a body at the present step, from that half a step later (bod.8).
+ManyBodySolver::PresentBody ManyBodySolver::present(std::size_t b,
+                                                    const Vec3& body_kick_change) const {
+  const BodyMotion& m = bodies_.motion[b];
+  const BodySpecies& of = body_species_[bodies_.rows[b].species];
+  const Vec3 momentum = 2.0 * m.momentum - m.predicted_momentum;
+  return {2.0 * m.velocity - m.predicted_velocity + body_kick_change, momentum,
+          scaled_along_axes(rotation_of(bodies_.now[b].orientation), of.inverse_inertia, momentum)};
+}
+
+Vec3 ManyBodySolver::spin_of_row(std::size_t row) const {
+  return is_member(row) ? present(bodies_.body(row), {}).spin : spin(row);
+}
+
+Vec3 ManyBodySolver::velocity_of_row(std::size_t row, const Vec3& body_kick_change) const {
+  if (!is_member(row)) return velocity(row, body_kick_change);
+  const std::size_t b = bodies_.body(row);
+  const PresentBody at = present(b, body_kick_change);
+  return at.velocity + cross(at.spin, rows_[row].position() - bodies_.now[b].centre);
+}
+
+/// All the energy of a body counts at its first row.
+ManyBodySolver::BallEnergy ManyBodySolver::energy_of_sphere(
+    std::size_t row, const Vec3& body_kick_change, const kinematics::FrameMotion& frame) const {
+  if (bodies_.sphere_of[row] > 0) return {};
+  const std::size_t b = bodies_.body(row);
+  const BodySpecies& of = body_species_[bodies_.rows[b].species];
+  const PresentBody at = present(b, body_kick_change);
+  return {0.5 * (of.mass * squared(at.velocity + frame.velocity) + dot(at.momentum, at.spin)),
+          -(of.mass * dot(jar_->gravity(), bodies_.now[b].centre + frame.centre))};
+}
+
+void ManyBodySolver::add_bodies(std::vector<scene::Ball>& all, const Vec3& body_kick_change) const {
+  for (std::size_t b = 0; b < bodies_.rows.size(); ++b) {
+    const PresentBody at = present(b, body_kick_change);
+    scene::Ball ball = body_species_[bodies_.rows[b].species].ball;
+    ball.position = jar_->within_period(bodies_.now[b].centre);
+    ball.velocity = at.velocity, ball.spin = at.spin;
+    ball.orientation = bodies_.now[b].orientation;
+    all[static_cast<std::size_t>(bodies_.rows[b].ball)] = ball;
+  }
+}
+
+void ManyBodySolver::add_body_forces(std::vector<Vec3>& all, const Vec3& pull) const {
+  const double half_dt = 0.5 * settings_.time_step;
+  for (std::size_t b = 0; b < bodies_.rows.size(); ++b) {
+    const BodyMotion& m = bodies_.motion[b];
+    all[static_cast<std::size_t>(bodies_.rows[b].ball)] =
+        body_species_[bodies_.rows[b].species].mass / half_dt *
+        (m.predicted_velocity - m.velocity - pull);
+  }
+}
+
+void ManyBodySolver::serialize_bodies(Archive& archive) {
+  const std::size_t bodies = bodies_.rows.size();
+  archive(bodies_.now)(bodies_.next)(bodies_.motion)(bodies_.rows)(bodies_.body_of)(
+      bodies_.sphere_of);
+  if (bodies_.rows.size() != bodies || bodies_.now.size() != bodies ||
+      bodies_.next.size() != bodies || bodies_.motion.size() != bodies ||
+      bodies_.body_of.size() != rows_.size() || bodies_.sphere_of.size() != rows_.size())
+    throw Archive::broken();
+}
+
+}  // namespace mahlwerk::soft

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// Balls of a case that are no spheres.
+#include "mahlwerk/cases/ball_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/read.hpp"
+#include "mahlwerk/cases/write.hpp"
+#include "mahlwerk/lammps/deck.hpp"
+#include "unit/cases/sample.hpp"
+
+namespace mahlwerk::cases::ball_shape_test {
+namespace {
+
+using namespace sample;
+
+const std::string mill = R"(title = "bodies"
+[mill]
+kind = "tumbling"
+speed = "70 %"
+[jar]
+kind = "cylinder"
+diameter = "200 mm"
+height = "100 mm"
+[[balls]]
+shape = "cylpebs"
+diameter = "12 mm"
+length = "14 mm"
+density = "7800 kg/m3"
+count = 20
+[contact]
+restitution = 0.6
+friction = 0.3
+[run]
+engine = "soft"
+time = "1 s"
+)";
+
+std::string code_of(const std::vector<Override>& given) {
+  const auto found = faults_of(mill, given);
+  return found.size() == 1 ? found[0].code : std::to_string(found.size()) + " faults";
+}
+std::string engine_code(const std::vector<Override>& given) {
+  const auto found = engine_faults(read_sample(mill, given));
+  return found.size() == 1 ? found[0].code : std::to_string(found.size()) + " faults";
+}
+
+TEST(BallShape, mass_and_volume_are_those_of_the_body) {
+  const Case c = read_sample(mill);
+  const double volume = std::numbers::pi / 4 * 0.012 * 0.012 * 0.014;
+  EXPECT_NEAR(ball_volume(c.balls[0]), volume, 1e-12 * volume);
+  EXPECT_NEAR(c.balls[0].mass(), 7800 * volume, 1e-12);
+  EXPECT_TRUE(has_bodies(c));
+  const auto shapes = body_shapes(c);
+  ASSERT_EQ(shapes.size(), 1U);
+  // The spheres take the volume of the body: 4/3 pi in units of its equivalent radius.
+  const double spheres =
+      geometry::union_moments(shapes[0].spheres, 300, geometry::Hollows::filled).volume;
+  EXPECT_NEAR(spheres, 4.0 / 3 * std::numbers::pi, 4.2e-3) << "100^-1.5 of it";
+}
+
+TEST(BallShape, each_name_is_read_and_written) {
+  const std::vector<std::vector<Override>> all{
+      {{"balls.shape", "rod"}, {"balls.length", "40 mm"}},
+      {{"balls.shape", "ellipsoid"}, {"balls.spheres", "5"}},
+      {{"balls.spheres", "40"}}};
+  for (const auto& given : all) {
+    const Case c = read_sample(mill, given);
+    EXPECT_TRUE(read_text(write(c), "case.toml", catalogue()) == c) << write(c);
+  }
+  const std::string cube =
+      with(with(with(mill, "shape", "shape = \"cube\""), "diameter = \"12", "edge = \"12 mm\""),
+           "length", "rounding = \"2 mm\"");
+  const Case c = read_sample(cube);
+  EXPECT_EQ(c.balls[0].body.edge, 0.012);
+  EXPECT_TRUE(read_text(write(c), "case.toml", catalogue()) == c) << write(c);
+}
+
+TEST(BallShape, spheres_keep_their_case) {
+  const Case c = read_sample(vial);
+  EXPECT_FALSE(has_bodies(c));
+  EXPECT_TRUE(body_shapes(c).empty());
+  EXPECT_EQ(write(c).find("shape"), std::string::npos);
+}
+
+TEST(BallShape, numbers_that_make_no_body_are_refused) {
+  EXPECT_EQ(code_of({{"balls.length", "5 mm"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.shape", "rod"}, {"balls.length", "12 mm"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.spheres", "3"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.edge", "3 mm"}}), "too-much");
+  EXPECT_EQ(code_of({{"balls.wall_thickness", "3 mm"}}), "too-much");
+}
+
+TEST(BallShape, engines_that_compute_spheres_only_refuse_them) {
+  EXPECT_EQ(engine_code({}), "0 faults");
+  EXPECT_EQ(engine_code({{"run.engine", "auto"}}), "0 faults");
+  EXPECT_EQ(engine_code({{"run.engine", "event"}}), "bodies-need-soft");
+  EXPECT_EQ(engine_code({{"run.device", "gpu"}}), "not-with-bodies");
+  EXPECT_EQ(engine_code({{"contact.curved_walls", "true"}}), "not-with-bodies");
+  EXPECT_EQ(engine_code({{"observe.final_state", "true"}}), "not-with-bodies");
+  const auto of_lammps = lammps::faults(read_sample(mill));
+  EXPECT_TRUE(std::ranges::any_of(
+      of_lammps, [](const Fault& f) { return f.what.find("no spheres") != std::string::npos; }));
+}
+
+TEST(BallShape, bodies_start_apart_in_random_orientations) {
+  const Case c = read_sample(mill, {{"balls.count", "100"}});
+  const std::vector<scene::Ball> balls = starting_balls(c, 0);
+  const double reach = c.balls[0].reach();
+  EXPECT_GT(reach, 1.1);
+  double cosines = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const Vec3 axis = rotation_of(balls[i].orientation).ez;
+    EXPECT_NEAR(norm(axis), 1, 1e-12);
+    cosines += axis.x * axis.x / static_cast<double>(balls.size());
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(norm(balls[i].position - balls[j].position),
+                reach * (balls[i].radius + balls[j].radius));
+  }
+  EXPECT_NEAR(cosines, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / 100)) << "four standard deviations";
+  EXPECT_EQ(drawn_spheres(c, balls).size(), 100 * body_shapes(c)[0].spheres.size());
+}
+
+}  // namespace
+}  // namespace mahlwerk::cases::ball_shape_test
