@@ -35,7 +35,7 @@ campaign::EngineChoice engine_of(const cases::Case& mill_case) {
   static std::string known;  // the case of `choice`
   static campaign::EngineChoice choice;
   if (std::string text = cases::write(mill_case); text != known) {
-    choice = campaign::choose_engine(mill_case);
+    choice = campaign::choose_engine_and_bounce(mill_case);
     known = std::move(text);
   }
   return choice;

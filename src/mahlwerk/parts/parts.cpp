@@ -22,6 +22,9 @@ const cases::Part& part();
 namespace bed_breakage {
 const cases::Part& part();
 }
+namespace powder_feedback {
+const cases::Part& part();
+}
 namespace flow {
 const cases::Part& part();
 }
@@ -47,9 +50,18 @@ const cases::Part& part();
 
 std::span<const mahlwerk::cases::Part* const> mahlwerk::cases::parts() {
   using namespace mahlwerk::parts;
-  static const std::array all{&wear::part(),         &heat::part(),          &grinding::part(),
-                              &bed_breakage::part(), &kinetics::part(),      &flow::part(),
-                              &mixing::part(),       &drive::part(),         &power_meter::part(),
-                              &microphone::part(),   &accelerometer::part(), &thermocouple::part()};
+  static const std::array all{&wear::part(),
+                              &heat::part(),
+                              &grinding::part(),
+                              &bed_breakage::part(),
+                              &powder_feedback::part(),
+                              &kinetics::part(),
+                              &flow::part(),
+                              &mixing::part(),
+                              &drive::part(),
+                              &power_meter::part(),
+                              &microphone::part(),
+                              &accelerometer::part(),
+                              &thermocouple::part()};
   return all;
 }

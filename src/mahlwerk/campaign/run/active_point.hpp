@@ -24,7 +24,7 @@ namespace mahlwerk::campaign {
 struct ActivePoint {
   ActivePoint(std::size_t point, const cases::Case& made, const std::atomic<bool>* stop)
       : index(point),
-        choice(choose_engine(made, stop)),
+        choice(choose_engine_and_bounce(made, stop)),
         decided(decided_case(made, choice)),
         outcome(begun_outcome(made, choice)),
         distinct(cases::distinct_replicates(decided)),

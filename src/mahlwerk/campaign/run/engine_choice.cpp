@@ -18,6 +18,7 @@
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
+#include "mahlwerk/cases/powder_feedback.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
 
@@ -219,6 +220,15 @@ EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>
   return choice;
 }
 
+EngineChoice choose_engine_and_bounce(const cases::Case& mill_case, const std::atomic<bool>* stop) {
+  EngineChoice choice = choose_engine(mill_case, stop);
+  const auto* feedback = mill_case.parts.find<cases::PowderFeedback>();
+  if (feedback == nullptr) return choice;
+  choice.powder = powder_effect(decided_case(mill_case, choice), stop);
+  if (choice.powder) choice.reason.push_back(in_words(*choice.powder, feedback->accuracy));
+  return choice;
+}
+
 cases::Case decided_case(const cases::Case& mill_case, const EngineChoice& choice) {
   cases::Case decided = mill_case;
   decided.run.engine = choice.engine;
@@ -239,6 +249,7 @@ cases::Case decided_case(const cases::Case& mill_case, const EngineChoice& choic
   }
   if (choice.engine == cases::EngineName::lammps && !decided.run.settle)
     decided.run.settle = cases::least_settling(mill_case);
+  if (choice.powder) return with_powder(std::move(decided), *choice.powder);
   return decided;
 }
 

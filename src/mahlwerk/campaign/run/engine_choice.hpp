@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mahlwerk/campaign/run/powder_effect.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
 namespace mahlwerk::campaign {
@@ -36,6 +37,8 @@ struct EngineChoice {
   std::vector<std::string> reason = {};  ///< empty if the case names the engine
   /// Factor on the stiffness of contacts if "auto" shortens a long run; none: as in the case.
   std::optional<double> softening = std::nullopt;
+  /// Of a case with [powder_feedback]; choose_engine() finds it only if asked.
+  std::optional<PowderEffect> powder = std::nullopt;
 };
 
 /// The engine that the case names. For "auto": the event engine for one ball; for several the soft
@@ -44,6 +47,9 @@ struct EngineChoice {
 /// mill shows that the event engine is valid (docs/theory/engine-choice.md). The same on any
 /// machine. Setting `stop` ends a pilot run.
 EngineChoice choose_engine(const cases::Case& mill_case, const std::atomic<bool>* stop = nullptr);
+/// The same, and for a case with [powder_feedback] the restitution with powder, which takes runs.
+EngineChoice choose_engine_and_bounce(const cases::Case& mill_case,
+                                      const std::atomic<bool>* stop = nullptr);
 
 /// The name of the contact law if it is adhesive; the event engine does not model adhesion.
 std::optional<std::string_view> adhesive_law(const cases::Case& mill_case);
