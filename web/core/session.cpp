@@ -13,6 +13,7 @@
 #include "mahlwerk/campaign/run/soft_settings.hpp"
 #include "mahlwerk/cases/build.hpp"
 #include "mahlwerk/cases/derived.hpp"
+#include "mahlwerk/cases/powder_feedback.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/cases/write.hpp"
 #include "mahlwerk/observe/replay.hpp"
@@ -31,7 +32,9 @@ constexpr std::string_view case_name = "case.toml";
 /// The engine of a case. The choice of the last case is kept: pilot runs of "auto" take as long as
 /// a short replicate, and a worker computes several replicates of one case.
 campaign::EngineChoice engine_of(const cases::Case& mill_case) {
-  if (mill_case.run.engine != cases::EngineName::automatic) return {mill_case.run.engine, {}};
+  if (mill_case.run.engine != cases::EngineName::automatic &&
+      mill_case.parts.find<cases::PowderFeedback>() == nullptr)
+    return {mill_case.run.engine, {}};
   static std::string known;  // the case of `choice`
   static campaign::EngineChoice choice;
   if (std::string text = cases::write(mill_case); text != known) {
