@@ -21,7 +21,9 @@ using campaign::WearStage;
 constexpr double hour = 3600;  // [s]
 
 std::string hours(double time) {
-  return std::isfinite(time) ? fmt::format("{:.4g} h", time / hour) : "-";
+  if (!std::isfinite(time)) return "-";
+  constexpr double many = 1000 * hour;
+  return time < many ? fmt::format("{:.4g} h", time / hour) : fmt::format("{:.0f} h", time / hour);
 }
 
 std::string number(const WearNumber& n, std::string_view unit) {

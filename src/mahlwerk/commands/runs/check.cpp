@@ -111,7 +111,7 @@ CheckResult check_case(const std::filesystem::path& file, const cases::Catalogue
   const cases::Case decided = campaign::decided_case(first, choice);
   c.notes = cases::size_notes(first);
   if (cases::evolves(c.mill_case))
-    c.notes.push_back(
+    c.notes.emplace_back(
         "Shapes and sizes follow their wear: the costs are those of the run of one stage.");
   if (std::string grains = cases::grains_note(first); !grains.empty())
     c.notes.push_back(std::move(grains));
