@@ -20,7 +20,7 @@ namespace mahlwerk::bench {
 namespace {
 
 constexpr double radius = 0.005, density = 7800, time_step = 1e-5, drum_size = 0.25;
-constexpr double settling = 0.5, measured = 0.1;  // [s]
+constexpr double settling = 0.3, measured = 0.05;  // [s]
 
 struct NullObserver final : scene::Observer {
   void collisions(std::span<const scene::Collision>) override {}

@@ -140,14 +140,29 @@ class MethodsText {
             : fmt::format("Those of {} are outside at the start and enter{}. ", sets, how));
   }
 
+  /// "cylpebs of 15 mm across and 15 mm long, rigid clumps of up to 21 spheres"
+  std::string bodies(const cases::BallSet& set, const std::string& key) const {
+    static constexpr std::array names{"spheres", "cylpebs", "rods", "cubes", "ellipsoids"};
+    const cases::BallShape& b = set.body;
+    const std::string sizes = b.kind == cases::BallShape::Kind::cube
+                                  ? value(key + "edge", b.edge, "m") + ", edges rounded to " +
+                                        value(key + "rounding", b.rounding, "m")
+                                  : value(key + "diameter", b.diameter, "m") + " across and " +
+                                        value(key + "length", b.length, "m") + " long";
+    return fmt::format("{} of {}, rigid clumps of up to {} spheres",
+                       names[static_cast<std::size_t>(b.kind)], sizes, b.spheres);
+  }
+
   std::string charge() const {
     std::string text;
     for (std::size_t i = 0; i < c_.balls.size(); ++i) {
       const cases::BallSet& set = c_.balls[i];
       const std::string key = fmt::format("balls.{}.", i + 1);
       text += fmt::format(
-          "{}: {} spheres of {}{}{}, density {}{}{}. ", set.grains ? "Powder as grains" : "Balls",
-          set.count, set.classes.empty() ? "" : "mean ", value(key + "diameter", set.diameter, "m"),
+          "{}: {} {}{}, density {}{}{}. ", set.grains ? "Powder as grains" : "Balls", set.count,
+          set.body.is_sphere() ? fmt::format("spheres of {}{}", set.classes.empty() ? "" : "mean ",
+                                             value(key + "diameter", set.diameter, "m"))
+                               : bodies(set, key),
           set.material.empty() ? "" : ", " + set.material,
           value(key + "density", set.density, "kg/m3"),
           set.wall_thickness ? ", hollow with a shell of " +
