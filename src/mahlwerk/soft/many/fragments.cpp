@@ -117,7 +117,7 @@ bool ManyBodySolver::replace(std::size_t row, std::vector<scene::SizeChange>& ch
 
 /// Velocity and spin at this step, after the whole kick of its contact forces, of which the bodies
 /// that touch the grain have felt the reaction.
-ManyBodySolver::BodyMotion ManyBodySolver::motion_after_kick(std::size_t row) const {
+ManyBodySolver::GrainMotion ManyBodySolver::motion_after_kick(std::size_t row) const {
   const VectorPair& half = half_step_[row];
   const Vec3 body_kick =
       0.5 * settings_.time_step * drive_samples(step_, step_ + 1).front().body_acceleration;
@@ -126,7 +126,7 @@ ManyBodySolver::BodyMotion ManyBodySolver::motion_after_kick(std::size_t row) co
 double ManyBodySolver::energy_after_kick(std::size_t row) const {
   const Species& of = pairs_.species(species_[row]);
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));
-  const BodyMotion motion = motion_after_kick(row);
+  const GrainMotion motion = motion_after_kick(row);
   return 0.5 * (of.mass * squared(motion.velocity + frame.velocity) +
                 of.inertia * squared(motion.spin)) -
          of.mass * dot(jar_->gravity(), rows_[row].position() + frame.centre);
@@ -160,7 +160,7 @@ double ManyBodySolver::put_in_fragments(std::size_t row, const std::vector<int>&
     inertia += s.mass * squared(places[k] - centre) + s.inertia;
   }
   const double share = inertia > 0 ? std::min(1.0, 0.4 * mass * radius * radius / inertia) : 0;
-  const BodyMotion grain_motion = motion_after_kick(row);
+  const GrainMotion grain_motion = motion_after_kick(row);
   const Vec3 v = grain_motion.velocity, w = share * grain_motion.spin, change = body_kick_change(),
              middle = rows_[row].position();
   const kinematics::FrameMotion frame = jar_->frame_motion(mill_time(step_));

@@ -113,10 +113,10 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<int> count_fragments(const std::vector<double>& shares, double mass,
                                    std::size_t from);
   bool replace(std::size_t row, std::vector<scene::SizeChange>& changes);
-  struct BodyMotion {
+  struct GrainMotion {
     Vec3 velocity, spin;
   };
-  BodyMotion motion_after_kick(std::size_t row) const;
+  GrainMotion motion_after_kick(std::size_t row) const;
   double energy_after_kick(std::size_t row) const;
   double put_in_fragments(std::size_t row, const std::vector<int>& counts,
                           std::vector<scene::SizeChange>& changes);
