@@ -68,8 +68,8 @@ std::int64_t broken_by_ball(double threshold) {
   }();
   constexpr double heavy = 8 * radius, speed = 0.5;
   std::vector<scene::Ball> balls{
-      {heavy, density, {0, 0, -0.1 + 2.001 * radius + heavy}, {0, 0, -speed}},
-      {radius, density, {0, 0, -0.1 + 0.9999 * radius}, {}, {}, 1}};
+      sphere(heavy, {0, 0, -0.1 + 2.001 * radius + heavy}, {0, 0, -speed}),
+      sphere(radius, {0, 0, -0.1 + 0.9999 * radius}, {}, {}, 1)};
   soft::Settings settings{of_law(contact::HertzMindlin{}), step, true};
   settings.breakage = powder::grain_breakage(rule);
   const contact::Pair pair = pair_of(material, material, 1.0);
@@ -104,11 +104,11 @@ TEST(BedBreakage, grains_in_motion_sample_and_balance_agree) {
   run->advance((hits - 0.5) * 0.198 / speed, seen);
   const powder::SizeGrid grid = rule.grid();
   std::vector<double> in_bed = grid.shares(rule.feed);
-  const double mass = scene::Ball{radius, density}.mass() * side * side;
+  const double mass = sphere(radius).mass() * side * side;
   for (std::size_t k = 0; k < seen.gained.size(); ++k) in_bed[k] += seen.gained[k] / mass;
   // One hit a second on each particle.
   powder::Process process;
-  process.capture = powder::FixedMass{scene::Ball{0.5e-3, density}.mass()};
+  process.capture = powder::FixedMass{sphere(0.5e-3).mass()};
   process.breakage = rule.breakage, process.fragments = rule.fragments;
   process.density = density, process.mass = process.grain(1e-3).mass();
   const double captured = std::get<powder::FixedMass>(*process.capture).mass;
@@ -139,15 +139,16 @@ struct Shaken {
 };
 Shaken shaken(const powder::AnyBreakage& breakage, const powder::AnyFragments& fragments,
               std::size_t spare = 4000) {
-  Shaken made{{}, bed(breakage, fragments), {}};
+  Shaken made;
+  made.rule = bed(breakage, fragments);
   made.jar = {
       geometry::Cylinder{0.02, 0.02}, kinematics::Vibration{{}, 50, 0.008}, {}, {0, 0, -gravity}};
   Random random(3, 0);
   for (int i = 0; i < 288; ++i) {
     const Vec3 cell{i % 6 - 2.5, static_cast<double>(i / 6 % 6) - 2.5, static_cast<double>(i / 36)};
     if (std::hypot(cell.x, cell.y) * 2.2 * radius > 0.01 - 1.05 * radius) continue;
-    made.start.push_back({radius, density, 2.2 * radius * cell + Vec3{0, 0, -0.0085},
-                          random.uniform(0, 1) * random.direction()});
+    made.start.push_back(sphere(radius, 2.2 * radius * cell + Vec3{0, 0, -0.0085},
+                                random.uniform(0, 1) * random.direction()));
   }
   made.start = with_spare(made.start, made.rule, spare);
   return made;
@@ -192,9 +193,8 @@ TEST(BedBreakage, mass_and_energy_are_kept_as_grains_break) {
 TEST(BedBreakage, fragments_take_the_momentum_of_their_grain_and_gain_no_energy) {
   const powder::BedBreakage rule =
       bed(powder::Threshold{30, 1e-3, 0}, powder::AustinFragments{0.4, 0.8, 3});
-  std::vector<scene::Ball> pair{
-      {radius, density, {-1.02 * radius, 0, 0}, {8, 0.5, 0}, {50, 20, 90}},
-      {radius, density, {1.02 * radius, 0, 0}, {-8, 0, 0.3}}};
+  std::vector<scene::Ball> pair{sphere(radius, {-1.02 * radius, 0, 0}, {8, 0.5, 0}, {50, 20, 90}),
+                                sphere(radius, {1.02 * radius, 0, 0}, {-8, 0, 0.3})};
   const auto start = with_spare(pair, rule, 200);
   const auto run = engine(still_box(0.1), start, rule, step);
   SizeObserver seen;
@@ -241,7 +241,7 @@ TEST(BedBreakage, mass_shares_of_fragments_are_exact_over_many_grains) {
   scene::GrainState grain;
   grain.size = 2 * radius;
   const std::vector<double> shares = model->fragment_shares(grain);
-  const scene::Ball whole{radius, density};
+  const scene::Ball whole = sphere(radius);
   double worst = 0;
   const std::vector<double> diameters = rule.diameters();
   for (std::size_t k = 1; k < diameters.size(); ++k) {

@@ -44,6 +44,14 @@ class SizeObserver final : public scene::Observer {
 constexpr double radius = 1e-3, density = 2500;
 inline const contact::ElasticConstants material{1e9, 0.3};
 
+inline scene::Ball sphere(double size, const Vec3& position = {}, const Vec3& velocity = {},
+                          const Vec3& spin = {}, std::int32_t kind = 0) {
+  scene::Ball ball;
+  ball.radius = size, ball.density = density, ball.kind = kind;
+  ball.position = position, ball.velocity = velocity, ball.spin = spin;
+  return ball;
+}
+
 /// Grains of 2 mm that break into spheres down to 0.5 mm.
 inline powder::BedBreakage bed(const powder::AnyBreakage& breakage,
                                const powder::AnyFragments& fragments = powder::Halves{}) {
@@ -61,7 +69,7 @@ inline std::vector<scene::Ball> with_spare(std::vector<scene::Ball> balls,
                                            const powder::BedBreakage& bed, std::size_t spare) {
   const std::vector<double> diameters = bed.diameters();
   for (std::size_t k = 0; k < std::max(spare, diameters.size()); ++k) {
-    scene::Ball ball{0.5 * diameters[std::min(k, diameters.size() - 1)], density};
+    scene::Ball ball = sphere(0.5 * diameters[std::min(k, diameters.size() - 1)]);
     ball.kind = bed.kind;
     ball.outside = true;
     balls.push_back(ball);
@@ -89,7 +97,7 @@ inline std::vector<scene::Ball> falling(int side, double speed) {
   for (int i = 0; i < side * side; ++i) {
     const Vec3 cell{i % side - 0.5 * (side - 1), static_cast<double>(i / side) - 0.5 * (side - 1),
                     0};
-    scene::Ball ball{radius, density, 3 * radius * cell, {0, 0, -speed}};
+    scene::Ball ball = sphere(radius, 3 * radius * cell, {0, 0, -speed});
     ball.position.z = -0.1 + 1.05 * radius;
     balls.push_back(ball);
   }
@@ -97,7 +105,9 @@ inline std::vector<scene::Ball> falling(int side, double speed) {
 }
 inline scene::Chamber box_for(int side) {
   return {geometry::Box{3 * radius * (side + 1), 3 * radius * (side + 1), 0.2},
-          kinematics::Still{}};
+          kinematics::Still{},
+          {},
+          {}};
 }
 
 }  // namespace mahlwerk::tests::breaking
