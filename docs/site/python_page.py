@@ -9,7 +9,7 @@ SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
     "Estimates": ["estimate", "Estimate", "Band", "Cause"],
     "Results": ["Result", "Quantity", "Influence", "Notice", "Citation", "open", "record_columns"],
-    "Campaigns": ["Campaign", "SweptKey"],
+    "Campaigns": ["Campaign", "SweptKey", "WearEvolution"],
     "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
     "Plots": ["plots.ResultPlots", "plots.CampaignPlots"],
     "Catalogue and keys": ["catalogue", "describe"],

@@ -67,6 +67,12 @@ std::string sample(std::string_view part) {
        "[breakage]\nmodel = \"vogel-peukert\"\nf_mat = \"1 kg/J/m\"\n"
        "x_w_min = \"1e-4 J m/kg\"\n[fragments]\nmodel = \"austin\"\nshare = 0.5\ngamma = 0.8\n"
        "beta = 3\n[grinding]\ntime = \"10 min\"\n"},
+      {"bed_breakage",
+       "[breakage]\nmodel = \"vogel-peukert\"\nf_mat = \"1 kg/J/m\"\n"
+       "x_w_min = \"1e-4 J m/kg\"\n[fragments]\nmodel = \"halves\"\n[bed_breakage]\n"},
+      {"powder_feedback",
+       "[capture]\nmodel = \"barrios\"\nfracture_energy = \"100 J/kg\"\n"
+       "[powder_feedback]\nabsorbed_energy = \"500 J/kg\"\n"},
       {"kinetics", "[kinetics]\ndose_constant = \"1 MJ/kg\"\ntime = \"10 min\"\n"},
       {"flow",
        "[flow]\noutlet = [\"0 mm\", \"0 mm\", \"-15 mm\"]\nfeed = \"recirculate\"\n"
@@ -97,10 +103,12 @@ std::string in_drum() {
 
 Case case_with(const Part& part) {
   std::string text = (part.name == "drive" ? in_drum() : plain) + sample(part.name);
-  if (part.name == "flow") {  // the event engine refuses it
-    const std::string event = "engine = \"event\"";
-    text.replace(text.find(event), event.size(), "engine = \"soft\"");
-  }
+  const auto replace = [&](const std::string& from, std::string_view to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  if (part.name == "flow" || part.name == "bed_breakage")  // the event engine refuses it
+    replace("engine = \"event\"", "engine = \"soft\"");
+  if (part.name == "bed_breakage") replace("size = \"0.1 mm\"", "size = \"3 mm\"\nas = \"grains\"");
   return case_of_text(text);
 }
 

@@ -137,7 +137,10 @@ void ManyBodySolver::tune_skin() {
   tuning_.last_cost = cost;
   tuning_.tests = all;
   double smallest = geometry::never;
-  for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
+  if (settings_.breakage)  // fragments of most sizes come later
+    for (const BallRecord& row : rows_) smallest = std::min(smallest, row.radius);
+  else
+    for (const Species& s : pairs_.all_species()) smallest = std::min(smallest, s.radius);
   skin_ = std::clamp(skin_ * tuning_.growth, 0.1 * smallest, 2 * smallest);
 }
 

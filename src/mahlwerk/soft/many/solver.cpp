@@ -55,6 +55,11 @@ ManyBodySolver::ManyBodySolver(std::unique_ptr<const MovingWall> jar,
   class_of_ = classes.of, class_radius_ = class_row_radius_ = classes.radius;
   first_body_class_ = class_radius_.size();
   skin_ = 0.5 * classes.smallest;
+  if (settings.breakage) {  // fragments come later
+    skin_ = geometry::never;
+    for (const scene::Ball& b : balls)
+      if (!b.outside) skin_ = std::min(skin_, 0.5 * b.radius);
+  }
   if (!body_species_.empty()) assign_body_classes();
   parameters_ = all_pair_parameters(pairs_, pairs.faces(), settings_);
   for (const Species& s : pairs_.all_species()) {
