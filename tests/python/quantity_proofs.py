@@ -207,6 +207,21 @@ BREAKING = {
 }
 
 
+def rebound(at_jar):
+    """By the hits of the run (fbk.1), each of which loses 0.1 mJ more than a clean one, or all of its rebound."""
+    def of_hits(hits):
+        chosen = hits[(hits["other"] < 0) == at_jar]
+        energy = chosen["mass"] * chosen["approach"]**2 / 2
+        return math.sqrt(0.36 - np.minimum(1e-4, 0.36 * energy).sum() / energy.sum())
+    return lambda run: run.mean(of_hits)
+
+
+DAMPED = {  # the accuracy that the case asks for, and bins of the spectrum
+    "restitution_balls_with_powder": (rebound(False), 0.05),
+    "restitution_jar_with_powder": (rebound(True), 0.05),
+}
+
+
 def per_time(column):
     """The change of a column of drive.csv over the counted time."""
     def of(run):

@@ -95,6 +95,12 @@ CASES = {
                  "fragments": {"model": "austin", "share": 0.4, "gamma": 0.8, "beta": 3},
                  "bed_breakage": {"smallest": "0.7 mm", "interval": "5 ms"},
                  "run": {"engine": "soft", "time": "0.05 s", "settle": "0.02 s", "replicates": 1}},
+    # Powder that damps the bounce, by the hits of a run.
+    "damped": {"mill": SHAKEN, "jar": JAR, "balls": [BALLS], "powder": POWDER,
+               "contact": {"restitution": 0.6, "friction": 0.3},
+               "capture": {"model": "fixed", "mass": "1e-4 ug"},
+               "powder_feedback": {"absorbed_energy": "1 GJ/kg", "accuracy": 0.01},
+               "run": {"engine": "event", "time": "0.5 s", "settle": "0.1 s", "replicates": 1}},
     "driven": {"mill": {"kind": "tumbling", "speed": "90 rpm"}, "jar": {**JAR, "diameter": "60 mm"},
                "drive": {"inertia": "2e-4 kg m2", "torque": "0.05 N m"}, "balls": [{**BALLS, "count": 40}],
                "contact": {"restitution": 0.5, "friction": 0.4},

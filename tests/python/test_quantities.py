@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from quantity_proofs import BLADES, BREAKING, DRIVEN, GRAVITY, HOPPER, SLICE, late, packing
+from quantity_proofs import BLADES, BREAKING, DAMPED, DRIVEN, GRAVITY, HOPPER, SLICE, late, packing
 from quantity_runs import run_of
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -289,6 +289,7 @@ PROOFS["packing_fraction"] = ("packed", packing, 0.01)
 PROOFS["bed_porosity"] = ("packed", lambda run: 1 - late("packing_fraction")(run), 1e-6)
 PROOFS.update({name: ("hopper", of, tolerance) for name, (of, tolerance) in HOPPER.items()})
 PROOFS.update({name: ("breaking", of, tolerance) for name, (of, tolerance) in BREAKING.items()})
+PROOFS.update({name: ("damped", of, tolerance) for name, (of, tolerance) in DAMPED.items()})
 PROOFS.update({name: ("driven", of, tolerance) for name, (of, tolerance) in DRIVEN.items()})
 
 # The tables of the sensors hold the readings of the first replicate.

@@ -9,6 +9,7 @@
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
 #include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::parts::powder_feedback {
 namespace {
@@ -47,6 +48,32 @@ void check(const Case& c, std::vector<Fault>& found) {
           "write restitution_law = \"constant\", or remove [powder_feedback]");
 }
 
+/// Restitution of balls with `other`, as the run found it (fbk.1).
+double found(const Case& c, std::string_view other) {
+  const auto* feedback = c.parts.find<PowderFeedback>();
+  if (feedback != nullptr && feedback->found)
+    for (const cases::PairRule& pair : c.contact.pairs)
+      if (pair.between[0] == "balls" && pair.between[1] == other)
+        return pair.rule.restitution.value();
+  return c.contact.rule.restitution.value();
+}
+
+results::Measures quantities() {
+  const auto present = [](const Case& c) { return c.parts.find<PowderFeedback>() != nullptr; };
+  return results::where(
+      present, "with `[powder_feedback]`",
+      {{"restitution_balls_with_powder",
+        "1",
+        "restitution of balls with each other, with powder between them",
+        [](const Case& c, const results::Replicate&) { return found(c, "balls"); },
+        {.equation = "fbk.1", .heading = "Powder that damps the bounce"}},
+       {"restitution_jar_with_powder",
+        "1",
+        "restitution of balls with the jar, with powder between them",
+        [](const Case& c, const results::Replicate&) { return found(c, "jar"); },
+        {.equation = "fbk.1"}}});
+}
+
 }  // namespace
 
 const cases::Part& part() {
@@ -54,7 +81,8 @@ const cases::Part& part() {
       .name = "powder_feedback",
       .sections = {cases::section_of<PowderFeedback, describe>(
           {"powder_feedback", "", "powder between bodies that damps their bounce"})},
-      .check = check};
+      .check = check,
+      .quantities = quantities};
   return made;
 }
 
