@@ -7,7 +7,7 @@ HOME = pathlib.Path(__file__).resolve().parents[2]
 
 THEORY = ["bond", "mill-power", "mixing", "flow", "geometry", "kinematics", "event", "many-balls", "soft", "engine-choice", "elastic-plastic", "capillary",
           "hollow-balls", "bodies", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
-          "kinetics", "sensors", "measure", "fit",
+          "bed-breakage", "kinetics", "sensors", "measure", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
