@@ -152,7 +152,7 @@ TEST(ReadGrinding, lasts_as_long_as_the_mill_mills) {
 }
 
 TEST(ReadGrinding, its_sections_stand_together) {
-  expect_says("[breakage] is given without [grinding], which alone uses it|",
+  expect_says("[breakage] is given without [grinding] or [bed_breakage], which use it|",
               powdered + capture + breakage);
   expect_says("[fragments] is given without [grinding]", powdered + capture + fragments);
   expect_says(

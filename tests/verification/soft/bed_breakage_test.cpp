@@ -321,7 +321,7 @@ TEST(BedBreakage, bits_do_not_depend_on_threads_and_cuts) {
   SizeObserver one_seen, two_seen, cut_seen;
   const auto one = engine(made.jar, made.start, made.rule, 1e-6);
   one->advance(0.01, one_seen);
-  EXPECT_GT(one_seen.broken, 10);
+  EXPECT_GT(one_seen.broken, 3);
   const auto two = engine(made.jar, made.start, made.rule, 1e-6, 0.6, 2);
   two->advance(0.01, two_seen);
   expect_same(*one, *two);

@@ -140,6 +140,7 @@ Table distribution(const Outcome& outcome) {
                {"passing", "1", "mass share that is finer, at the end"}},
               {}};
   const auto chosen = results::averaged_replicates(outcome);
+  if (chosen.empty()) return table;
   const powder::SizeGrid grid = cases::bed_breakage(outcome.mill_case).grid();
   const auto mean = [&](int k, bool end) {
     return results::mean_over(chosen, [&](const Replicate& r) {
