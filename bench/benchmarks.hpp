@@ -24,6 +24,7 @@ std::vector<Row> fluid();
 std::vector<Row> event();
 std::vector<Row> soft();
 std::vector<Row> bodies();
+std::vector<Row> breakage();
 std::vector<Row> few();
 std::vector<Row> crowd();
 inline std::vector<Row> beside_peers() {
@@ -53,6 +54,7 @@ inline constexpr std::array benchmarks{Benchmark{"one-ball", one_ball},
                                        Benchmark{"event", event},
                                        Benchmark{"soft", soft},
                                        Benchmark{"bodies", bodies},
+                                       Benchmark{"breakage", breakage, true},
                                        Benchmark{"mesh", mesh, true},
                                        Benchmark{"observers", observers},
                                        Benchmark{"grinding", grinding},

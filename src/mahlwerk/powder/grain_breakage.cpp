@@ -26,7 +26,7 @@ class ModelledBreakage final : public scene::GrainBreakage {
   int class_of(double size) const override { return grid_.class_of(size); }
   const std::vector<double>& diameters() const override { return diameters_; }
 
-  scene::GrainState at_start(std::int64_t number, std::int64_t, double diameter) const override {
+  scene::GrainState at_start(std::int64_t number, double diameter) const override {
     // A sequence without a trend, so that sizes do not follow places.
     const double place = static_cast<double>(number) / std::numbers::phi + 0.5;
     const std::uint64_t draw = bed_.seed * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(number);

@@ -45,8 +45,8 @@ class GrainBreakage {
   /// simulated. Empty: the spheres keep their diameter, and stand for finer particles.
   virtual const std::vector<double>& diameters() const = 0;
 
-  /// The `number`-th of `count` grains at the start, a sphere of `diameter` [m].
-  virtual GrainState at_start(std::int64_t number, std::int64_t count, double diameter) const = 0;
+  /// The `number`-th grain at the start, a sphere of `diameter` [m].
+  virtual GrainState at_start(std::int64_t number, double diameter) const = 0;
   /// A new particle; `draw` makes its random numbers.
   virtual GrainState particle(double size, std::uint64_t draw) const = 0;
   /// Whether a stressing by `energy` [J/kg] breaks the grain.

@@ -77,6 +77,7 @@ TEST(BedBreakage, refuses_what_it_cannot_compute) {
   EXPECT_EQ(code(case_with("as = \"grains\"", "smallest = \"1 mm\"")), "bad-bed-breakage");
   EXPECT_EQ(code(case_with("as = \"grains\"", "finest = \"0.5 mm\"")), "bad-bed-breakage");
   EXPECT_EQ(code(case_with("as = \"grains\"", "largest_number = 10")), "bad-bed-breakage");
+  EXPECT_EQ(code(case_with("as = \"grains\"") + "[mixing]\n"), "bad-bed-breakage");
   EXPECT_EQ(code(case_with("as = \"grains\"", "classes_per_octave = 4")), "out-of-range");
   const auto event =
       engine_faults(read_sample(case_with("as = \"grains\"", "", "engine = \"event\"")));

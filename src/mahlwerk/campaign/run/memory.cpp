@@ -87,6 +87,9 @@ double memory_needed(const cases::Case& mill_case) {
   double balls = 0;  // of bodies, their spheres
   for (const cases::BallSet& set : mill_case.balls)
     balls += static_cast<double>(set.count * set.body.count());
+  if (mill_case.bed_breakage)
+    balls +=
+        static_cast<double>(cases::largest_grain_number(mill_case) - mill_case.balls.back().count);
   const auto sets = static_cast<double>(mill_case.balls.size());
   const double each = mill_case.run.engine == cases::EngineName::event
                           ? event_ball

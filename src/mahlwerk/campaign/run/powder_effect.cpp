@@ -129,9 +129,8 @@ std::string in_words(const PowderEffect& effect, double accuracy) {
   const double change = 100 * (effect.power_found / effect.power_clean - 1);
   return fmt::format(
       "Powder between the bodies ([powder_feedback]): restitution {:.2f} between balls and {:.2f} "
-      "at "
-      "the jar instead of {:.2f}, after {} runs of one replicate, the last of which changed it by "
-      "{:.2g}{}. The dissipated power changes by {:+.1f} %.{}",
+      "at the jar instead of {:.2f}, after {} runs of one replicate, the last of which changed it "
+      "by {:.2g}{}. The dissipated power changes by {:+.1f} %.{}",
       effect.balls, effect.wall, effect.clean, effect.runs, effect.last_change,
       effect.last_change > accuracy ? ", more than `accuracy`: it is not consistent" : "", change,
       effect.size ? fmt::format(" The powder is that after the milling time, of {}.",

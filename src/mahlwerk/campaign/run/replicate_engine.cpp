@@ -54,10 +54,6 @@ std::unique_ptr<scene::Engine> event_engine(const cases::Case& mill_case,
   return event::one_ball(mill, balls.front(), treatment);
 }
 
-bool mill_case_breaks(const RunSetup& setup, std::optional<int> replicate) {
-  return replicate && setup.mill_case->bed_breakage;
-}
-
 /// The engine of our own: in the jar at rest the soft one stands in for LAMMPS. `replicate`: whose
 /// outlet is open; none: it is closed.
 std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Chamber& mill,
@@ -66,12 +62,10 @@ std::unique_ptr<scene::Engine> own_engine(const RunSetup& setup, const scene::Ch
   if (!setup.soft) return event_engine(*setup.mill_case, mill, balls);
   soft::Settings rules = setup.soft->rules;
   rules.threads = threads;
-  if (mill_case_breaks(setup, replicate)) {
+  if (rules.breakage && replicate)
     rules.breakage = powder::grain_breakage(cases::bed_breakage(*setup.mill_case, *replicate));
-    rules.breakage_from_start = setup.mill_case->run.settle == 0.0;
-  }
   if (!replicate)
-    rules.flow.reset();
+    rules.flow.reset(), rules.breakage.reset();
   else if (rules.flow && std::ranges::any_of(balls, &scene::Ball::outside))
     rules.flow->seed += static_cast<std::uint64_t>(*replicate);  // an empty jar differs by its feed
   return soft::make_engine(mill, balls, rules, setup.soft->pairs);
@@ -93,7 +87,7 @@ std::vector<scene::Ball> start_of(const RunSetup& setup, int index, int threads,
 std::unique_ptr<scene::Engine> engine(const RunSetup& setup, int index, int threads,
                                       const std::atomic<bool>* stop, const lammps::Launch& launch) {
   std::vector<scene::Ball> balls = start_of(setup, index, threads, stop);
-  if (mill_case_breaks(setup, index)) {
+  if (setup.soft && setup.soft->rules.breakage) {
     const std::vector<scene::Ball> spare = cases::spare_grains(*setup.mill_case);
     balls.insert(balls.end(), spare.begin(), spare.end());
   }

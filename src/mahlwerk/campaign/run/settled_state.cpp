@@ -23,6 +23,7 @@ cases::StartStates start_states(const cases::Case& mill_case, const ReplicateRun
   std::vector<cases::BallState> states;
   std::vector<scene::Ball> balls =
       seen_from_carrier(mill_case, run.balls(), run.energy_balance().time);
+  balls.resize(static_cast<std::size_t>(cases::balls_count(mill_case.balls)));  // no spare grains
   cases::remove_overlaps(mill_case, balls, stop);
   for (const scene::Ball& b : balls)
     states.push_back({b.radius, b.kind, b.position, b.velocity, b.spin, b.orientation});

@@ -137,6 +137,10 @@ SoftSettings soft_settings(const cases::Case& mill_case) {
   s.rules.model = mill_case.contact.model;
   if (mill_case.liquid) s.rules.liquid = mill_case.liquid->model;
   if (mill_case.flow) s.rules.flow = cases::flow_in_jar_frame(mill_case);
+  if (mill_case.bed_breakage) {
+    s.rules.breakage = powder::grain_breakage(cases::bed_breakage(mill_case));
+    s.rules.breakage_from_start = mill_case.run.settle == 0.0;
+  }
   s.rules.shapes = cases::body_shapes(mill_case);
   s.rules.free_flight_skip = mill_case.run.free_flight_skip;
   if (mill_case.run.device == cases::DeviceName::gpu) s.rules.device = soft::graphics_card;

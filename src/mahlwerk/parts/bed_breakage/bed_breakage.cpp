@@ -38,7 +38,7 @@ std::unique_ptr<observe::Recorder> recorder(const Case& c) {
   std::vector<double> mass(static_cast<std::size_t>(rule->classes()));
   const cases::BallSet& grains = c.balls.back();
   for (std::int64_t n = 0; n < grains.count; ++n) {
-    const double size = rule->at_start(n, grains.count, grains.diameter).size;
+    const double size = rule->at_start(n, grains.diameter).size;
     mass[static_cast<std::size_t>(rule->class_of(size))] += grains.mass();
   }
   return std::make_unique<SizeRecord>(

@@ -10,6 +10,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/section_reader.hpp"
+#include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/cases/settling.hpp"
 #include "mahlwerk/contact/any_law.hpp"
 #include "mahlwerk/contact/laws.hpp"
@@ -79,6 +80,10 @@ class BedBreakageCheck {
     if (cases::has_bodies(c_))
       fault("balls.1.shape", "grains that break among balls that are no spheres",
             "leave the shapes out, or remove [bed_breakage]");
+    if (std::ranges::any_of(cases::parts_of(c_),
+                            [](const cases::Part* part) { return part->name == "mixing"; }))
+      fault("mixing.colour", "grains that break have no colour to mix",
+            "remove [mixing] or [bed_breakage]");
     if (c_.observe.final_state)
       fault("observe.final_state", "final_state = true: no run can start from grains that broke",
             "leave final_state out");

@@ -42,6 +42,11 @@ void check(const Case& c, std::vector<Fault>& found) {
   if (c.powder && c.powder->grain_size)
     fault("powder.as", "powder that is simulated as grains damps by itself",
           "remove [powder_feedback], or as = \"grains\"");
+  if (c.uncertainty)
+    fault(
+        "powder_feedback.absorbed_energy",
+        "each draw of [uncertainty] has contacts of its own, and one restitution is found for all",
+        "remove [uncertainty] or [powder_feedback]");
   if (c.contact.rule.restitution.law() != contact::Restitution::Law::constant)
     fault("contact.restitution_law",
           "[powder_feedback] replaces a restitution that is the same at every speed",

@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
-#include <utility>
 
-#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/random.hpp"
 #include "mahlwerk/contact/laws.hpp"
 #include "mahlwerk/soft/many/solver.hpp"
 
-// Grains that break (docs/theory/bed-breakage.md): the energy that contacts put into each grain,
-// and the fragments that take the place of a grain that broke.
+// Grains that break (docs/theory/bed-breakage.md): the energy that contacts put into each grain.
 namespace mahlwerk::soft {
 namespace {
 
@@ -42,11 +38,10 @@ void ManyBodySolver::start_breakage(const std::vector<scene::Ball>& balls) {
   const auto is_grain = [&](const scene::Ball& ball) {
     return ball.kind == rule.kind() && !ball.outside;
   };
-  const std::int64_t count = std::ranges::count_if(balls, is_grain);
   std::int64_t number = 0;
   for (std::size_t k = 0; k < balls.size(); ++k) {
     if (!is_grain(balls[k])) continue;
-    b.grains[k] = rule.at_start(number++, count, 2 * balls[k].radius);
+    b.grains[k] = rule.at_start(number++, 2 * balls[k].radius);
     b.powder += balls[k].mass();
   }
   b.fines.assign(static_cast<std::size_t>(rule.classes()), 0);

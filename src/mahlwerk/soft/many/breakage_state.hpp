@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,7 +33,12 @@ struct BreakageState {
   std::vector<std::uint8_t> is_new;   ///< of each ball: it is one of new_balls
 
   void serialize(Archive& archive) {
+    const auto sizes = [&] {
+      return std::array{grains.size(), fines.size(), due.size(), stressed.size()};
+    };
+    const auto before = sizes();
     archive(grains)(fines)(due)(stressed)(new_balls)(replaced)(replaced_at)(active);
+    if (sizes() != before) throw Archive::broken();
     if (!archive.reading()) return;
     for (const std::int32_t ball : new_balls) {
       if (ball < 0 || static_cast<std::size_t>(ball) >= is_new.size()) throw Archive::broken();
