@@ -53,12 +53,16 @@ const cutOff = () => {
   return beyond.map((each) => `${each.localName} ${each.textContent || each.className}`);
 };
 
+/// Resolves when what changes with the window has been laid out.
+const laidOut = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+
 async function nothing_is_cut_off({ page, url }) {
   await open(page, url);
   // This example has four views of the replay.
   await runAgain(page, () => page.selectOption(".examples select", "planetary-mill"));
   for (const width of [320, 360, 420, 768, 900, 1280, 1600, 2560]) {
     await page.setViewportSize({ width, height: 800 });
+    await page.evaluate(laidOut);
     for (const region of ["case", "result"]) {
       if (width < 900) await page.click(`.regions [data-key="${region}"]`);
       const over = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

@@ -65,7 +65,8 @@ double largest_ball(const std::vector<BallSet>& balls) {
   for (const BallSet& set : balls) {
     if (std::isnan(set.diameter)) return set.diameter;
     for (const SizeClass& size : set.sizes())
-      diameter = std::max(diameter, set.reach() * size.diameter);
+      if (size.diameter > 0)  // keys are listed for balls without a size
+        diameter = std::max(diameter, set.reach() * size.diameter);
   }
   return diameter;
 }
