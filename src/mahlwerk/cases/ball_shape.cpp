@@ -10,8 +10,15 @@ namespace {
 
 using Kind = BallShape::Kind;
 
+scene::Solid rounded(const BallShape& s) {
+  if (s.kind == Kind::rod) return scene::rounded_rod(s.diameter, s.length);
+  if (s.kind == Kind::cube) return scene::rounded_cube(s.edge, s.rounding);
+  return scene::rounded_cylinder(s.diameter, s.length, s.rounding);
+}
+
 /// The spheres within the solid.
 scene::Solid inscribed(const BallShape& s) {
+  if (s.is_convex()) return rounded(s);
   const int count = static_cast<int>(s.spheres);
   switch (s.kind) {
     case Kind::cylpebs:
@@ -71,6 +78,11 @@ std::int64_t BallShape::fewest_spheres() const {
 
 const std::vector<std::string>& body_words() {
   static const std::vector<std::string> words{"sphere", "cylpebs", "rod", "cube", "ellipsoid"};
+  return words;
+}
+
+const std::vector<std::string>& surface_words() {
+  static const std::vector<std::string> words{"spheres", "convex"};
   return words;
 }
 

@@ -10,9 +10,10 @@
 
 namespace mahlwerk::cases {
 
-/// The shape of the balls of a set by its name and two numbers (docs/theory/bodies.md), made of
-/// spheres.
+/// The shape of the balls of a set by its name and two numbers (docs/theory/bodies.md).
 struct BallShape {
+  /// What touches: spheres that stand for the shape, or the shape itself with rounded edges.
+  enum class Surface { spheres, convex };
   enum class Kind {
     sphere,
     cylpebs,   ///< cylinder with flat ends
@@ -24,12 +25,14 @@ struct BallShape {
   double diameter = 0;       ///< [m] across the axis; not of a cube
   double length = 0;         ///< [m] along the axis; not of a cube
   double edge = 0;           ///< [m] of a cube
-  double rounding = 0;       ///< [m] radius of its edges
+  double rounding = 0;       ///< [m] radius of the edges of a cube or of convex cylpebs
   std::int64_t spheres = 0;  ///< largest number of spheres that stand for it
+  Surface surface = Surface::spheres;
 
   bool is_sphere() const { return kind == Kind::sphere; }
+  bool is_convex() const { return surface == Surface::convex; }
   /// Its spheres, scaled so that their volume is that of the solid that they stand for, and mass
-  /// and inertia of this solid (bod.15).
+  /// and inertia of this solid (bod.15). Of a convex shape they are for pictures.
   scene::Solid solid() const;
   double scale() const;                                             ///< [1] of the spheres
   std::int64_t count() const { return is_sphere() ? 1 : spheres; }  ///< of spheres, about
@@ -40,5 +43,7 @@ struct BallShape {
 
 /// "sphere", "cylpebs", ... in the order of BallShape::Kind.
 const std::vector<std::string>& body_words();
+/// "spheres", "convex".
+const std::vector<std::string>& surface_words();
 
 }  // namespace mahlwerk::cases

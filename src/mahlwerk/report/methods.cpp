@@ -149,8 +149,9 @@ class MethodsText {
                                         value(key + "rounding", b.rounding, "m")
                                   : value(key + "diameter", b.diameter, "m") + " across and " +
                                         value(key + "length", b.length, "m") + " long";
-    return fmt::format("{} of {}, rigid clumps of up to {} spheres",
-                       names[static_cast<std::size_t>(b.kind)], sizes, b.spheres);
+    const char* name = names[static_cast<std::size_t>(b.kind)];
+    if (b.is_convex()) return fmt::format("{} of {}, rounded convex bodies", name, sizes);
+    return fmt::format("{} of {}, rigid clumps of up to {} spheres", name, sizes, b.spheres);
   }
 
   std::string charge() const {

@@ -100,6 +100,7 @@ void diagonalise(std::array<std::array<double, 3>, 3>& a,
 }  // namespace
 
 double BodyShape::reach() const {
+  if (is_rounded()) return core.reach() + rounding;
   double most = is_sphere() ? 1 : 0;
   for (const MemberSphere& s : spheres) most = std::max(most, norm(s.centre) + s.radius);
   return most;
@@ -111,7 +112,10 @@ double Solid::equivalent_radius() const {
 
 BodyShape Solid::shape() const {
   const double r = equivalent_radius();
-  BodyShape s{.spheres = spheres, .inertia_ratio = inertia / (volume * r * r)};
+  BodyShape s{.spheres = spheres,
+              .inertia_ratio = inertia / (volume * r * r),
+              .core = core.scaled(1 / r),
+              .rounding = rounding / r};
   for (MemberSphere& m : s.spheres) m = {m.centre / r, m.radius / r};
   return s;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mahlwerk/geometry/convex_core.hpp"
 #include "mahlwerk/geometry/sphere_union.hpp"
 
 namespace mahlwerk::scene {
@@ -13,11 +14,17 @@ namespace mahlwerk::scene {
 /// axes of inertia, the origin at the centre of mass. All lengths are over the radius of the sphere
 /// of the same volume, Ball::radius, so that a set of several sizes has one shape.
 struct BodyShape {
-  /// The spheres that touch other bodies: a clump. None: the body is a sphere.
+  /// The spheres that touch other bodies: a clump. None: the body is a sphere. Of a rounded body
+  /// they are for pictures only.
   std::vector<geometry::MemberSphere> spheres;
   Vec3 inertia_ratio{0.4, 0.4, 0.4};  ///< [1] principal moments of inertia over m R^2
+  /// The core of a rounded convex body, whose surface touches other bodies (bod.20); of a clump
+  /// empty.
+  geometry::ConvexCore core = {};
+  double rounding = 0;  ///< distance of the surface from the core
 
   bool is_sphere() const { return spheres.empty(); }
+  bool is_rounded() const { return !core.is_empty(); }
   /// [1] Radius of the sphere about the centre of mass that holds the body.
   double reach() const;
   /// [1] Mean of the principal moments, Ball::inertia_ratio.
@@ -31,8 +38,10 @@ struct BodyShape {
 /// that they stand for, of density 1.
 struct Solid {
   std::vector<geometry::MemberSphere> spheres;
-  double volume = 0;  ///< [m3]
-  Vec3 inertia;       ///< [m5] principal, along the axes
+  double volume = 0;               ///< [m3]
+  Vec3 inertia;                    ///< [m5] principal, along the axes
+  geometry::ConvexCore core = {};  ///< [m] of a rounded convex body, else empty
+  double rounding = 0;             ///< [m]
 
   double equivalent_radius() const;  ///< [m] of the sphere of the same volume (bod.1)
   BodyShape shape() const;
@@ -62,6 +71,13 @@ Solid cube_of_spheres(double edge, double rounding, int spheres);
 /// diameter (bod.6): a row of `spheres` inscribed spheres, at least two. Mass and inertia are those
 /// of the ellipsoid.
 Solid ellipsoid_of_spheres(double diameter, double length, int spheres);
+
+/// The same rod, and the same cube, as rounded convex bodies (bod.20).
+Solid rounded_rod(double diameter, double length);
+Solid rounded_cube(double edge, double rounding);
+/// A cylinder with flat ends whose rims are rounded (bod.23), as a rounded convex body. The
+/// rounding is below half of `diameter` and of `length` [m].
+Solid rounded_cylinder(double diameter, double length, double rounding);
 
 /// Number of spheres at which neighbours are a radius of the smaller ones apart: what a case uses
 /// that gives none.

@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 namespace mahlwerk::soft {
 namespace {
@@ -16,27 +17,44 @@ BodySpecies body_species(const scene::Ball& ball, const scene::BodyShape& shape)
   s.ball = ball, s.mass = ball.mass(), s.reach = shape.reach() * ball.radius;
   s.inertia = s.mass * ball.radius * ball.radius * shape.inertia_ratio;
   s.inverse_inertia = {1 / s.inertia.x, 1 / s.inertia.y, 1 / s.inertia.z};
+  if (shape.is_rounded()) {
+    s.core = shape.core.scaled(ball.radius), s.rounding = ball.radius * shape.rounding;
+    s.offsets = {Vec3{}}, s.radii = {s.reach};
+    return s;
+  }
   for (const geometry::MemberSphere& sphere : shape.spheres) {
     s.offsets.push_back(ball.radius * sphere.centre);
     s.radii.push_back(ball.radius * sphere.radius);
-    s.largest_radius = std::max(s.largest_radius, s.radii.back());
   }
   return s;
 }
 
-}  // namespace
-
-double BodySpecies::least_contact_mass(std::size_t sphere) const {
-  // The largest eigenvalue of [r]' I^-1 [r], which has rank two: the moment of a normal at the
-  // surface of a sphere is that at its centre.
-  const Vec3 &r = offsets[sphere], &a = inverse_inertia;
+/// The largest eigenvalue of [r]' I^-1 [r], which has rank two.
+double largest_turning_share(const Vec3& r, const Vec3& a) {
   const double xx = a.y * r.z * r.z + a.z * r.y * r.y, yy = a.z * r.x * r.x + a.x * r.z * r.z,
                zz = a.x * r.y * r.y + a.y * r.x * r.x, xy = -a.z * r.x * r.y, yz = -a.x * r.y * r.z,
                zx = -a.y * r.z * r.x;
   const double trace = xx + yy + zz;
   const double minors = xx * yy - xy * xy + yy * zz - yz * yz + zz * xx - zx * zx;
-  const double most = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4 * minors)));
+  return 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4 * minors)));
+}
+
+}  // namespace
+
+double BodySpecies::least_contact_mass(std::size_t sphere) const {
+  // The moment of a normal at the surface of a sphere is that at its centre.
+  double most = largest_turning_share(offsets[sphere], inverse_inertia);
+  for (const Vec3& corner : core.corners)
+    most = std::max(most, largest_turning_share(corner, inverse_inertia));
+  if (core.is_cylinder())  // I is the same about all axes across
+    most =
+        std::max(most, largest_turning_share({core.radius, 0, core.half_length}, inverse_inertia));
   return 1 / (1 / mass + most);
+}
+
+double BodySpecies::widest_contact(std::size_t sphere) const {
+  if (!is_rounded()) return radii[sphere];
+  return 2 * (core.is_cylinder() ? core.radius + rounding : rounding);
 }
 
 int BodySpecies::spheres_on_a_plane() const {
@@ -69,13 +87,14 @@ BodySpeciesTable::BodySpeciesTable(const std::vector<scene::Ball>& balls,
     const auto [at, fresh] = known.try_emplace({b.kind, b.radius, b.density},
                                                static_cast<std::int32_t>(species_.size()));
     if (fresh) species_.push_back(body_species(b, shapes[kind]));
+    has_rounded_ = has_rounded_ || shapes[kind].is_rounded();
     of_ball_.push_back(at->second);
   }
 }
 
-template <class Mass>
-std::vector<scene::Ball> BodySpeciesTable::with_masses(const std::vector<scene::Ball>& balls,
-                                                       const Mass& mass) const {
+template <class Part>
+std::vector<scene::Ball> BodySpeciesTable::parts(const std::vector<scene::Ball>& balls,
+                                                 const Part& part) const {
   std::vector<scene::Ball> all;
   for (std::size_t b = 0; b < balls.size(); ++b) {
     if (of_ball(b) < 0) {
@@ -86,7 +105,7 @@ std::vector<scene::Ball> BodySpeciesTable::with_masses(const std::vector<scene::
     const double inertia = std::min({s.inertia.x, s.inertia.y, s.inertia.z});
     for (std::size_t k = 0; k < s.offsets.size(); ++k) {
       scene::Ball one = balls[b];
-      const double r = s.radii[k], m = mass(s, k);
+      const auto [r, m] = part(s, k);
       one.radius = r;
       one.density = m / (4.0 / 3 * std::numbers::pi * r * r * r);
       one.inertia_ratio = inertia / (m * r * r);
@@ -97,7 +116,8 @@ std::vector<scene::Ball> BodySpeciesTable::with_masses(const std::vector<scene::
 }
 
 std::vector<scene::Ball> BodySpeciesTable::spheres(const std::vector<scene::Ball>& balls) const {
-  return with_masses(balls, [](const BodySpecies& s, std::size_t) { return s.mass; });
+  return parts(balls,
+               [](const BodySpecies& s, std::size_t k) { return std::pair(s.radii[k], s.mass); });
 }
 
 std::vector<scene::Ball> BodySpeciesTable::lightest_contacts(
@@ -105,8 +125,11 @@ std::vector<scene::Ball> BodySpeciesTable::lightest_contacts(
   // As many contacts share a face without a shorter step: the limits have a margin for a ball
   // between several neighbours (dem.31, dem.48).
   constexpr double shared = 4;
-  return with_masses(balls, [](const BodySpecies& s, std::size_t k) {
-    return std::min(s.least_contact_mass(k), s.mass * shared / s.spheres_on_a_plane());
+  return parts(balls, [](const BodySpecies& s, std::size_t k) {
+    const double least = s.least_contact_mass(k);
+    return std::pair(
+        s.widest_contact(k),
+        s.is_rounded() ? least : std::min(least, s.mass * shared / s.spheres_on_a_plane()));
   });
 }
 

@@ -11,7 +11,8 @@
 
 namespace mahlwerk::soft {
 
-/// Bodies of one shape, size and density: clumps of spheres.
+/// Bodies of one shape, size and density: clumps of spheres, or rounded convex bodies. Such a body
+/// has one row, the sphere that holds it.
 struct BodySpecies {
   scene::Ball ball;               ///< the ball as the scene knows it, without its state
   double mass = 0;                ///< [kg]
@@ -19,10 +20,15 @@ struct BodySpecies {
   std::vector<Vec3> offsets;      ///< [m] centres of the spheres, along the principal axes
   std::vector<double> radii;      ///< [m] of the spheres
   double reach = 0;               ///< [m] of the sphere about the centre of mass that holds them
-  double largest_radius = 0;      ///< [m] of the spheres
+  geometry::ConvexCore core;      ///< [m] of a rounded convex body, else empty
+  double rounding = 0;            ///< [m]
 
-  /// [kg] The least effective mass of a contact of a sphere of the body (bod.12).
+  bool is_rounded() const { return !core.is_empty(); }
+  /// [kg] The least effective mass of a contact of a sphere of the body (bod.12); of a rounded
+  /// body, of a contact at its core.
   double least_contact_mass(std::size_t sphere) const;
+  /// [m] Radius that stands for the least curved contact of a sphere of the body (bod.22).
+  double widest_contact(std::size_t sphere) const;
   /// The largest number of spheres that touch a plane across a principal axis.
   int spheres_on_a_plane() const;
 };
@@ -41,6 +47,7 @@ class BodySpeciesTable {
   }
   /// Species of a ball; < 0: a sphere.
   std::int32_t of_ball(std::size_t ball) const { return empty() ? -1 : of_ball_[ball]; }
+  bool has_rounded() const { return has_rounded_; }
   /// Number of spheres of a ball.
   std::size_t sphere_count(std::size_t ball) const {
     return of_ball(ball) < 0 ? 1 : (*this)[of_ball(ball)].offsets.size();
@@ -57,12 +64,13 @@ class BodySpeciesTable {
   std::vector<scene::Ball> lightest_contacts(const std::vector<scene::Ball>& balls) const;
 
  private:
-  template <class Mass>
-  std::vector<scene::Ball> with_masses(const std::vector<scene::Ball>& balls,
-                                       const Mass& mass) const;
+  /// `part(species, sphere)`: radius and mass of each sphere.
+  template <class Part>
+  std::vector<scene::Ball> parts(const std::vector<scene::Ball>& balls, const Part& part) const;
 
   std::vector<BodySpecies> species_;
   std::vector<std::int32_t> of_ball_;
+  bool has_rounded_ = false;
 };
 
 }  // namespace mahlwerk::soft

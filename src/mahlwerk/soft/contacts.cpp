@@ -60,6 +60,19 @@ std::vector<PairParameters> all_pair_parameters(const SpeciesPairs& pairs, int f
   return all;
 }
 
+void apply_effective_radius(PairParameters& parameters, std::size_t lane,
+                            const contact::EffectivePair& effective, const SpeciesPair& pair,
+                            const contact::ContactModel& model) {
+  const contact::LawCoefficients coefficients = std::visit(
+      [&](const auto& l) { return l.coefficients(effective, pair.damping); }, *model.law);
+  for (std::size_t n = 0; n < coefficients.size(); ++n)
+    parameters.coefficients[n][lane] = coefficients[n];
+  const double arm = rolling_coefficient(effective, model.rolling);
+  parameters.twisting_radius[lane] = effective.radius;
+  parameters.rolling_coefficient[lane] = arm;
+  parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
+}
+
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,
                           int face, const Vec3& position, double t, const SpeciesPair& pair,
                           const contact::ContactModel& model) {
@@ -71,14 +84,7 @@ void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const Mo
   contact::EffectivePair effective = pair.effective;
   effective.radius =
       std::sqrt(effective_radius_along(max_curvature) * effective_radius_along(min_curvature));
-  const contact::LawCoefficients coefficients = std::visit(
-      [&](const auto& l) { return l.coefficients(effective, pair.damping); }, *model.law);
-  for (std::size_t n = 0; n < coefficients.size(); ++n)
-    parameters.coefficients[n][lane] = coefficients[n];
-  const double arm = rolling_coefficient(effective, model.rolling);
-  parameters.twisting_radius[lane] = effective.radius;
-  parameters.rolling_coefficient[lane] = arm;
-  parameters.rolling_stiffness_ratio[lane] = 2.25 * arm * arm * pair.stiffness_ratio;
+  apply_effective_radius(parameters, lane, effective, pair, model);
 }
 
 ContactOnset contact_onset(std::int64_t step, const OnsetSpeeds& speeds, std::size_t lane) {

@@ -21,6 +21,10 @@ PairParameters pair_parameters(const SpeciesPair& pair, const Species& a, const 
 std::vector<PairParameters> all_pair_parameters(const SpeciesPairs& pairs, int faces,
                                                 const Settings& settings);
 
+/// Replaces what of a lane's parameters depends on the R* of the contact, `effective.radius`.
+void apply_effective_radius(PairParameters& parameters, std::size_t lane,
+                            const contact::EffectivePair& effective, const SpeciesPair& pair,
+                            const contact::ContactModel& model);
 /// Replaces the coefficients of a lane by those with R* from both principal curvatures of the face
 /// (dem.4), for a ball at `position` [m].
 void apply_wall_curvature(PairParameters& parameters, std::size_t lane, const MovingWall& jar,

@@ -85,6 +85,33 @@ TEST(BallShape, each_name_is_read_and_written) {
   EXPECT_TRUE(read_text(write(c), "case.toml", catalogue()) == c) << write(c);
 }
 
+TEST(BallShape, convex_surface_is_read_and_written) {
+  const Case c = read_sample(mill, {{"balls.surface", "convex"}});
+  EXPECT_NEAR(c.balls[0].body.rounding, 0.0012, 1e-15) << "a tenth of the diameter";
+  EXPECT_TRUE(body_shapes(c)[0].is_rounded());
+  EXPECT_TRUE(read_text(write(c), "case.toml", catalogue()) == c) << write(c);
+  const Case disc = read_sample(
+      mill, {{"balls.surface", "convex"}, {"balls.length", "3 mm"}, {"balls.rounding", "0.5 mm"}});
+  EXPECT_EQ(disc.balls[0].body.length, 0.003) << "flat discs need no spheres";
+  EXPECT_EQ(code_of({{"balls.surface", "convex"}, {"balls.rounding", "6 mm"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.surface", "convex"}, {"balls.spheres", "30"}}), "too-much");
+  EXPECT_EQ(code_of({{"balls.rounding", "1 mm"}}), "too-much");
+  EXPECT_EQ(code_of({{"balls.shape", "ellipsoid"}, {"balls.surface", "convex"}}), "too-much");
+}
+
+TEST(BallShape, convex_surface_needs_a_jar_that_no_wall_bulges_into) {
+  EXPECT_EQ(engine_code({{"balls.surface", "convex"}}), "0 faults");
+  const Override convex{"balls.surface", "convex"};
+  const std::string lifters =
+      with(mill, "kind = \"cylinder\"",
+           "kind = \"lifter-cylinder\"\nlifters = 4\nlifter_height = \"10 mm\"\n"
+           "lifter_width = \"10 mm\"");
+  const auto found = engine_faults(read_sample(lifters, {convex}));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, "not-with-bodies");
+  EXPECT_TRUE(engine_faults(read_sample(lifters)).empty());
+}
+
 TEST(BallShape, spheres_keep_their_case) {
   const Case c = read_sample(vial);
   EXPECT_FALSE(has_bodies(c));

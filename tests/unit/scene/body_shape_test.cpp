@@ -56,6 +56,40 @@ TEST(BodyShape, number_of_spheres_is_at_most_what_was_asked) {
   }
 }
 
+/// Moments of a solid of revolution by the midpoint rule over slices.
+TEST(BodyShape, rounded_cylinder_has_the_moments_of_its_slices) {
+  const double d = 0.01, l = 0.016, r = 0.0015, half = l / 2;
+  double volume = 0, along = 0, across = 0;
+  constexpr int slices = 200000;
+  for (int k = 0; k < slices; ++k) {
+    const double z = half * (k + 0.5) / slices, t = std::max(z - (half - r), 0.0);
+    const double w = d / 2 - r + std::sqrt(r * r - t * t), area = 2 * pi * w * w * half / slices;
+    volume += area, along += area * w * w / 2, across += area * (w * w / 4 + z * z);
+  }
+  const scene::Solid solid = scene::rounded_cylinder(d, l, r);
+  states("volume", solid.volume / volume, 1, 1e-7, "bod.23; 2e5 slices");
+  states("moment along", solid.inertia.z / along, 1, 1e-7, "bod.23");
+  states("moment across", solid.inertia.x / across, 1, 1e-7, "bod.23");
+}
+
+TEST(BodyShape, rounded_bodies_end_in_cylinder_cube_and_sphere) {
+  const double d = 0.01;
+  const scene::Solid sharp = scene::rounded_cylinder(d, 1.5 * d, 1e-9 * d),
+                     plain = scene::cylinder_of_spheres(d, 1.5 * d, 0);
+  states("sharp cylinder: volume", sharp.volume / plain.volume, 1, 1e-8, "bod.3");
+  states("sharp cylinder: moment across", sharp.inertia.x / plain.inertia.x, 1, 1e-8, "bod.3");
+  const scene::Solid round = scene::rounded_cylinder(d, d, d / 2 * (1 - 1e-12));
+  states("all rounding: volume of a sphere", round.volume / (pi / 6 * d * d * d), 1, 1e-9,
+         "bod.23");
+  states("all rounding: moments", round.inertia.x / (round.volume * d * d / 10), 1, 1e-9,
+         "2/5 m R^2");
+  EXPECT_EQ(scene::rounded_cube(d, 0.1 * d).inertia.x,
+            scene::cube_of_spheres(d, 0.1 * d, 9).inertia.x);
+  EXPECT_EQ(scene::rounded_rod(d, 2 * d).volume, scene::rod_of_spheres(d, 2 * d, 2).volume);
+  // A picture of sharp edges needs no more spheres than others.
+  EXPECT_LT(scene::rounded_cube(d, 1e-4 * d).spheres.size(), 700U);
+}
+
 TEST(BodyShape, closed_forms_of_the_solids) {
   // A rounded cube without rounding is a cube; one that is all rounding is a sphere.
   const double a = 0.02;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A drum of cylpebs: energy balance, threads, checkpoints.
+// A drum of cylpebs, as clumps and as rounded convex bodies: energy balance, threads, checkpoints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,9 +60,21 @@ std::unique_ptr<scene::Engine> drum_engine(const scene::Solid& solid, int thread
   return soft::make_engine(drum(), balls, settings, contact::PairTable(mixed ? 2 : 1, 3, pair()));
 }
 
-TEST(ClumpDrum, energy_balance_closes) {
+struct Charge {
+  scene::Solid solid;
+  bool mixed;  // with balls
+};
+std::vector<Charge> charges(int spheres) {
+  std::vector<Charge> all;
   for (const bool mixed : {false, true}) {
-    const scene::Solid solid = scene::cylinder_of_spheres(size, size, 30);
+    all.push_back({scene::cylinder_of_spheres(size, size, spheres), mixed});
+    all.push_back({scene::rounded_cylinder(size, size, 0.1 * size), mixed});
+  }
+  return all;
+}
+
+TEST(ClumpDrum, energy_balance_closes) {
+  for (const auto& [solid, mixed] : charges(30)) {
     const auto engine = drum_engine(solid, 1, mixed);
     Recorder hits;
     engine->advance(0.15, hits);
@@ -85,8 +97,7 @@ TEST(ClumpDrum, energy_balance_closes) {
 }
 
 TEST(ClumpDrum, same_bits_on_one_and_two_threads) {
-  const scene::Solid solid = scene::cylinder_of_spheres(size, size, 20);
-  for (const bool mixed : {false, true}) {
+  for (const auto& [solid, mixed] : charges(20)) {
     const auto one = drum_engine(solid, 1, mixed), two = drum_engine(solid, 2, mixed);
     Recorder a, b;
     one->advance(0.05, a);
@@ -99,8 +110,7 @@ TEST(ClumpDrum, same_bits_on_one_and_two_threads) {
 }
 
 TEST(ClumpDrum, same_bits_after_a_cut_by_a_checkpoint) {
-  const scene::Solid solid = scene::cylinder_of_spheres(size, size, 20);
-  for (const bool mixed : {false, true}) {
+  for (const auto& [solid, mixed] : charges(20)) {
     const auto whole = drum_engine(solid, 1, mixed), first = drum_engine(solid, 1, mixed),
                second = drum_engine(solid, 2, mixed);
     Recorder a, b;

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 #include "mahlwerk/cases/wall_faces.hpp"
+#include "mahlwerk/geometry/shapes.hpp"
 
 namespace mahlwerk::cases {
 namespace {
@@ -16,6 +19,17 @@ std::string shape_key(const Case& c) {
   std::size_t set = 0;
   while (c.balls[set].body.is_sphere()) ++set;
   return fmt::format("balls.{}.shape", set + 1);
+}
+
+bool has_convex_bodies(const Case& c) {
+  return std::ranges::any_of(c.balls, [](const BallSet& set) { return set.body.is_convex(); });
+}
+
+/// Whether no wall bulges into the jar, so that only corners and rims of convex bodies touch it.
+bool has_convex_cavity(const Case& c) {
+  return c.machine_parts.empty() &&
+         (geometry::exact_touches(*c.jar.shape) ||
+          std::holds_alternative<geometry::PeriodicCylinder>(*c.jar.shape));
 }
 
 /// What bodies that are no spheres do not go with, in the soft engine.
@@ -36,6 +50,9 @@ void refuse_with_bodies(const Case& c, std::vector<Fault>& found) {
          "write device = \"cpu\", or remove shape");
   refuse(!c.run.start_from.file.empty(), "run.start_from",
          "start_from, whose files have no orientations,", "remove start_from, or shape");
+  refuse(has_convex_bodies(c) && !has_convex_cavity(c), "jar.kind",
+         "a jar with lifters, a stirrer or a mesh, or with parts,",
+         "write surface = \"spheres\", or remove shape");
   refuse(c.observe.final_state, "observe.final_state",
          "final_state, whose files have no orientations,", "remove final_state, or shape");
 }

@@ -4,6 +4,7 @@
 // The shape of the balls of a set that are no spheres.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mahlwerk/base/units.hpp"
@@ -31,19 +32,36 @@ void describe_shape_word(KeyVisitor& v, BallShape& body) {
          body.kind);
 }
 
+void describe_surface(KeyVisitor& v, BallShape& body) {
+  v.word({"surface",
+          surface_words(),
+          "spheres",
+          "works with every jar and part",
+          "what of a body touches",
+          {"spheres that stand for the shape", "the shape itself, with rounded edges"}},
+         body.surface);
+}
+
+constexpr double usual_rounding = 0.1;  // of the diameter of convex cylpebs
+
 /// Faults for given keys that the shape does not have.
-void refuse_keys_of_others(KeyVisitor& v, ShapeKind kind) {
+void refuse_keys_of_others(KeyVisitor& v, const BallShape& body) {
+  const ShapeKind kind = body.kind;
   const auto useless = [&](std::initializer_list<std::string_view> keys) {
     v.refuse(keys, fmt::format("with shape = \"{}\"", to_word(kind, body_words())),
              "remove it, or choose another shape");
   };
-  if (kind == ShapeKind::sphere) return useless({"length", "edge", "rounding", "spheres"});
+  if (kind == ShapeKind::sphere)
+    return useless({"length", "edge", "rounding", "spheres", "surface"});
   useless({"distribution", "spread", "smallest", "largest", "passing", "retained", "classes",
            "wall_thickness", "coating_thickness", "coating_density"});
-  if (kind == ShapeKind::cube)
-    useless({"diameter", "length"});
-  else
-    useless({"edge", "rounding"});
+  if (kind == ShapeKind::cube) return useless({"diameter", "length"});
+  useless({"edge"});
+  if (kind == ShapeKind::ellipsoid) useless({"surface"});
+  if (kind != ShapeKind::cylpebs) return useless({"rounding"});
+  if (!body.is_convex())
+    v.refuse({"rounding"}, "with shape = \"cylpebs\" made of spheres",
+             "remove it, or write surface = \"convex\"");
 }
 
 void describe_shape_numbers(KeyVisitor& v, BallShape& body) {
@@ -60,26 +78,40 @@ void describe_shape_numbers(KeyVisitor& v, BallShape& body) {
   v.number(NumberSpec("length", "m", positive, "length of a body along its axis")
                .plausible_within("", "2 m"),
            body.length);
+  if (body.kind == ShapeKind::cylpebs && body.is_convex())
+    v.number(NumberSpec("rounding", "m", positive, "radius of the rims of a cylinder")
+                 .with_default(usual_rounding * std::min(body.diameter, body.length),
+                               "a tenth of the diameter, or of the length if that is less"),
+             body.rounding);
 }
 
-/// The two numbers must make the shape. False after a fault.
+/// A fault unless the edges are rounded less than half of `width` [m].
+bool rounds_edges(SectionReader& in, double rounding, double width, const char* of,
+                  const char* rounder) {
+  if (std::isnan(rounding) || std::isnan(width)) return false;
+  if (rounding < width / 2) return true;
+  in.fault(in.find("rounding") != nullptr ? *in.find("rounding") : *in.find("shape"),
+           fmt::format("rounding ({}) is not below half of {} ({})", show_rounded(rounding, "m"),
+                       of, show_rounded(width, "m")),
+           fmt::format("give a smaller rounding; {}", rounder), "out-of-range");
+  return false;
+}
+
+/// The numbers must make the shape. False after a fault.
 bool makes_a_solid(SectionReader& in, const BallShape& body) {
-  if (body.kind == ShapeKind::cube) {
-    if (std::isnan(body.edge + body.rounding)) return false;
-    if (body.rounding < body.edge / 2) return true;
-    in.fault(*in.find("rounding"),
-             fmt::format("rounding ({}) is not below half of edge ({})",
-                         show_rounded(body.rounding, "m"), show_rounded(body.edge, "m")),
-             "give a smaller rounding; shape = \"sphere\" is a ball", "out-of-range");
-    return false;
-  }
+  if (body.kind == ShapeKind::cube)
+    return rounds_edges(in, body.rounding, body.edge, "edge", "shape = \"sphere\" is a ball");
   if (std::isnan(body.diameter + body.length)) return false;
   const bool flat = body.kind == ShapeKind::cylpebs;
+  if (flat && body.is_convex())
+    return rounds_edges(in, body.rounding, std::min(body.diameter, body.length),
+                        "the smaller of diameter and length",
+                        "shape = \"rod\" has hemispherical ends");
   if (flat ? body.length >= body.diameter / 2 : body.length > body.diameter) return true;
   in.fault(*in.find("length"),
            fmt::format("length ({}) is not {} diameter ({})", show_rounded(body.length, "m"),
                        flat ? "at least half of" : "above", show_rounded(body.diameter, "m")),
-           flat ? "give a longer cylinder: flat discs have no spheres yet"
+           flat ? "give a longer cylinder, or surface = \"convex\" for a disc"
                 : "give a greater length; shape = \"sphere\" is a ball",
            "out-of-range");
   return false;
@@ -103,11 +135,14 @@ bool read_spheres(SectionReader& in, BallShape& body) {
 
 bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
   describe_shape_word(v, body);
-  refuse_keys_of_others(v, body.kind);
+  if (!body.is_sphere() && body.kind != ShapeKind::ellipsoid) describe_surface(v, body);
+  refuse_keys_of_others(v, body);
   if (body.is_sphere()) return false;
   describe_shape_numbers(v, body);
   SectionReader* in = v.reader();
-  if (in == nullptr || v.gives("spheres"))
+  if (body.is_convex())
+    v.refuse({"spheres"}, "with surface = \"convex\"", "remove it");
+  else if (in == nullptr || v.gives("spheres"))
     v.integer({.key = "spheres",
                .least = 2,
                .most = most_spheres,
@@ -115,7 +150,7 @@ bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
                .default_text = "as many as lie a radius of theirs apart"},
               body.spheres);
   if (in == nullptr) return true;
-  const bool sound = makes_a_solid(*in, body) && read_spheres(*in, body);
+  const bool sound = makes_a_solid(*in, body) && (body.is_convex() || read_spheres(*in, body));
   diameter = sound ? 2 * body.solid().equivalent_radius() : invalid_value;
   return true;
 }

@@ -210,10 +210,10 @@ class Derivation {
     const BallSet& set = c_.balls[i];
     if (set.body.is_sphere()) return;
     const std::string number = c_.balls.size() > 1 ? fmt::format("_{}", i + 1) : "";
-    const scene::Solid solid = set.body.solid();
     add("equivalent_diameter" + number, set.diameter, "m",
         "diameter of the sphere of the same volume as a body of the set (bod.1)");
-    add("spheres_of_a_body" + number, static_cast<double>(solid.spheres.size()), "",
+    if (set.body.is_convex()) return;
+    add("spheres_of_a_body" + number, static_cast<double>(set.body.solid().spheres.size()), "",
         "number of spheres that stand for a body");
     add("scale_of_spheres" + number, 100 * set.body.scale(), "%",
         "size of the clump of spheres over that of the body: their volumes are the same (bod.15)");

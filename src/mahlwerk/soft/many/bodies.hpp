@@ -11,8 +11,6 @@
 // balls.
 namespace mahlwerk::soft {
 
-using LaneBodies = std::array<std::int32_t, lanes>;  // a body for each lane
-
 /// The balls of the lanes of a group.
 template <class V>
 [[gnu::always_inline]] inline const std::int32_t* bodies_of(const LaneBodies& at,
@@ -77,20 +75,21 @@ template <class V>
   });
 }
 
-/// Relative motion of the pairs of a group. `points` are the wall contact points of its packet.
+/// Relative motion of the pairs of a group. `points` are the wall contact points of its packet,
+/// `from` has its bodies.
 template <class V>
 [[gnu::always_inline]] inline PairMotion<V> gather_pair_motion(const ChunkStep& s,
-                                                               const ContactPacket& g,
+                                                               const PacketRows& from,
                                                                const LaneGroup<V>& group,
                                                                ContactKind kind,
                                                                const Vec<Lanes>& points) {
   PairMotion<V> motion;
   const V zero{};
-  const std::int32_t *i = bodies_of<V>(g.i, group), *j = bodies_of<V>(g.j, group);
+  const std::int32_t *i = bodies_of<V>(*from.i, group), *j = bodies_of<V>(*from.j, group);
   Vec<V> position, velocity;
-  motion.wi = gather_spins<V>(s.spins, i);
+  motion.wi = gather_spins<V>(from.spins, i);
   if (kind == ContactKind::wall) {
-    gather_motion<V>(s.rows, i, position, velocity);
+    gather_motion<V>(from.rows, i, position, velocity);
     const Vec<V> at = group(points);
     motion.wj = in_all_lanes<V>(s.drive.spin);
     Vec<V> offset{};
@@ -105,12 +104,12 @@ template <class V>
     motion.separation = at - position;
     motion.relative_velocity = velocity - motion.vj;
   } else {
-    gather_differences<V>(s.rows, i, j, position, velocity);
+    gather_differences<V>(from.rows, i, j, position, velocity);
     motion.separation = position;
     if (s.constants.periodic) motion.separation = folded(position, s.constants.periods);
     motion.relative_velocity = -velocity;
     motion.vj = {zero, zero, zero};
-    motion.wj = gather_spins<V>(s.spins, j);
+    motion.wj = gather_spins<V>(from.spins, j);
   }
   return motion;
 }

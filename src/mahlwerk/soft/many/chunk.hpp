@@ -17,10 +17,12 @@
 
 namespace mahlwerk::soft {
 
+using LaneBodies = std::array<std::int32_t, lanes>;  ///< a body for each lane
+
 /// Eight contacts. Only touching pairs have a lane. Free lanes touch nothing, but hold indices of
 /// existing bodies.
 struct alignas(64) ContactPacket {
-  std::array<std::int32_t, lanes> i{}, j{};  ///< balls; at a wall, j is the face
+  LaneBodies i{}, j{};  ///< balls; at a wall, j is the face
   std::array<std::int32_t, lanes> species_pair{};
   std::uint32_t touching = 0, begun = 0;  ///< bits of lanes: in contact; new in this step
   std::uint32_t tensile = 0;              ///< bits of lanes with a load < 0 at the last step
@@ -37,9 +39,10 @@ struct alignas(64) OptionalHistory {
   Lanes stiffness{};  ///< for ContactModel::rescaled_unloading
 };
 
-/// The normals of wall contacts at the last step, for records: when a contact ends, the ball may
-/// already have left the face.
-struct alignas(64) WallNormals {
+/// The normals of contacts at the last step. Of wall contacts for records: when a contact ends, the
+/// ball may already have left the face. Of pairs with rounded bodies to begin the search of the
+/// next step.
+struct alignas(64) ContactNormals {
   Vec<Lanes> normal{};
 };
 
@@ -62,7 +65,7 @@ struct ContactPackets {
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
   BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
   BlockList<PairParameters> parameters;           ///< of each packet, if curved walls change them
-  BlockList<WallNormals> wall_normals;            ///< of each packet, for walls
+  BlockList<ContactNormals> normals;              ///< of each packet, for walls and rounded bodies
   BlockList<StressHistory> stresses;              ///< of each packet, if grains break
   std::vector<std::int32_t> free;                 ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
@@ -75,7 +78,7 @@ struct ContactPackets {
     optional_histories.free_block(block);
     friction_histories.free_block(block);
     parameters.free_block(block);
-    wall_normals.free_block(block);
+    normals.free_block(block);
     stresses.free_block(block);
   }
 };
@@ -115,6 +118,22 @@ struct ChunkDisplacement {
   double spread = 0;          ///< [m]
 };
 
+/// The spheres that touch in the lanes of a packet with rounded bodies (bod.21). A sphere moves
+/// with its body; `arm` is its centre from that of the body [m].
+struct alignas(64) ContactSpheres {
+  std::array<BallRecord, 2 * lanes> rows{};
+  std::array<SpinRecord, 2 * lanes> spins{};
+  LaneBodies i{0, 1, 2, 3, 4, 5, 6, 7}, j{8, 9, 10, 11, 12, 13, 14, 15};
+  Vec<Lanes> arm_i{}, arm_j{};
+};
+
+/// A pair of bodies, one of them rounded, whose holding spheres overlap though they do not touch.
+/// It cannot touch before ManyBodySolver::path_ has reached `due` [m].
+struct NearPair {
+  NeighbourPair pair;
+  double due = 0;
+};
+
 /// Sums over the steps of a chunk.
 struct ChunkSums {
   ContactWork work;   ///< halo contacts count half: both chunks compute them
@@ -136,6 +155,7 @@ struct Chunk {
   std::int32_t first = 0, last = 0;
   ContactPackets own, halo, wall;
   VerletList ball_pairs, wall_pairs;
+  std::vector<NearPair> near_pairs;  ///< taken out of both lists
   /// [m] Upper bounds of the decrease of gaps since the last binning.
   double max_gap_decrease = 0, max_wall_gap_decrease = 0;
   std::vector<std::int32_t> neighbour_chunks;  ///< chunks with balls near those of this chunk
@@ -147,6 +167,9 @@ struct Chunk {
   std::vector<std::array<geometry::NearFacets, lanes>> near_facets;
   std::vector<geometry::NearFacets> tested_facets;  ///< likewise, of pairs in `wall_pairs`
   std::vector<std::int32_t> new_touches;            ///< scratch: pairs found to touch
+  ContactSpheres spheres;                           ///< scratch: of the packet that is computed
+  double largest_move = 0;  ///< [m] of a point of a body of the chunk in this step; if rounded
+  std::int32_t meeting_cores = -1;  ///< row of a rounded body whose core is pressed in; < 0: none
 };
 
 }  // namespace mahlwerk::soft

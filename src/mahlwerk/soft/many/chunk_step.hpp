@@ -8,6 +8,14 @@
 namespace mahlwerk::soft {
 
 struct ChunkStep;
+/// Where the forces of a packet find the bodies of its lanes: their own rows, or those of the
+/// spheres in ContactSpheres.
+struct PacketRows {
+  const BallRecord* rows = nullptr;
+  const SpinRecord* spins = nullptr;
+  const LaneBodies *i = nullptr, *j = nullptr;
+};
+
 /// Force and torque on each ball of a chunk.
 using BallForces = std::vector<VectorPair>;
 
@@ -22,6 +30,8 @@ class ManyContactCallbacks {
                             const OnsetSpeeds& speeds) = 0;
   /// Contacts of `list.packets[g]` end: the lanes of `ended` (bits).
   virtual void end(Chunk& chunk, ContactPackets& list, std::size_t g, std::uint32_t ended) = 0;
+  /// Finds the spheres that touch in the lanes of `list.packets[g]`: chunk.spheres.
+  virtual void place_contact_spheres(Chunk& chunk, ContactPackets& list, std::size_t g) = 0;
   /// Assigns a lane to a pair that begins to touch.
   virtual void activate(Chunk& chunk, const NeighbourPair& pair) = 0;
   /// Tests wall pairs, and assigns a lane to those that begin to touch.
@@ -63,6 +73,7 @@ struct alignas(64) ChunkStep {
   bool liquid = false;            ///< there is a liquid
   bool loads = false;             ///< callbacks->add_wall_load() is called for each wall contact
   const std::int32_t* body_of = nullptr;  ///< body of each row, < 0: none; null: all are spheres
+  bool rounded = false;                   ///< some bodies are rounded: ContactSpheres
   bool has_history = false;               ///< the law or rolling model needs OptionalHistory
   bool stresses = false;                  ///< grains break: contacts have a StressHistory
   double stored_share = 0;                ///< [1] elastic energy over force and overlap (bed.1)

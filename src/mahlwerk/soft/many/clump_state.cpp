@@ -62,7 +62,7 @@ void ManyBodySolver::add_body_forces(std::vector<Vec3>& all, const Vec3& pull) c
 
 void ManyBodySolver::serialize_bodies(Archive& archive) {
   const std::size_t bodies = bodies_.rows.size();
-  archive(bodies_.now)(bodies_.next)(bodies_.motion)(bodies_.rows)(bodies_.body_of)(
+  archive(path_)(bodies_.now)(bodies_.next)(bodies_.motion)(bodies_.rows)(bodies_.body_of)(
       bodies_.sphere_of);
   if (bodies_.rows.size() != bodies || bodies_.now.size() != bodies ||
       bodies_.next.size() != bodies || bodies_.motion.size() != bodies ||

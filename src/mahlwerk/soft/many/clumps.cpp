@@ -267,48 +267,44 @@ void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const B
   displacements.put(chunk.last - chunk.first, displacement);
 }
 
-/// Replaces the coefficients of a contact by those of its effective mass at the point of first
-/// touch (bod.12).
+/// Replaces the parameters of a contact by those of its effective mass at the point of first touch
+/// (bod.12), and for rounded bodies of the curvatures there (bod.22).
 void ManyBodySolver::apply_contact_mass(PairParameters& parameters, std::size_t lane,
-                                        const ContactPacket& g, bool wall) const {
-  const auto i = static_cast<std::size_t>(g.i[lane]), j = static_cast<std::size_t>(g.j[lane]);
-  const Vec3 x = rows_[i].position();
-  Vec3 n;
-  if (wall) {
-    n = -jar_->gap(g.j[lane], x, wall_axes_, rows_[i].radius + pull_off_distance_).inward;
-  } else {
-    n = nearest(rows_[j].position() - x);
-    n = (1 / norm(n)) * n;
-  }
-  const auto inverse_mass = [&](std::size_t row, double side) {
-    const double radius = rows_[row].radius;
+                                        const NeighbourPair& contact,
+                                        std::int32_t species_pair) const {
+  const TouchingSpheres touch = touching_spheres(contact.ball, contact.other);
+  const Vec3& n = touch.normal;
+  const auto inverse_mass = [&](std::int32_t at, const Vec3& arm, double radius, double side) {
+    const auto row = static_cast<std::size_t>(at);
     if (!is_member(row)) {
       const Species& of = pairs_.species(species_[row]);
       return InverseMass{1 / of.mass, 1 / of.mass + radius * radius / of.inertia};
     }
-    const std::size_t b = bodies_.body(row);
-    const BodyRecord& at = bodies_.now[b];
-    const BodySpecies& of = body_species_[bodies_.rows[b].species];
-    const Vec3 arm = rows_[row].position() + side * radius * n - at.centre;
-    return inverse_mass_at(of.mass, of.inverse_inertia, rotation_of(at.orientation), arm, n);
+    const BodyRecord& body = bodies_.now[bodies_.body(row)];
+    const BodySpecies& of = body_species_[bodies_.rows[bodies_.body(row)].species];
+    const Vec3 to = rows_[row].position() + arm + side * radius * n - body.centre;
+    return inverse_mass_at(of.mass, of.inverse_inertia, rotation_of(body.orientation), to, n);
   };
-  InverseMass sum = inverse_mass(i, 1);
-  if (!wall) {
-    const InverseMass of_j = inverse_mass(j, -1);
+  InverseMass sum = inverse_mass(contact.ball, touch.arm_i, touch.radius_i, 1);
+  if (contact.other >= 0) {
+    const InverseMass of_j = inverse_mass(contact.other, touch.arm_j, touch.radius_j, -1);
     sum.normal += of_j.normal, sum.tangential += of_j.tangential;
   }
-  SpeciesPair pair = pairs_[g.species_pair[lane]];
-  pair.effective.mass = 1 / sum.normal;
-  pair.effective.slip_factor = sum.tangential / sum.normal;
-  const contact::LawCoefficients coefficients =
-      std::visit([&](const auto& l) { return l.coefficients(pair.effective, pair.damping); },
-                 *settings_.model.law);
-  for (std::size_t n_coefficient = 0; n_coefficient < coefficients.size(); ++n_coefficient)
-    parameters.coefficients[n_coefficient][lane] = coefficients[n_coefficient];
+  SpeciesPair own = pairs_[species_pair];
+  own.effective.mass = 1 / sum.normal;
+  own.effective.slip_factor = sum.tangential / sum.normal;
+  if (rounded_species(contact.ball) != nullptr ||
+      (contact.other >= 0 && rounded_species(contact.other) != nullptr)) {
+    const double narrowest = 1 / std::max(parameters.radius_i[lane], parameters.radius_j[lane]);
+    own.effective.radius = 1 / std::max(touch.curvature_i + touch.curvature_j, narrowest);
+    parameters.radius_i[lane] = touch.radius_i, parameters.radius_j[lane] = touch.radius_j;
+    parameters.inverse_radius[lane] = 1 / min_radius(parameters, lane);
+  }
+  apply_effective_radius(parameters, lane, own.effective, own, settings_.model);
   const double dt = settings_.time_step;
-  parameters.phase_squared_per_stiffness[lane] = pair.phase_squared_per_stiffness(dt);
-  parameters.half_step_squared_over_mass[lane] = 0.5 * dt * dt / pair.effective.mass;
-  parameters.slip_factor[lane] = pair.effective.slip_factor;
+  parameters.phase_squared_per_stiffness[lane] = own.phase_squared_per_stiffness(dt);
+  parameters.half_step_squared_over_mass[lane] = 0.5 * dt * dt / own.effective.mass;
+  parameters.slip_factor[lane] = own.effective.slip_factor;
 }
 
 double ManyBodySolver::contact_mass(const ContactPackets& list, std::size_t n,

@@ -48,9 +48,17 @@ void ManyBodySolver::test_walls(Chunk& chunk) {
     w.separated.pop_back();
   }
   chunk.sums.tests += static_cast<std::int64_t>(due);
+  if (body_species_.has_rounded()) test_near_pairs(chunk);
 }
 
 void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
+  Vec3 normal;
+  if (has_rounded(pair)) {
+    const TouchingSpheres touch = touching_spheres(pair.ball, pair.other);
+    if (touch.distance >= touch.radius_i + touch.radius_j)  // only the spheres that hold them touch
+      return chunk.near_pairs.push_back({pair, path_ + touch.least_gap()});
+    normal = touch.normal;
+  }
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
   ContactPackets& list = is_wall(pair) ? chunk.wall : own ? chunk.own : chunk.halo;
@@ -64,6 +72,8 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
   g.touching |= bit(l);
   g.begun |= bit(l);
+  if (has_rounded(pair))
+    set_lane(list.normals[static_cast<std::size_t>(at / lanes)].normal, l, normal);
 }
 
 /// Returns a free lane for a contact of `ball` and `species_pair`, with its history cleared.
@@ -79,7 +89,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
     if (has_friction_history_) list.friction_histories.emplace_back();
-    if (wall) list.wall_normals.emplace_back();
+    if (wall || body_species_.has_rounded()) list.normals.emplace_back();
     if (settings_.breakage) list.stresses.emplace_back();
     if ((settings_.model.curved_walls && wall) || bodies_.has_members())
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
@@ -131,7 +141,8 @@ void ManyBodySolver::begin(Chunk& chunk, ContactPackets& list, std::size_t n) {
     PairParameters& own = list.parameters[n];
     copy_lane(parameters_[static_cast<std::size_t>(g.species_pair[l])], l, own, l);
     if (bodies_.has_members()) {
-      apply_contact_mass(own, l, g, &list == &chunk.wall);
+      apply_contact_mass(own, l, {g.i[l], &list == &chunk.wall ? ~g.j[l] : g.j[l]},
+                         g.species_pair[l]);
       continue;
     }
     apply_wall_curvature(own, l, *jar_, g.j[l], rows_[static_cast<std::size_t>(g.i[l])].position(),
@@ -188,11 +199,11 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const SpeciesPair& pair = pairs_[g.species_pair[l]];
   const double t = mill_time(step_), duration = time_of(step_ - onset.step);
   const int face = wall ? g.j[l] : -1;
-  const Vec3 separation =
-      wall ? get_lane(list.wall_normals[n].normal, l)
-           : nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - ball.position());
-  const Vec3 normal = (1 / norm(separation)) * separation,
-             where = jar_->within_period(ball.position()) + ball.radius * normal;
+  const TouchingSpheres touch =
+      wall ? sphere_at_wall(g.i[l], face) : touching_spheres(g.i[l], g.j[l]);
+  const Vec3 towards = wall ? get_lane(list.normals[n].normal, l) : touch.normal;
+  const Vec3 normal = (1 / norm(towards)) * towards,
+             where = jar_->within_period(ball.position()) + touch.arm_i + touch.radius_i * normal;
   chunk.finished.push_back({step_,
                             {.time = time_of(onset.step),
                              .duration = duration,

@@ -15,7 +15,6 @@ namespace mahlwerk::soft {
 StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n,
                                        std::size_t l) const {
   const ContactPacket& g = list.packets[n];
-  const auto i = static_cast<std::size_t>(g.i[l]);
   const PairParameters& parameters = list.parameters.empty()
                                          ? parameters_[static_cast<std::size_t>(g.species_pair[l])]
                                          : list.parameters[n];
@@ -23,12 +22,7 @@ StoredEnergy ManyBodySolver::stored_in(const ContactPackets& list, std::size_t n
   if (has_history_)
     for (int a = 0; a < contact::law_history_size; ++a)
       law_history[a] = list.optional_histories[n].law_history[a][l];
-  const Vec3 x = rows_[i].position();
-  const double distance =
-      parameters.wall[l] != 0
-          ? jar_->gap(g.j[l], x, wall_axes_, rows_[i].radius + pull_off_distance_).distance
-          : norm(nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - x));
-  double overlap = parameters.radius_i[l] + parameters.radius_j[l] - distance;
+  double overlap = touching_spheres(g.i[l], parameters.wall[l] != 0 ? ~g.j[l] : g.j[l]).overlap();
   if (settings_.breakage) overlap = pressed_overlap(overlap, list.stresses[n].rest[l]);
   if (has_left_face(parameters, l, overlap)) return {};
   const double twist = has_friction_history_ ? list.friction_histories[n].twist[l] : 0;

@@ -250,34 +250,27 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   return {};
 }
 
-/// Calls `f` with each listed pair of a chunk, its overlap [m], and its weight: 1/2 where another
-/// chunk lists it, too.
+/// Calls `f` with each listed pair of a chunk, its spheres, and its weight: 1/2 where another chunk
+/// lists it, too.
 template <class F>
 void ManyBodySolver::each_overlap(const F& f) const {
   for (const Chunk& chunk : chunks_)
     for (const VerletList* w : {&chunk.ball_pairs, &chunk.wall_pairs})
       for (const NeighbourPair& pair : w->pairs) {
-        const BallRecord& a = rows_[static_cast<std::size_t>(pair.ball)];
-        if (pair.other < 0) {
-          f(pair, a.radius - jar_->gap(~pair.other, a.position(), wall_axes_, a.radius).distance,
-            1.0);
-          continue;
-        }
-        const BallRecord& b = rows_[static_cast<std::size_t>(pair.other)];
-        const bool halo = pair.other < chunk.first || pair.other >= chunk.last;
-        f(pair, a.radius + b.radius - norm(nearest(b.position() - a.position())), halo ? 0.5 : 1.0);
+        const bool halo = pair.other >= 0 && (pair.other < chunk.first || pair.other >= chunk.last);
+        f(pair, touching_spheres(pair.ball, pair.other), halo ? 0.5 : 1.0);
       }
 }
 
 /// Throws InputError if balls overlap by more than the limit: a large overlap would eject them at
 /// high speed.
 void ManyBodySolver::refuse_overlaps() const {
-  each_overlap([&](const NeighbourPair& pair, double depth, double) {
+  each_overlap([&](const NeighbourPair& pair, const TouchingSpheres& touch, double) {
     const auto row = static_cast<std::size_t>(pair.ball),
                other = static_cast<std::size_t>(std::max(pair.other, 0));
     const bool wall = pair.other < 0;
-    const double radius = rows_[row].radius;
-    const double overlap = depth / (wall ? radius : std::min(radius, rows_[other].radius));
+    const double overlap =
+        touch.overlap() / (wall ? touch.radius_i : std::min(touch.radius_i, touch.radius_j));
     if (overlap > settings_.max_initial_overlap)
       throw overlap_error(static_cast<std::size_t>(id_[row]),
                           wall ? "the jar" : fmt::format("ball {}", id_[other] + 1), overlap,
@@ -287,7 +280,8 @@ void ManyBodySolver::refuse_overlaps() const {
 
 double ManyBodySolver::energy_at_start() const {
   double energy = 0;
-  each_overlap([&](const NeighbourPair& pair, double overlap, double weight) {
+  each_overlap([&](const NeighbourPair& pair, const TouchingSpheres& touch, double weight) {
+    const double overlap = touch.overlap();
     if (!(overlap > 0)) return;
     const auto row = static_cast<std::size_t>(pair.ball);
     const bool wall = pair.other < 0;
@@ -299,6 +293,7 @@ double ManyBodySolver::energy_at_start() const {
     if (wall && settings_.model.curved_walls)
       apply_wall_curvature(parameters, 0, *jar_, ~pair.other, rows_[row].position(), mill_time(0),
                            pairs_[of_pair], settings_.model);
+    if (body_species_.has_rounded()) apply_contact_mass(parameters, 0, pair, of_pair);
     energy += weight * soft::energy_at_start(parameters, overlap, *settings_.model.law);
   });
   return energy;

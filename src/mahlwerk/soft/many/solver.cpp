@@ -242,6 +242,7 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
               .liquid = liquid_.has_value(),
               .loads = !loads_.empty(),
               .body_of = bodies_.has_members() ? bodies_.body_of.data() : nullptr,
+              .rounded = body_species_.has_rounded(),
               .has_history = has_history_,
               .stresses = settings_.breakage != nullptr,
               .stored_share = stored_share_,
@@ -257,7 +258,9 @@ void ManyBodySolver::step(const DriveSample& drive, const DriveSample& next_driv
     // Linear extrapolation for the next step. Kept apart until update_bounds(): `spread` was
     // measured from the old predicted_mean.
     predicted_means_[k] = 2.0 * d.mean - last;
+    if (s.rounded) chunks_[k].largest_move = largest_move(chunks_[k]);
   });
+  if (s.rounded) follow_moves();
   if (!breakage_.new_balls.empty()) end_new_fragments();
 }
 

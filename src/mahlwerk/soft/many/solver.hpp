@@ -143,9 +143,33 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
                  const VectorPair* on_rows, FreeBodies& turning, std::size_t lane);
   void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
                    ChunkDisplacement& displacement) override;
-  void apply_contact_mass(PairParameters& parameters, std::size_t lane, const ContactPacket& g,
-                          bool wall) const;
+  void apply_contact_mass(PairParameters& parameters, std::size_t lane, const NeighbourPair& pair,
+                          std::int32_t species_pair) const;
   double contact_mass(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
+  // Rounded convex bodies (rounded.cpp).
+  struct TouchingSpheres {
+    Vec3 arm_i = {}, arm_j = {};        // [m] centres of the spheres, from those of the bodies
+    double radius_i = 0, radius_j = 0;  // [m] 0 of a wall
+    Vec3 normal = {};                   // unit, from the sphere of i
+    double distance = 0;                // [m] of the centres; from a wall
+    double curvature_i = 0, curvature_j = 0;  // [1/m] mean of the surfaces; 0 of a wall
+    bool meeting = false;                     // the cores meet
+    double overlap() const { return radius_i + radius_j - distance; }
+    double least_gap() const { return (1 - 1e-5) * distance - radius_i - radius_j; }  // (bod.21)
+  };
+  const BodySpecies* rounded_species(std::int32_t row) const;
+  geometry::PlacedCore placed_core(std::int32_t row, const Vec3& centre) const;
+  /// Of two rows, or of a row and the face ~j.
+  /// `begin`: of a pair with a rounded body, a direction from i to j near the normal.
+  TouchingSpheres touching_spheres(std::int32_t i, std::int32_t j, const Vec3& begin = {}) const;
+  TouchingSpheres of_rounded_pair(std::int32_t i, std::int32_t j, const Vec3& begin) const;
+  bool has_rounded(const NeighbourPair& pair) const;
+  TouchingSpheres sphere_at_wall(std::int32_t i, int face) const;
+  Vec3 wall_arm(std::int32_t i, int face) const;
+  void test_near_pairs(Chunk& chunk);
+  double largest_move(const Chunk& chunk) const;
+  void follow_moves();
+  void place_contact_spheres(Chunk& chunk, ContactPackets& list, std::size_t n) override;
   PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
   Vec3 velocity_of_row(std::size_t row, const Vec3& body_kick_change) const;  // ball or sphere
   Vec3 spin_of_row(std::size_t row) const;
@@ -266,6 +290,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   std::vector<std::int32_t> id_, species_, contacts_of_;
   RigidBodies bodies_;  // empty where all balls are spheres
   TurnFreeBodies turn_free_bodies_ = turn_free_bodies();
+  /// [m] Bound of the decrease of any gap of rounded bodies since the start.
+  double path_ = 0;
 
   std::vector<Chunk> chunks_;
   std::vector<ChunkDisplacement> displacements_;

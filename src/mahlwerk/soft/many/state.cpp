@@ -108,11 +108,12 @@ void ManyBodySolver::serialize(Archive& archive) {
       serialize_list(archive, list->optional_histories);
       serialize_list(archive, list->friction_histories);
       serialize_list(archive, list->parameters);
-      serialize_list(archive, list->wall_normals);
+      serialize_list(archive, list->normals);
       serialize_list(archive, list->stresses);
       archive(list->free);
     }
     for (VerletList* w : {&c.ball_pairs, &c.wall_pairs}) archive(w->pairs)(w->end)(w->separated);
+    if (body_species_.has_rounded()) archive(c.near_pairs);
   }
   archive(energy_balance_)(watch_)(rested_steps_)(target_time_);
   rest_.serialize(archive);

@@ -112,7 +112,7 @@ template <class Law, class V>
   if (s.stresses) follow_loading<V>(s, group, geometry, touching, work, list.stresses[n]);
   if (kind == ContactKind::wall) {
     // A contact that ends keeps the normal of its last step: the ball may have left the face.
-    Vec<Lanes>& normal = list.wall_normals[n].normal;
+    Vec<Lanes>& normal = list.normals[n].normal;
     group.put(normal,
               ended == 0 ? geometry.n : select<V>(transitions.ended, group(normal), geometry.n));
   }
@@ -128,12 +128,13 @@ struct GroupState {
 };
 template <class V>
 [[gnu::always_inline]] inline GroupState<V> group_state(const ChunkStep& s, const ContactPacket& g,
+                                                        const PacketRows& from,
                                                         const LaneGroup<V>& group, ContactKind kind,
                                                         const Vec<Lanes>& points,
                                                         const PairParameters& parameters) {
   GroupState<V> state;
   const MaskOf<V> touched = group.mask(g.touching);
-  state.motion = gather_pair_motion<V>(s, g, group, kind, points);
+  state.motion = gather_pair_motion<V>(s, from, group, kind, points);
   const V squared = dot(state.motion.separation, state.motion.separation),
           near = touch_distance<V>(group, parameters, touched);
   state.touching = less<V>(squared, near * near) & touched;
@@ -161,6 +162,15 @@ inline void add_wall_loads(const ChunkStep& s, Chunk& chunk, const ContactPacket
   }
 }
 
+/// Adds the torques of the forces on the spheres of rounded bodies about their centres of mass.
+template <class V>
+[[gnu::always_inline]] inline void add_arm_torques(const LaneGroup<V>& group,
+                                                   const ContactSpheres& spheres,
+                                                   ContactForce<V>& force) {
+  force.torque_i = force.torque_i + cross(group(spheres.arm_i), force.force);
+  force.torque_j = force.torque_j - cross(group(spheres.arm_j), force.force);
+}
+
 /// Computes the contacts of a packet and adds their forces to the balls of the chunk: first those
 /// of balls i, then those of balls j, each in the order of the lanes.
 template <class Law, class V>
@@ -171,9 +181,15 @@ template <class Law, class V>
                                                 ContactWork& sums) {
   ContactPacket& g = list.packets[n];
   Vec<Lanes> points;
+  PacketRows from{s.rows, s.spins, &g.i, &g.j};
+  if (s.rounded) {
+    s.callbacks->place_contact_spheres(chunk, list, n);
+    from = {chunk.spheres.rows.data(), chunk.spheres.spins.data(), &chunk.spheres.i,
+            kind == ContactKind::wall ? &g.j : &chunk.spheres.j};
+  }
   if (kind == ContactKind::wall)
-    s.jar->wall_points(s.rows, g.i, g.j, g.touching, s.wall_axes, s.pull_off_distance, points,
-                       s.jar->keeps_near_facets() ? near_facets(chunk, n) : nullptr);
+    s.jar->wall_points(from.rows, *from.i, g.j, g.touching, s.wall_axes, s.pull_off_distance,
+                       points, s.jar->keeps_near_facets() ? near_facets(chunk, n) : nullptr);
   const std::uint32_t begun = g.begun, tensile = g.tensile;
   if (begun != 0) s.callbacks->begin(chunk, list, n);
   const PairParameters& parameters =
@@ -186,15 +202,16 @@ template <class Law, class V>
     const std::uint32_t own = ((1U << width_of<V>)-1) << first;
     const auto f = static_cast<std::size_t>(first);
     if ((g.touching & own) == 0) continue;
-    GroupState<V> state = group_state<V>(s, g, group, kind, points, parameters);
+    GroupState<V> state = group_state<V>(s, g, from, group, kind, points, parameters);
     const std::uint32_t still = group.bits(state.touching);
     touching |= still;
     std::uint32_t changing = own;  // lanes whose contacts begin and end as others do
     if (s.stresses)
       changing &= ~rest_overlaps<V>(group, list.stresses[n], state.geometry, state.touching);
-    const ContactForce<V> force = apply_group<Law, V>(
+    ContactForce<V> force = apply_group<Law, V>(
         s, list, n, group, state.motion, state.geometry, state.touching, begun & changing,
         g.touching & changing & ~still, tensile, parameters, kind, sums);
+    if (s.rounded) add_arm_torques<V>(group, chunk.spheres, force);
     const ForceRows<V> on_i(force.force, force.torque_i);
     add_rows<V>(ball_forces, chunk.first, g.i.data() + f, on_i);
     if (kind == ContactKind::wall && s.loads)
