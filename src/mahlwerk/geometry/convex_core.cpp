@@ -12,7 +12,8 @@
 namespace mahlwerk::geometry {
 namespace {
 
-/// A point of the difference of two cores, and the points that it is made of.
+/// A point of the difference of two cores, in the axes of the first, and the points that it is made
+/// of, each in the axes of its core.
 struct Difference {
   Vec3 w, a, b;
 };
@@ -29,7 +30,6 @@ class Simplex {
     std::size_t count = 0;
   };
 
-  explicit Simplex(const Difference& first) : points_{first}, weights_{1}, count_(1) {}
   void add(const Difference& d) { points_[count_++] = d; }
   void drop_last() { --count_; }
   bool has(const Vec3& w) const {
@@ -39,6 +39,7 @@ class Simplex {
   }
   /// The point of the hull nearest to the origin.
   Weights nearest() const {
+    if (count_ == 1) return {{0}, {1}, 1};
     if (count_ == 2) return nearest_on_edge(0, 1);
     return count_ == 3 ? nearest_on_triangle(0, 1, 2) : nearest_on_tetrahedron();
   }
@@ -73,6 +74,12 @@ class Simplex {
     Vec3 sum;
     for (std::size_t k = 0; k < count_; ++k) sum += weights_[k] * points_[k].a;
     return sum;
+  }
+  NearestHulls hulls() const {
+    NearestHulls out;
+    out.count = static_cast<std::int64_t>(count_);
+    for (std::size_t k = 0; k < count_; ++k) out.of_a[k] = points_[k].a, out.of_b[k] = points_[k].b;
+    return out;
   }
   template <class Of>
   CoreFeature feature(const Of& of) const {
@@ -133,8 +140,8 @@ class Simplex {
   }
 
   std::array<Difference, 4> points_;
-  std::array<double, 4> weights_;
-  std::size_t count_;
+  std::array<double, 4> weights_{};
+  std::size_t count_ = 0;
 };
 
 /// The points of the difference of two cores, in the axes of the first.
@@ -149,10 +156,11 @@ class CoreDifference {
   const Vec3& way() const { return way_; }
   /// The one that is farthest along `d`.
   Difference farthest(const Vec3& d) const {
-    const Vec3 on_a = a_ == nullptr ? Vec3{} : a_->support(d);
-    const Vec3 on_b = b_ == nullptr ? way_ : way_ + turn_ * b_->support(turn_.apply_inverse(-d));
-    return {on_a - on_b, on_a, on_b};
+    return of(a_ == nullptr ? Vec3{} : a_->support(d),
+              b_ == nullptr ? Vec3{} : b_->support(turn_.apply_inverse(-d)));
   }
+  /// That of two points of the cores.
+  Difference of(const Vec3& a, const Vec3& b) const { return {a - (way_ + turn_ * b), a, b}; }
 
  private:
   const ConvexCore *a_, *b_;
@@ -189,13 +197,17 @@ ConvexCore ConvexCore::scaled(double factor) const {
   return out;
 }
 
-NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, const Vec3& begin) {
+NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, NearestHulls& hulls) {
   constexpr double accuracy = 1e-8;  // of the square of the distance
   constexpr int most_rounds = 100;
   const CoreDifference difference(a, b);
-  const Vec3 along_begin = a.axes.apply_inverse(begin);
-  Simplex simplex(difference.farthest(squared(begin) > 0 ? along_begin : difference.way()));
-  Vec3 at = simplex.point({{0}, {1}, 1});  // nearest to the origin so far
+  Simplex simplex;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(hulls.count); ++k)
+    simplex.add(difference.of(hulls.of_a[k], hulls.of_b[k]));
+  if (hulls.count == 0) simplex.add(difference.farthest(difference.way()));
+  const Simplex::Weights first = simplex.nearest();
+  Vec3 at = simplex.point(first);  // nearest to the origin so far
+  simplex.keep(first);
   double square = squared(at);
   NearestPoints found;
   for (int round = 0; round < most_rounds && square > 0; ++round) {
@@ -223,6 +235,7 @@ NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, const Vec
   const Vec3 on_a = simplex.on_first();
   found.on_a = a.centre + a.axes * on_a, found.on_b = a.centre + a.axes * (on_a - at);
   found.distance = std::sqrt(square);
+  hulls = simplex.hulls();
   found.feature_a = simplex.feature([](const Difference& d) { return d.a; });
   found.feature_b = simplex.feature([](const Difference& d) { return d.b; });
   return found;

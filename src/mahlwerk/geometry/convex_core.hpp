@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/base/rotation.hpp"
@@ -34,6 +37,15 @@ struct PlacedCore {
 /// What of a body a point of its core stands for, which says how curved its surface is there.
 enum class CoreFeature { corner, edge, face };
 
+/// The points of two cores, in the axes of each, whose hulls hold those nearest to each other:
+/// where the next search begins. None: between the centres.
+struct NearestHulls {
+  std::array<Vec3, 3> of_a{}, of_b{};
+  std::int64_t count = 0;
+
+  NearestHulls swapped() const { return {of_b, of_a, count}; }
+};
+
 /// The points of two cores that are nearest to each other.
 struct NearestPoints {
   Vec3 on_a, on_b;
@@ -41,11 +53,11 @@ struct NearestPoints {
   CoreFeature feature_a = CoreFeature::corner, feature_b = CoreFeature::corner;
 };
 /// By the algorithm of Gilbert, Johnson and Keerthi (IEEE J. Robot. Autom. 4, 1988, 193). The
-/// relative error of the distance is below 1e-8; at rims of cylinders now and then up to 2e-6. The
-/// search goes first along `begin`, which is soonest done if it points from the nearest point of
-/// `a` to that of `b`. The features are those of hulls of points; of a cylinder use
-/// mean_curvature().
-NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, const Vec3& begin = {});
+/// relative error of the distance is below 1e-8; at rims of cylinders now
+/// and then up to 2e-6. `hulls` are those of an earlier search of the same cores, and become those
+/// of this one; a body that has moved little needs a round or two. The features are those of hulls
+/// of points; of a cylinder use mean_curvature().
+NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, NearestHulls& hulls);
 
 /// [1/m] Mean of the principal curvatures of a rounded body where the direction `normal` points
 /// out of its core at `at` (bod.22), both in the axes of the body.

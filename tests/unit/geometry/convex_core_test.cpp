@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "statement.hpp"
 
@@ -74,6 +75,11 @@ double plain_distance(const PlacedCore& a, const Vec3& half_a, const PlacedCore&
   return least;
 }
 
+NearestPoints nearest(const PlacedCore& a, const PlacedCore& b) {
+  geometry::NearestHulls hulls;
+  return geometry::nearest_points(a, b, hulls);
+}
+
 class Draws {
  public:
   double between(double a, double b) { return std::uniform_real_distribution(a, b)(engine_); }
@@ -99,7 +105,7 @@ TEST(ConvexCore, distance_of_two_boxes_is_that_of_their_nearest_features) {
         at_b{&b, draw.between(0.5, 4) * draw.direction(), draw.rotation()};
     const double plain = plain_distance(at_a, half_a, at_b, half_b);
     if (plain < 1e-3) continue;  // cores that meet have no distance
-    const NearestPoints found = geometry::nearest_points(at_a, at_b);
+    const NearestPoints found = nearest(at_a, at_b);
     if (found.distance == 0) continue;  // one box holds an edge of the other
     ++apart;
     worst = std::max(
@@ -114,7 +120,7 @@ TEST(ConvexCore, distance_of_two_boxes_is_that_of_their_nearest_features) {
 TEST(ConvexCore, cores_that_meet_have_no_distance) {
   const ConvexCore a = box(1, 1, 1), b = box(0.1, 0.1, 3);
   for (const double x : {0.0, 0.5, 0.99, 1.05}) {
-    const NearestPoints found = geometry::nearest_points({&a, {}, {}}, {&b, {x, 0.2, 0.1}, {}});
+    const NearestPoints found = nearest({&a, {}, {}}, {&b, {x, 0.2, 0.1}, {}});
     EXPECT_EQ(found.distance, 0) << x;
   }
 }
@@ -122,8 +128,8 @@ TEST(ConvexCore, cores_that_meet_have_no_distance) {
 TEST(ConvexCore, distance_of_parallel_faces_is_that_of_their_planes) {
   const ConvexCore a = box(1, 1, 1);
   for (const double turn : {0.0, 0.3, 1e-9}) {
-    const NearestPoints found = geometry::nearest_points(
-        {&a, {}, {}}, {&a, {0.3, 0.2, 2.1}, rotation_about({0, 0, 1}, turn)});
+    const NearestPoints found =
+        nearest({&a, {}, {}}, {&a, {0.3, 0.2, 2.1}, rotation_about({0, 0, 1}, turn)});
     states("distance", found.distance, 0.1, 1e-11, "planes at 1 and 1.1");
     states("normal", (found.on_b - found.on_a).z / found.distance, 1, 1e-9, "likewise");
   }
@@ -134,21 +140,18 @@ TEST(ConvexCore, distance_of_cylinders_is_that_of_their_lines_and_discs) {
   cylinder.radius = 0.5, cylinder.half_length = 1;
   // Crossed: the lines are 1.3 apart.
   const Rotation across = rotation_about({1, 0, 0}, pi / 2);
-  const NearestPoints crossed =
-      geometry::nearest_points({&cylinder, {}, {}}, {&cylinder, {1.3, 0.2, 0.1}, across});
+  const NearestPoints crossed = nearest({&cylinder, {}, {}}, {&cylinder, {1.3, 0.2, 0.1}, across});
   states("crossed", crossed.distance, 0.3, 3e-10, "1.3 - 2 x 0.5");
   // The end of one above the side of the other.
   const Rotation lying = rotation_about({0, 1, 0}, pi / 2);
-  const NearestPoints above =
-      geometry::nearest_points({&cylinder, {}, lying}, {&cylinder, {0.1, 0, 1.6}, {}});
+  const NearestPoints above = nearest({&cylinder, {}, lying}, {&cylinder, {0.1, 0, 1.6}, {}});
   states("end on side", above.distance, 0.1, 3e-10, "1.6 - 1 - 0.5");
   // Tilted by 0.4 over a disc: its lowest rim point.
   ConvexCore disc;
   disc.radius = 3;
   const Rotation tilted = rotation_about({0, 1, 0}, 0.4);
   const double low = std::cos(0.4) + 0.5 * std::sin(0.4);
-  const NearestPoints rim =
-      geometry::nearest_points({&disc, {}, {}}, {&cylinder, {0, 0, low + 0.05}, tilted});
+  const NearestPoints rim = nearest({&disc, {}, {}}, {&cylinder, {0, 0, low + 0.05}, tilted});
   states("rim on disc", rim.distance, 0.05, 1e-10, "half length cos + radius sin below the middle");
 }
 
@@ -166,13 +169,33 @@ TEST(ConvexCore, distance_of_a_cylinder_is_that_of_its_fine_prism) {
   for (int n = 0; n < 300; ++n) {
     const Vec3 where = draw.between(0.9, 1.6) * draw.direction();
     const Rotation first = draw.rotation(), second = draw.rotation();
-    const double found =
-        geometry::nearest_points({&cylinder, {}, first}, {&cylinder, where, second}).distance;
-    const double fine =
-        geometry::nearest_points({&prism, {}, first}, {&prism, where, second}).distance;
+    const double found = nearest({&cylinder, {}, first}, {&cylinder, where, second}).distance;
+    const double fine = nearest({&prism, {}, first}, {&prism, where, second}).distance;
     if (fine > 1e-2) worst = std::max(worst, std::abs(found - fine));
   }
   stays_below("difference", worst, 2 * missed + 2e-10, "sides of two prisms lie as much deeper");
+}
+
+/// Bodies that tumble past each other: a search that goes on from the last one finds the same.
+TEST(ConvexCore, search_goes_on_from_the_last_one) {
+  ConvexCore cylinder;
+  cylinder.radius = 0.5, cylinder.half_length = 0.4;
+  const ConvexCore cube = box(0.4, 0.4, 0.4);
+  for (const auto& core : {&std::as_const(cylinder), &cube}) {
+    geometry::NearestHulls hulls;
+    double worst = 0;
+    for (int n = 0; n < 20000; ++n) {
+      const double t = 1e-3 * n;
+      const PlacedCore a{core, {}, rotation_about({0.6, 0, 0.8}, 0.7 * t)},
+          b{core,
+            {1.5 + 0.1 * std::sin(t), 0.2 * std::cos(3 * t), 0},
+            rotation_about({0, 1, 0}, t)};
+      const double fresh = nearest(a, b).distance;
+      worst = std::max(worst, std::abs(geometry::nearest_points(a, b, hulls).distance / fresh - 1));
+    }
+    stays_below("relative difference of the distances", worst, 1e-5,
+                "1e-8 of the square; rims 2e-6");
+  }
 }
 
 TEST(ConvexCore, nearest_point_to_a_wall_is_the_corner_or_the_rim_that_is_deepest) {
@@ -231,7 +254,7 @@ TEST(ConvexCore, curvature_is_that_of_corner_edge_face_rim_and_side) {
 TEST(ConvexCore, features_of_boxes_are_told) {
   const ConvexCore a = box(1, 1, 1);
   const auto features = [&](const Vec3& where, const Rotation& axes) {
-    const NearestPoints p = geometry::nearest_points({&a, {}, {}}, {&a, where, axes});
+    const NearestPoints p = nearest({&a, {}, {}}, {&a, where, axes});
     return std::array{p.feature_a, p.feature_b};
   };
   const Rotation on_edge = rotation_about({1, 0, 0}, pi / 4);
@@ -242,7 +265,7 @@ TEST(ConvexCore, features_of_boxes_are_told) {
   const ConvexCore turned = box(1, 1, 1);
   const PlacedCore below{&turned, {}, on_edge},
       above{&turned, {0.1, 0.1, 3}, rotation_about({0, 0, 1}, pi / 2) * on_edge};
-  const NearestPoints edges = geometry::nearest_points(below, above);
+  const NearestPoints edges = nearest(below, above);
   EXPECT_EQ(edges.feature_a, CoreFeature::edge);
   EXPECT_EQ(edges.feature_b, CoreFeature::edge);
 }

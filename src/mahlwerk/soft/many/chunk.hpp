@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/geometry/convex_core.hpp"
 #include "mahlwerk/geometry/near_facets.hpp"
 #include "mahlwerk/scene/collision.hpp"
 #include "mahlwerk/soft/kernel/ball_record.hpp"
@@ -39,10 +40,9 @@ struct alignas(64) OptionalHistory {
   Lanes stiffness{};  ///< for ContactModel::rescaled_unloading
 };
 
-/// The normals of contacts at the last step. Of wall contacts for records: when a contact ends, the
-/// ball may already have left the face. Of pairs with rounded bodies to begin the search of the
-/// next step.
-struct alignas(64) ContactNormals {
+/// The normals of wall contacts at the last step, for records: when a contact ends, the ball may
+/// already have left the face.
+struct alignas(64) WallNormals {
   Vec<Lanes> normal{};
 };
 
@@ -65,9 +65,10 @@ struct ContactPackets {
       optional_histories;  ///< of each packet, if the law or the rolling model needs them
   BlockList<FrictionHistory> friction_histories;  ///< likewise, for partial slip and twisting
   BlockList<PairParameters> parameters;           ///< of each packet, if curved walls change them
-  BlockList<ContactNormals> normals;              ///< of each packet, for walls and rounded bodies
-  BlockList<StressHistory> stresses;              ///< of each packet, if grains break
-  std::vector<std::int32_t> free;                 ///< lane l of packet g: 8 g + l
+  BlockList<WallNormals> wall_normals;            ///< of each packet, for walls
+  BlockList<std::array<geometry::NearestHulls, lanes>> hulls;  ///< likewise, if bodies are rounded
+  BlockList<StressHistory> stresses;                           ///< of each packet, if grains break
+  std::vector<std::int32_t> free;                              ///< lane l of packet g: 8 g + l
   /// Countdown in distribute_contacts(): copies still to be made from each block of the lists; at 0
   /// its memory is freed.
   std::vector<std::int32_t> copies_left;
@@ -78,7 +79,8 @@ struct ContactPackets {
     optional_histories.free_block(block);
     friction_histories.free_block(block);
     parameters.free_block(block);
-    normals.free_block(block);
+    wall_normals.free_block(block);
+    hulls.free_block(block);
     stresses.free_block(block);
   }
 };

@@ -52,12 +52,10 @@ void ManyBodySolver::test_walls(Chunk& chunk) {
 }
 
 void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
-  Vec3 normal;
   if (has_rounded(pair)) {
     const TouchingSpheres touch = touching_spheres(pair.ball, pair.other);
     if (touch.distance >= touch.radius_i + touch.radius_j)  // only the spheres that hold them touch
       return chunk.near_pairs.push_back({pair, path_ + touch.least_gap()});
-    normal = touch.normal;
   }
   const std::int32_t mine = species_[static_cast<std::size_t>(pair.ball)];
   const bool own = !is_wall(pair) && pair.other >= chunk.first && pair.other < chunk.last;
@@ -72,8 +70,6 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   g.j[l] = is_wall(pair) ? ~pair.other : pair.other;
   g.touching |= bit(l);
   g.begun |= bit(l);
-  if (has_rounded(pair))
-    set_lane(list.normals[static_cast<std::size_t>(at / lanes)].normal, l, normal);
 }
 
 /// Returns a free lane for a contact of `ball` and `species_pair`, with its history cleared.
@@ -89,7 +85,8 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
     list.onsets.emplace_back();
     if (has_history_) list.optional_histories.emplace_back();
     if (has_friction_history_) list.friction_histories.emplace_back();
-    if (wall || body_species_.has_rounded()) list.normals.emplace_back();
+    if (wall) list.wall_normals.emplace_back();
+    if (body_species_.has_rounded()) list.hulls.emplace_back();
     if (settings_.breakage) list.stresses.emplace_back();
     if ((settings_.model.curved_walls && wall) || bodies_.has_members())
       list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
@@ -107,6 +104,7 @@ std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t specie
   g.tensile &= ~bit(l);
   set_lane(g.spring, l, {});
   g.impulse[l] = g.lost_normal[l] = g.lost_tangential[l] = 0;
+  if (!list.hulls.empty()) list.hulls[n][l] = {};
   if (has_history_) {
     OptionalHistory& m = list.optional_histories[n];
     for (Lanes& law_history : m.law_history) law_history[l] = 0;
@@ -201,7 +199,7 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const int face = wall ? g.j[l] : -1;
   const TouchingSpheres touch =
       wall ? sphere_at_wall(g.i[l], face) : touching_spheres(g.i[l], g.j[l]);
-  const Vec3 towards = wall ? get_lane(list.normals[n].normal, l) : touch.normal;
+  const Vec3 towards = wall ? get_lane(list.wall_normals[n].normal, l) : touch.normal;
   const Vec3 normal = (1 / norm(towards)) * towards,
              where = jar_->within_period(ball.position()) + touch.arm_i + touch.radius_i * normal;
   chunk.finished.push_back({step_,

@@ -160,8 +160,10 @@ void ManyBodySolver::copy_contact(ContactPackets& list, const ContactAddress& k,
     set_lane(extra.turning_force, l, sign * get_lane(past.turning_force, m));
     extra.load[l] = past.load[m], extra.twist[l] = past.twist[m];
   }
-  if (!list.normals.empty())
-    set_lane(list.normals[n].normal, l, sign * get_lane(from.normals[old].normal, m));
+  if (!list.wall_normals.empty())
+    set_lane(list.wall_normals[n].normal, l, get_lane(from.wall_normals[old].normal, m));
+  if (!list.hulls.empty())
+    list.hulls[n][l] = sign < 0 ? from.hulls[old][m].swapped() : from.hulls[old][m];
   if (settings_.breakage) {
     StressHistory& extra = list.stresses[n];
     const StressHistory& past = from.stresses[old];

@@ -26,8 +26,8 @@ geometry::PlacedCore ManyBodySolver::placed_core(std::int32_t row, const Vec3& c
   return {&of->core, centre, rotation_of(bodies_.now[body].orientation)};
 }
 
-ManyBodySolver::TouchingSpheres ManyBodySolver::touching_spheres(std::int32_t i, std::int32_t j,
-                                                                 const Vec3& begin) const {
+ManyBodySolver::TouchingSpheres ManyBodySolver::touching_spheres(
+    std::int32_t i, std::int32_t j, geometry::NearestHulls hulls) const {
   const BallRecord& a = rows_[static_cast<std::size_t>(i)];
   if (j < 0) {
     TouchingSpheres t = sphere_at_wall(i, ~j);
@@ -37,11 +37,11 @@ ManyBodySolver::TouchingSpheres ManyBodySolver::touching_spheres(std::int32_t i,
     return t;
   }
   if (has_rounded({i, j})) {
-    if (i < j) return of_rounded_pair(i, j, begin);
-    TouchingSpheres t = of_rounded_pair(j, i, -begin);  // so that both sides find the same
+    if (i < j) return of_rounded_pair(i, j, hulls);
+    TouchingSpheres t = of_rounded_pair(j, i, hulls.swapped());  // so that both sides find the same
     std::swap(t.arm_i, t.arm_j), std::swap(t.radius_i, t.radius_j);
     std::swap(t.curvature_i, t.curvature_j);
-    t.normal = -t.normal;
+    t.normal = -t.normal, t.hulls = t.hulls.swapped();
     return t;
   }
   const BallRecord& b = rows_[static_cast<std::size_t>(j)];
@@ -56,8 +56,8 @@ ManyBodySolver::TouchingSpheres ManyBodySolver::touching_spheres(std::int32_t i,
 }
 
 /// By the points of both cores that are nearest to each other (bod.21).
-ManyBodySolver::TouchingSpheres ManyBodySolver::of_rounded_pair(std::int32_t i, std::int32_t j,
-                                                                const Vec3& begin) const {
+ManyBodySolver::TouchingSpheres ManyBodySolver::of_rounded_pair(
+    std::int32_t i, std::int32_t j, geometry::NearestHulls hulls) const {
   const Vec3 way = nearest(rows_[static_cast<std::size_t>(j)].position() -
                            rows_[static_cast<std::size_t>(i)].position());
   const geometry::PlacedCore a = placed_core(i, {}), b = placed_core(j, way);
@@ -66,7 +66,8 @@ ManyBodySolver::TouchingSpheres ManyBodySolver::of_rounded_pair(std::int32_t i, 
     return of != nullptr ? of->rounding : rows_[static_cast<std::size_t>(row)].radius;
   };
   TouchingSpheres t{.radius_i = rounding(i), .radius_j = rounding(j)};
-  const geometry::NearestPoints near = geometry::nearest_points(a, b, begin);
+  const geometry::NearestPoints near = geometry::nearest_points(a, b, hulls);
+  t.hulls = hulls;
   if (near.distance == 0) {  // the step ends the run
     t.meeting = true;
     t.arm_i = 0.5 * way, t.arm_j = -0.5 * way;
@@ -172,10 +173,9 @@ void ManyBodySolver::place_contact_spheres(Chunk& chunk, ContactPackets& list, s
   for (std::size_t l = 0; l < lanes; ++l) {
     TouchingSpheres t;
     if (g.touches(l)) {
-      Vec<Lanes>& normal = list.normals[n].normal;
       t = wall ? sphere_at_wall(g.i[l], g.j[l])
-               : touching_spheres(g.i[l], g.j[l], get_lane(normal, l));
-      if (!wall) set_lane(normal, l, t.normal);
+               : touching_spheres(g.i[l], g.j[l], list.hulls[n][l]);
+      list.hulls[n][l] = t.hulls;
     }
     set_lane(out.arm_i, l, t.arm_i), set_lane(out.arm_j, l, t.arm_j);
     place(l, g.i[l], t.arm_i, t.radius_i);

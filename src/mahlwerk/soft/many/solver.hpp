@@ -153,6 +153,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
     Vec3 normal = {};                   // unit, from the sphere of i
     double distance = 0;                // [m] of the centres; from a wall
     double curvature_i = 0, curvature_j = 0;  // [1/m] mean of the surfaces; 0 of a wall
+    geometry::NearestHulls hulls = {};        // of a pair with a rounded body
     bool meeting = false;                     // the cores meet
     double overlap() const { return radius_i + radius_j - distance; }
     double least_gap() const { return (1 - 1e-5) * distance - radius_i - radius_j; }  // (bod.21)
@@ -160,9 +161,11 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   const BodySpecies* rounded_species(std::int32_t row) const;
   geometry::PlacedCore placed_core(std::int32_t row, const Vec3& centre) const;
   /// Of two rows, or of a row and the face ~j.
-  /// `begin`: of a pair with a rounded body, a direction from i to j near the normal.
-  TouchingSpheres touching_spheres(std::int32_t i, std::int32_t j, const Vec3& begin = {}) const;
-  TouchingSpheres of_rounded_pair(std::int32_t i, std::int32_t j, const Vec3& begin) const;
+  /// `hulls`: of a pair with a rounded body.
+  TouchingSpheres touching_spheres(std::int32_t i, std::int32_t j,
+                                   geometry::NearestHulls hulls = {}) const;
+  TouchingSpheres of_rounded_pair(std::int32_t i, std::int32_t j,
+                                  geometry::NearestHulls hulls) const;
   bool has_rounded(const NeighbourPair& pair) const;
   TouchingSpheres sphere_at_wall(std::int32_t i, int face) const;
   Vec3 wall_arm(std::int32_t i, int face) const;

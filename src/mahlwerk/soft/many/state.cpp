@@ -108,7 +108,8 @@ void ManyBodySolver::serialize(Archive& archive) {
       serialize_list(archive, list->optional_histories);
       serialize_list(archive, list->friction_histories);
       serialize_list(archive, list->parameters);
-      serialize_list(archive, list->normals);
+      serialize_list(archive, list->wall_normals);
+      serialize_list(archive, list->hulls);
       serialize_list(archive, list->stresses);
       archive(list->free);
     }

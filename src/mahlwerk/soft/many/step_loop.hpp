@@ -112,7 +112,7 @@ template <class Law, class V>
   if (s.stresses) follow_loading<V>(s, group, geometry, touching, work, list.stresses[n]);
   if (kind == ContactKind::wall) {
     // A contact that ends keeps the normal of its last step: the ball may have left the face.
-    Vec<Lanes>& normal = list.normals[n].normal;
+    Vec<Lanes>& normal = list.wall_normals[n].normal;
     group.put(normal,
               ended == 0 ? geometry.n : select<V>(transitions.ended, group(normal), geometry.n));
   }

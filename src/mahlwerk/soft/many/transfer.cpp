@@ -39,7 +39,7 @@ SolverState::Contact ManyBodySolver::contact_of(const ContactPackets& list, std:
     const FrictionHistory& h = list.friction_histories[n];
     c.friction = {in_lane(h.turning_force), h.load[l], h.twist[l]};
   }
-  if (wall) c.normal = get_lane(list.normals[n].normal, l);
+  if (wall) c.normal = get_lane(list.wall_normals[n].normal, l);
   return c;
 }
 
@@ -104,7 +104,7 @@ void ManyBodySolver::take_contact(Chunk& chunk, const SolverState::Contact& c,
     put(h.turning_force, c.friction.turning_force);
     h.load[l] = c.friction.load, h.twist[l] = c.friction.twist;
   }
-  if (wall) set_lane(list.normals[n].normal, l, c.normal);
+  if (wall) set_lane(list.wall_normals[n].normal, l, c.normal);
   change_contact_count(chunk, i, 1);
   if (!wall) change_contact_count(chunk, j, 1);
 }
