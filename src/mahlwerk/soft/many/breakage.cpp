@@ -133,7 +133,8 @@ void ManyBodySolver::stress(std::size_t row, double share, Stressing& out) {
   GrainState& grain = breakage_.grains[static_cast<std::size_t>(id_[row])];
   if (grain.phase == Phase::replaced) return;
   const double mass = pairs_.species(species_[row]).mass, now = share * load_[row];
-  const bool rises = now > grain.peak, ends = now < 0.5 * grain.peak, stays = breakage_.species.empty();
+  const bool rises = now > grain.peak, ends = now < 0.5 * grain.peak,
+             stays = breakage_.species.empty();
   if (rises) grain.peak = now;
   if (rises && grain.phase == Phase::whole && settings_.breakage->breaks(grain, now / mass))
     grain.phase = Phase::breaks, grain.broke_at = step_;
