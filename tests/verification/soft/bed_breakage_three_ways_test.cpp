@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/powder/process.hpp"
 #include "mahlwerk/powder/size_evolution.hpp"
 #include "statement.hpp"
@@ -106,6 +107,7 @@ struct Columns {
   static constexpr int side = 30;
   static constexpr double ball_density = 2000 * density;
   int layers = 1;
+  double faster = 1;  ///< [1] than balls that give 1 to 25 J/kg
   powder::BedBreakage rule = [] {
     powder::BedBreakage made =
         bed(powder::Tavares{20, 1e-3, 1, 0.5, 4, 5, 0.6, 0.1}, powder::T10Fragments{});
@@ -117,7 +119,15 @@ struct Columns {
     return made;
   }();
 
-  /// Balls that fall and give the grains, if any, 1 to 25 J/kg.
+  double speed(std::size_t column) const {  ///< [m/s] of the ball of a column
+    const double place = static_cast<double>(column) / (side * side);
+    return faster * (0.045 + 0.18 * place) * std::sqrt(0.5 * (layers + 1));
+  }
+  /// [J/kg] That each grain receives: n grains take n/(n + 1) of the ball's energy (bed.2).
+  double energy(std::size_t column) const {
+    return 0.5 * ball_density / density * speed(column) * speed(column) / (layers + 1);
+  }
+  /// The balls, and the grains under them, if any.
   std::vector<scene::Ball> bodies(bool grains) const {
     std::vector<scene::Ball> balls = falling(side, 0);
     const std::size_t columns = balls.size();
@@ -125,8 +135,7 @@ struct Columns {
       const double height = grains ? 2 * layers * radius : 0;
       balls[k].density = ball_density;
       balls[k].position.z = -0.1 + height + 1.001 * radius;
-      const double speed = 0.045 + 0.18 * static_cast<double>(k) / static_cast<double>(columns);
-      balls[k].velocity.z = -speed * std::sqrt(0.5 * (layers + 1));
+      balls[k].velocity.z = -speed(k);
     }
     for (std::size_t k = 0; grains && k < columns; ++k)
       for (int n = 0; n < layers; ++n) {
@@ -134,7 +143,7 @@ struct Columns {
         place.z = -0.1 + (2 * n + 1) * radius;
         balls.push_back(sphere(radius, place, {}, {}, 1));
       }
-    return balls;
+    return grains && !rule.coarse ? with_spare(balls, rule, 8000) : balls;
   }
   SizeObserver run(bool grains) const {
     soft::Settings settings{of_law(contact::HertzMindlin{}), step, true};
@@ -189,6 +198,34 @@ TEST(BedBreakage, beds_between_plates_agree_by_three_ways) {
              4 * std::sqrt(p * (1 - p) / 20000) + 0.003,
              "four standard deviations of 20000 grains, classes");
     }
+  }
+}
+
+/// Single particles: where a grain breaks, its fragments yield, and the other grains of its column
+/// bear less than they would without breakage. At most all break that are weak enough for their
+/// share of the energy, at least the weakest of each column.
+TEST(BedBreakage, a_grain_that_breaks_relieves_the_others_of_its_column) {
+  for (const int layers : {1, 3}) {
+    Columns columns{.layers = layers, .faster = 1.5};
+    columns.rule.coarse = false;
+    columns.rule.smallest_fragment = radius;
+    columns.rule.per_octave = 3;
+    const double grains = Columns::side * Columns::side * layers;
+    const double found = static_cast<double>(columns.run(true).broken_of(0)) / grains;
+    const auto model = std::get<powder::Tavares>(*columns.rule.breakage);
+    double all = 0, weakest = 0;
+    for (std::size_t k = 0; k < Columns::side * Columns::side; ++k) {
+      const double p = model.breakage_probability(2 * radius, columns.energy(k));
+      all += p * layers / grains;
+      weakest += (1 - math::pow(1 - p, layers)) / grains;
+    }
+    std::printf("    %d layers: share broken %.3f, all %.3f, weakest %.3f\n", layers, found, all,
+                weakest);
+    const double error = 4 * std::sqrt(all * (1 - all) / grains) + 0.01;
+    stays_below("share broken less all weak ones", found - all, error, "four standard deviations");
+    stays_below("the weakest less the share broken", weakest - found, error,
+                "four standard deviations");
+    if (layers > 1) stays_below("share broken over all weak ones", found / all, 0.8, "relief");
   }
 }
 
