@@ -26,7 +26,7 @@ error_is = "none given; 3 um for reading the curves"
 
 def on_steel(quantity, which):
     values = [(speeds[k], measured[quantity][k], "3 um") for k in which]
-    return paper.measured(f"{quantity}-{'-'.join(map(str, which))}",
+    return paper.measured(f"{quantity[4:]} at {len(which)} speeds",
                           source="figure of the size distributions on steel, as digitised",
                           status="quoted", error_is=error_is, values=values)
 

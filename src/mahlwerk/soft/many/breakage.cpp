@@ -127,7 +127,7 @@ double ManyBodySolver::cushioned_share() const {
 
 /// Follows the stressing of a grain: it breaks at the largest energy so far, and is weakened once
 /// half of that is gone (bed.3). How fine it becomes is decided once its load falls, or by the end
-/// of the stressing where spheres stay.
+/// of the stressing where spheres stay (bed.10).
 void ManyBodySolver::stress(std::size_t row, double share, Stressing& out) {
   using Phase = GrainState::Phase;
   GrainState& grain = breakage_.grains[static_cast<std::size_t>(id_[row])];
