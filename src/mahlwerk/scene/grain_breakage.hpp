@@ -13,14 +13,16 @@ struct GrainState {
   double size = 0;         ///< [m] of its particles
   double strength = 0;     ///< of its particles, in the terms of GrainBreakage
   double peak = 0;         ///< [J] largest energy of the present stressing (bed.3)
-  double broken = 0;       ///< [J/kg] energy of the stressing that broke it
+  double broken = 0;       ///< [J/kg] largest energy of the stressing that broke it
   std::uint64_t draw = 0;  ///< state of its random numbers
   enum class Phase : std::int64_t {
     whole,
+    breaks,   ///< in the present stressing, whose largest energy decides how fine
     broke,    ///< in the present stressing, which breaks it no further
     replaced  ///< soon, by its fragments
   };
   Phase phase = Phase::whole;
+  std::int64_t broke_at = 0;  ///< step at which it broke
 };
 
 /// A change of the mass of powder in a size class.

@@ -8,8 +8,6 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/powder/process.hpp"
-#include "mahlwerk/powder/size_evolution.hpp"
 #include "same_bits.hpp"
 #include "statement.hpp"
 #include "verification/soft/breaking.hpp"
@@ -87,48 +85,6 @@ TEST(BedBreakage, a_grain_between_ball_and_wall_receives_the_energy_of_both_cont
          "(bed.3), inertia of the grain 1/512");
   states("broken, threshold 5 % above", static_cast<double>(broken_by_ball(1.05 * energy)), 0, 0,
          "(bed.3), inertia of the grain 1/512");
-}
-
-/// Coarse grains that cross a box and hit its walls at one speed, against the population balance
-/// and the sample of grains with one hit on each particle and crossing.
-TEST(BedBreakage, grains_in_motion_sample_and_balance_agree) {
-  constexpr int side = 40, hits = 8;
-  constexpr double speed = 8, energy = 0.25 * speed * speed;
-  powder::BedBreakage rule =
-      bed(powder::VogelPeukert{4, 1e-3}, powder::AustinFragments{0.4, 0.8, 3});
-  rule.coarse = true;
-  rule.feed = {.law = powder::Feed::Law::equal, .size = 1e-3};
-  rule.finest = 20e-6;
-  const auto run = engine(box_for(side), falling(side, speed), rule, step, 1);
-  SizeObserver seen;
-  run->advance((hits - 0.5) * 0.198 / speed, seen);
-  const powder::SizeGrid grid = rule.grid();
-  std::vector<double> in_bed = grid.shares(rule.feed);
-  const double mass = sphere(radius).mass() * side * side;
-  for (std::size_t k = 0; k < seen.gained.size(); ++k) in_bed[k] += seen.gained[k] / mass;
-  // One hit a second on each particle.
-  powder::Process process;
-  process.capture = powder::FixedMass{sphere(0.5e-3).mass()};
-  process.breakage = rule.breakage, process.fragments = rule.fragments;
-  process.density = density, process.mass = process.grain(1e-3).mass();
-  const double captured = std::get<powder::FixedMass>(*process.capture).mass;
-  const powder::StressSpectrum spectrum{{powder::Nip{}}, {{0, energy * captured, 1}}};
-  const auto balance = powder::grind_by_balance(process, spectrum, grid, rule.feed, hits);
-  powder::Stream stream;
-  stream.hits.assign(1, {static_cast<float>(energy * captured), 0});
-  stream.span = 1;
-  const auto sample =
-      powder::grind_sample(process, spectrum.nips, stream, grid, rule.feed, hits, 20000, 5);
-  for (const double passing : {0.3e-3, 0.5e-3, 0.8e-3}) {
-    const double p = powder::undersize(grid, balance.shares.back(), passing);
-    const double error = 4 * std::sqrt(p * (1 - p)) / side;
-    states("share finer, grains in motion and balance", powder::undersize(grid, in_bed, passing), p,
-           error + 0.02,
-           "four standard deviations of 1600 grains, and hits in turn, not by chance");
-    states("share finer, sample and balance",
-           powder::undersize(grid, sample.shares.back(), passing), p, 0.02,
-           "four standard deviations of 20000 grains, classes");
-  }
 }
 
 /// A shaken box of grains that break.

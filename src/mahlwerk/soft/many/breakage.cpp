@@ -126,38 +126,45 @@ double ManyBodySolver::cushioned_share() const {
 }
 
 /// Follows the stressing of a grain: it breaks at the largest energy so far, and is weakened once
-/// half of that is gone (bed.3).
+/// half of that is gone (bed.3). How fine it becomes is decided once its load falls, or by the end
+/// of the stressing where spheres stay (bed.10).
 void ManyBodySolver::stress(std::size_t row, double share, Stressing& out) {
+  using Phase = GrainState::Phase;
   GrainState& grain = breakage_.grains[static_cast<std::size_t>(id_[row])];
-  if (grain.phase == GrainState::Phase::replaced) return;
+  if (grain.phase == Phase::replaced) return;
   const double mass = pairs_.species(species_[row]).mass, now = share * load_[row];
-  const auto stress_fines = [&](double energy) {
-    if (!(share < 1) || !(energy > 0)) return;
-    out.fines.resize(scene::GrainBreakage::energy_bins);
-    out.fines[static_cast<std::size_t>(scene::GrainBreakage::bin_of(energy))] +=
-        mass * (1 - share) / share;
-  };
-  if (now > grain.peak) {
-    grain.peak = now;
-    if (grain.phase == GrainState::Phase::broke || !settings_.breakage->breaks(grain, now / mass))
-      return;
-    stress_fines(now / mass);
-    grain.broken = now / mass;
-    grain.phase = GrainState::Phase::replaced;
-    if (breakage_.species.empty()) become_finer(grain, mass, out);
-  } else if (now < 0.5 * grain.peak) {
-    stress_fines(grain.peak / mass);
-    if (grain.phase == GrainState::Phase::whole)
-      settings_.breakage->weaken(grain, grain.peak / mass);
-    grain.phase = GrainState::Phase::whole;
+  const bool rises = now > grain.peak, ends = now < 0.5 * grain.peak,
+             stays = breakage_.species.empty();
+  if (rises) grain.peak = now;
+  if (rises && grain.phase == Phase::whole && settings_.breakage->breaks(grain, now / mass))
+    grain.phase = Phase::breaks, grain.broke_at = step_;
+  const bool leaves = grain.phase == Phase::breaks && !stays &&
+                      (!rises || step_ - grain.broke_at >= longest_breakage);
+  if (leaves || ends) stress_fines(grain.peak / mass, mass, share, out);
+  if (leaves) {
+    grain.broken = grain.peak / mass;
+    grain.phase = Phase::replaced;
+  } else if (ends) {
+    if (grain.phase == Phase::whole) settings_.breakage->weaken(grain, grain.peak / mass);
+    if (grain.phase == Phase::breaks) become_finer(grain, mass, out);
+    grain.phase = Phase::whole;
     grain.peak = now;
   }
+}
+
+/// Counts what a stressing of a grain by `energy` [J/kg] does to the fines around it (bed.7).
+void ManyBodySolver::stress_fines(double energy, double mass, double share, Stressing& out) {
+  if (!(share < 1) || !(energy > 0)) return;
+  out.fines.resize(scene::GrainBreakage::energy_bins);
+  out.fines[static_cast<std::size_t>(scene::GrainBreakage::bin_of(energy))] +=
+      mass * (1 - share) / share;
 }
 
 /// The sphere of a grain that broke stays, and stands for particles of one size of the fragments,
 /// drawn by mass (bed.4).
 void ManyBodySolver::become_finer(GrainState& grain, double mass, Stressing& out) const {
   const scene::GrainBreakage& rule = *settings_.breakage;
+  grain.broken = grain.peak / mass;
   const double size = rule.fragment_size(grain);
   const GrainState was = grain;
   grain = rule.particle(std::min(size, grain.size), grain.draw + 2);

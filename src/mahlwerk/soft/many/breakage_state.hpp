@@ -14,6 +14,7 @@ namespace mahlwerk::soft {
 // Stream of random numbers, apart from other draws of the seed.
 constexpr std::uint64_t fragment_stream = 0x667261676d656e74;
 constexpr std::int64_t stressing_interval = 4;     // steps between two looks at the grains
+constexpr std::int64_t longest_breakage = 256;     // steps in which a broken grain's load may rise
 constexpr std::int64_t replacement_interval = 64;  // fewest steps between two exchanges of grains
 
 /// State of a powder whose grains break (docs/theory/bed-breakage.md).

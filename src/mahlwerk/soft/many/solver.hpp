@@ -108,6 +108,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void follow_stressing(std::vector<scene::SizeChange>& changes);
   double cushioned_share() const;
   void stress(std::size_t row, double share, Stressing& out);
+  static void stress_fines(double energy, double mass, double share, Stressing& out);
   void become_finer(scene::GrainState& grain, double mass, Stressing& out) const;
   void replace_broken(std::vector<scene::SizeChange>& changes);
   std::vector<int> count_fragments(const std::vector<double>& shares, double mass,
