@@ -37,6 +37,21 @@ double scale_of(const scene::Solid& solid) {
 
 }  // namespace
 
+scene::SolidKind BallShape::solid_kind() const {
+  switch (kind) {
+    case Kind::cylpebs:
+      return scene::SolidKind::cylinder;
+    case Kind::rod:
+      return scene::SolidKind::rod;
+    case Kind::cube:
+      return scene::SolidKind::cube;
+    case Kind::ellipsoid:
+      return scene::SolidKind::ellipsoid;
+    default:
+      return scene::SolidKind::none;
+  }
+}
+
 scene::Solid BallShape::solid() const {
   scene::Solid made = inscribed(*this);
   const double scale = scale_of(made);

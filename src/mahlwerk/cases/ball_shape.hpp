@@ -28,6 +28,7 @@ struct BallShape {
   std::int64_t spheres = 0;  ///< largest number of spheres that stand for it
 
   bool is_sphere() const { return kind == Kind::sphere; }
+  scene::SolidKind solid_kind() const;
   /// Its spheres, scaled so that their volume is that of the solid that they stand for, and mass
   /// and inertia of this solid (bod.15).
   scene::Solid solid() const;

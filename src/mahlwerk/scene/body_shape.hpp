@@ -9,6 +9,13 @@
 
 namespace mahlwerk::scene {
 
+/// The solid that the spheres of a body stand for; none: they stand for themselves.
+enum class SolidKind { none, cylinder, rod, cube, ellipsoid };
+/// Whether it has an axis of revolution, which is the third principal axis.
+constexpr bool has_axis(SolidKind kind) {
+  return kind == SolidKind::cylinder || kind == SolidKind::rod || kind == SolidKind::ellipsoid;
+}
+
 /// The shape of the balls of a set that are no spheres (docs/theory/bodies.md), in the principal
 /// axes of inertia, the origin at the centre of mass. All lengths are over the radius of the sphere
 /// of the same volume, Ball::radius, so that a set of several sizes has one shape.
@@ -16,6 +23,7 @@ struct BodyShape {
   /// The spheres that touch other bodies: a clump. None: the body is a sphere.
   std::vector<geometry::MemberSphere> spheres;
   Vec3 inertia_ratio{0.4, 0.4, 0.4};  ///< [1] principal moments of inertia over m R^2
+  SolidKind solid = SolidKind::none;
 
   bool is_sphere() const { return spheres.empty(); }
   /// [1] Radius of the sphere about the centre of mass that holds the body.
@@ -33,6 +41,7 @@ struct Solid {
   std::vector<geometry::MemberSphere> spheres;
   double volume = 0;  ///< [m3]
   Vec3 inertia;       ///< [m5] principal, along the axes
+  SolidKind kind = SolidKind::none;
 
   double equivalent_radius() const;  ///< [m] of the sphere of the same volume (bod.1)
   BodyShape shape() const;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/scene/balls.hpp"
-#include "mahlwerk/scene/body_shape.hpp"
+#include "mahlwerk/scene/body_core.hpp"
 
 namespace mahlwerk::soft {
 
@@ -20,6 +20,7 @@ struct BodySpecies {
   std::vector<double> radii;      ///< [m] of the spheres
   double reach = 0;               ///< [m] of the sphere about the centre of mass that holds them
   double largest_radius = 0;      ///< [m] of the spheres
+  scene::BodyCore core;           ///< over the radius of the ball
 
   /// [kg] The least effective mass of a contact of a sphere of the body (bod.12).
   double least_contact_mass(std::size_t sphere) const;

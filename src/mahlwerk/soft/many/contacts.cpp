@@ -193,20 +193,24 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
            : nearest(rows_[static_cast<std::size_t>(g.j[l])].position() - ball.position());
   const Vec3 normal = (1 / norm(separation)) * separation,
              where = jar_->within_period(ball.position()) + ball.radius * normal;
-  chunk.finished.push_back({step_,
-                            {.time = time_of(onset.step),
-                             .duration = duration,
-                             .ball = id_[static_cast<std::size_t>(g.i[l])],
-                             .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
-                             .where = jar_->to_face_point(where, t, face),
-                             .normal = jar_->to_face_axes(normal, t, face),
-                             .mass = contact_mass(list, n, l),
-                             .approach = onset.approach,
-                             .slip = onset.slip,
-                             .glide = onset.glide,
-                             .impulse = g.impulse[l],
-                             .lost_normal = g.lost_normal[l],
-                             .lost_tangential = g.lost_tangential[l]}});
+  chunk.finished.push_back(
+      {step_,
+       {.time = time_of(onset.step),
+        .duration = duration,
+        .ball = id_[static_cast<std::size_t>(g.i[l])],
+        .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
+        .where = jar_->to_face_point(where, t, face),
+        .normal = jar_->to_face_axes(normal, t, face),
+        .mass = contact_mass(list, n, l),
+        .approach = onset.approach,
+        .slip = onset.slip,
+        .glide = onset.glide,
+        .impulse = g.impulse[l],
+        .lost_normal = g.lost_normal[l],
+        .lost_tangential = g.lost_tangential[l],
+        .feature = feature_hit(static_cast<std::size_t>(g.i[l]), normal),
+        .other_feature = wall ? scene::BodyFeature::none
+                              : feature_hit(static_cast<std::size_t>(g.j[l]), -1.0 * normal)}});
   ++chunk.sums.collisions;
   if (is_sustained(duration, onset, pair, *settings_.model.law)) ++chunk.sums.sustained;
 }

@@ -147,6 +147,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
                           bool wall) const;
   double contact_mass(const ContactPackets& list, std::size_t packet, std::size_t lane) const;
   PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
+  scene::BodyFeature feature_hit(std::size_t row, const Vec3& n) const;
   Vec3 velocity_of_row(std::size_t row, const Vec3& body_kick_change) const;  // ball or sphere
   Vec3 spin_of_row(std::size_t row) const;
   BallEnergy energy_of_sphere(std::size_t row, const Vec3& body_kick_change,
