@@ -316,6 +316,10 @@ ELSEWHERE = {
     "unit/results/bed_test.cpp": ["charge_rise", "bed_angle", "charge_distance", "charge_lever_arm",
                                   "surface_distance", "surface_layer_bottom", "surface_speed", "surface_shear_rate"],
     "unit/results/series_test.cpp": ["settling_time"],
+    "unit/results/bodies_test.cpp": ["face_hit_share", "edge_hit_share", "corner_hit_share", "side_hit_share",
+                                     "cap_hit_share", "face_energy_share", "edge_energy_share",
+                                     "corner_energy_share", "side_energy_share", "cap_energy_share",
+                                     "nematic_order", "body_axis_angle"],
 }
 
 

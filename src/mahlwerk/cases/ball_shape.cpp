@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/ball_shape.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "mahlwerk/base/elementary.hpp"
 
 namespace mahlwerk::cases {
@@ -44,7 +49,23 @@ double scale_of(const scene::Solid& solid) {
 
 }  // namespace
 
+scene::SolidKind BallShape::solid_kind() const {
+  switch (kind) {
+    case Kind::cylpebs:
+      return scene::SolidKind::cylinder;
+    case Kind::rod:
+      return scene::SolidKind::rod;
+    case Kind::cube:
+      return scene::SolidKind::cube;
+    case Kind::ellipsoid:
+      return scene::SolidKind::ellipsoid;
+    default:
+      return scene::SolidKind::none;
+  }
+}
+
 scene::Solid BallShape::solid() const {
+  if (kind == Kind::clump) return scene::clump(members);
   scene::Solid made = inscribed(*this);
   const double scale = scale_of(made);
   for (geometry::MemberSphere& s : made.spheres) s = {scale * s.centre, scale * s.radius};
@@ -52,7 +73,7 @@ scene::Solid BallShape::solid() const {
 }
 
 double BallShape::scale() const {
-  return scale_of(inscribed(*this));
+  return kind == Kind::clump ? 1 : scale_of(inscribed(*this));
 }
 
 std::int64_t BallShape::usual_spheres() const {
@@ -76,8 +97,34 @@ std::int64_t BallShape::fewest_spheres() const {
   return kind == Kind::cube ? of_a_cube : of_a_row;
 }
 
+std::string flaw_of_members(const std::vector<geometry::MemberSphere>& members) {
+  constexpr double widest = 100;  // finer members would decide the time step alone
+  if (members.size() < 2) return "a clump has at least two members";
+  if (members.size() > most_members)
+    return fmt::format("a clump has at most {} members", most_members);
+  const auto [least, most] = std::ranges::minmax(members, {}, &geometry::MemberSphere::radius);
+  if (!(least.radius > 0)) return "a radius is not above 0";
+  if (most.radius > widest * least.radius)
+    return fmt::format("the largest member is more than {} times as wide as the smallest", widest);
+  // Members that overlap the first one, directly or by others.
+  std::vector<std::size_t> reached{0};
+  std::vector<bool> seen(members.size());
+  seen[0] = true;
+  for (std::size_t next = 0; next < reached.size(); ++next)
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const geometry::MemberSphere &a = members[reached[next]], &b = members[k];
+      if (seen[k] || !(norm(a.centre - b.centre) < a.radius + b.radius)) continue;
+      seen[k] = true, reached.push_back(k);
+    }
+  const auto apart = std::ranges::find(seen, false);
+  if (apart == seen.end()) return "";
+  return fmt::format("member {} does not overlap those before it, nor by others between",
+                     apart - seen.begin() + 1);
+}
+
 const std::vector<std::string>& body_words() {
-  static const std::vector<std::string> words{"sphere", "cylpebs", "rod", "cube", "ellipsoid"};
+  static const std::vector<std::string> words{"sphere", "cylpebs",   "rod",
+                                              "cube",   "ellipsoid", "clump"};
   return words;
 }
 

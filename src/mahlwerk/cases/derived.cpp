@@ -60,6 +60,12 @@ bool has_bodies(const Case& c) {
   return std::ranges::any_of(c.balls, [](const BallSet& set) { return !set.body.is_sphere(); });
 }
 
+std::vector<bool> sets_with_axis(const Case& c) {
+  std::vector<bool> sets;
+  for (const BallSet& set : c.balls) sets.push_back(scene::has_axis(set.body.solid_kind()));
+  return std::ranges::find(sets, true) == sets.end() ? std::vector<bool>() : sets;
+}
+
 double largest_ball(const std::vector<BallSet>& balls) {
   double diameter = 0;
   for (const BallSet& set : balls) {

@@ -17,7 +17,9 @@ double ball_volume(const BallSet& set);                  ///< [m3] of one ball
 double balls_mass(const std::vector<BallSet>& balls);    ///< [kg] without grains of the powder
 double balls_volume(const std::vector<BallSet>& balls);  ///< [m3] without grains of the powder
 std::int64_t balls_count(const std::vector<BallSet>& balls);
-bool has_bodies(const Case& c);                          ///< whether some balls are no spheres
+bool has_bodies(const Case& c);  ///< whether some balls are no spheres
+/// Which ball sets are bodies with an axis of revolution; none if no set is.
+std::vector<bool> sets_with_axis(const Case& c);
 double largest_ball(const std::vector<BallSet>& balls);  ///< [m] diameter; NaN if one is unknown
 /// [m] Diameter of the smallest ball, without grains of the powder; infinite without balls.
 double smallest_ball(const std::vector<BallSet>& balls);

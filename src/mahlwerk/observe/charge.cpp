@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include "mahlwerk/base/elementary.hpp"
@@ -28,8 +29,8 @@ int angle_slot(double x, double y) {
 
 }  // namespace
 
-Charge::Charge(const scene::Chamber& mill, double radius)
-    : mass_by_angle(angles), mill_(mill), radius_(radius) {
+Charge::Charge(const scene::Chamber& mill, double radius, std::vector<bool> with_axis)
+    : mass_by_angle(angles), mill_(mill), radius_(radius), with_axis_(std::move(with_axis)) {
   const Vec3 normal = kinematics::plane_normal(*mill.motion);
   const bool along =
       norm(cross(normal, mill.mount.ez)) < 1e-9;  // the plane is normal to the jar's axis
@@ -66,11 +67,19 @@ void Charge::sample(double time, const std::vector<scene::Ball>& balls, double w
     mass_total += weight * b.mass();
     spin_squared += weight * b.mass() * squared(b.spin);
     add_wall_contact(b, own, jar.spin, weight);
+    if (!with_axis_.empty()) add_axis(b, carrier.rotation, own.ez, weight);
   }
   find_bed(balls, own, weight);
   if (mass > 0) jar_speed_fourth += weight * (seen_from_jar / mass) * (seen_from_jar / mass);
   in_jar.add_time(weight);
   in_carrier.add_time(weight);
+}
+
+void Charge::add_axis(const scene::Ball& ball, const Rotation& carrier, const Vec3& jar_axis,
+                      double weight) {
+  if (!with_axis_[static_cast<std::size_t>(ball.kind)]) return;
+  const Vec3 axis = rotation_of(ball.orientation).ez;
+  alignment.add(carrier.apply_inverse(axis), dot(axis, jar_axis), weight);
 }
 
 /// Does nothing for a mesh, whose many faces take too long to test, and for an attritor.
@@ -120,6 +129,7 @@ void Charge::merge(const Charge& other) {
   jar_speed_fourth += other.jar_speed_fourth;
   mass_outside += other.mass_outside;
   mass_sought += other.mass_sought;
+  alignment.merge(other.alignment);
 }
 
 void Charge::pack() {
@@ -137,6 +147,7 @@ void Charge::serialize(Archive& archive) {
   in_carrier.serialize(archive);
   archive(mass_by_angle)(mass_at_wall)(
       wall_slip)(mass_total)(spin_squared)(jar_speed_fourth)(mass_outside)(mass_sought)(samples_);
+  alignment.serialize(archive);
 }
 
 }  // namespace mahlwerk::observe

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mahlwerk/observe/alignment.hpp"
 #include "mahlwerk/observe/fields.hpp"
 #include "mahlwerk/scene/balls.hpp"
 #include "mahlwerk/scene/chamber.hpp"
@@ -18,8 +19,9 @@ class Charge {
   static constexpr int angles = 180;  ///< of two degrees
 
   Charge() = default;  ///< ignores samples
-  /// `radius` [m] is the largest distance of the wall from the jar's own axis.
-  Charge(const scene::Chamber& mill, double radius);
+  /// `radius` [m] is the largest distance of the wall from the jar's own axis. `with_axis`: which
+  /// kinds of balls are bodies with an axis of revolution; none: no kind is.
+  Charge(const scene::Chamber& mill, double radius, std::vector<bool> with_axis = {});
 
   /// Adds a sample: the balls in the jar frame at `time` [s], for a duration of `weight` [s].
   void sample(double time, const std::vector<scene::Ball>& balls, double weight);
@@ -43,6 +45,7 @@ class Charge {
   /// [kg s] Mass outside the bed, and of all balls, in the samples in which it is sought: every
   /// fourth. Only for drums and planetary mills.
   double mass_outside = 0, mass_sought = 0;
+  Alignment alignment;  ///< of bodies with an axis, in the carrier's frame
 
   void merge(const Charge& other);
   void pack();    ///< nothing is added from then on
@@ -53,8 +56,11 @@ class Charge {
   void add_wall_contact(const scene::Ball& ball, const Rotation& own, const Vec3& spin,
                         double weight);
   void find_bed(const std::vector<scene::Ball>& balls, const Rotation& own, double weight);
+  void add_axis(const scene::Ball& ball, const Rotation& carrier, const Vec3& jar_axis,
+                double weight);
   scene::Chamber mill_;
   double radius_ = 0;
+  std::vector<bool> with_axis_;
   std::int64_t samples_ = 0;
   Vec3 right_{1, 0, 0}, up_{0, 1, 0};
 };

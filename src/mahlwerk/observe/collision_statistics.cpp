@@ -53,6 +53,7 @@ void CollisionStatistics::add(const scene::Collision& c, const CollisionBatch& b
   const int pair = by_pair.pair_of(c);
   const PairFactors& factors = by_pair.factors(pair);
   by_pair.at(pair).add(batch, i, counts, factors);
+  body_hits.add(c, batch, i);
   if (c.other >= 0) {
     ++all.between_balls;
     above.between_balls += counts ? 1 : 0;
@@ -79,6 +80,7 @@ void CollisionStatistics::merge(const CollisionStatistics& other) {
   above.merge(other.above);
   by_pair.merge(other.by_pair);
   wall_map.merge(other.wall_map);
+  body_hits.merge(other.body_hits);
   for (std::size_t k = 0; k < part_maps.size(); ++k) part_maps[k].merge(other.part_maps[k]);
 }
 
@@ -86,6 +88,7 @@ void CollisionStatistics::serialize(Archive& archive) {
   archive(all)(above);
   by_pair.serialize(archive);
   wall_map.serialize(archive);
+  body_hits.serialize(archive);
   for (PartMap& one : part_maps) one.serialize(archive);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/observe/body_hits.hpp"
 #include "mahlwerk/observe/pair_statistics.hpp"
 #include "mahlwerk/observe/part_map.hpp"
 #include "mahlwerk/observe/wall_map.hpp"
@@ -41,12 +42,14 @@ class CollisionStatistics : public scene::Observer {
   void pack() {
     by_pair.pack();
     wall_map.pack();
+    body_hits.pack();
     for (PartMap& one : part_maps) one.pack();
   }
   /// Forgets spectra and maps, but not the sums.
   void let_go() {
     by_pair.let_go();
     wall_map.let_go();
+    body_hits.let_go();
     for (PartMap& one : part_maps) one.let_go();
   }
   void serialize(Archive& archive);
@@ -57,6 +60,7 @@ class CollisionStatistics : public scene::Observer {
   CollisionSums all, above;  // above: collisions with u_n >= threshold
   StatisticsByPair by_pair;
   WallMap wall_map;
+  BodyHits body_hits;
   std::vector<PartMap> part_maps;
 
  private:

@@ -144,6 +144,8 @@ class MethodsText {
   std::string bodies(const cases::BallSet& set, const std::string& key) const {
     static constexpr std::array names{"spheres", "cylpebs", "rods", "cubes", "ellipsoids"};
     const cases::BallShape& b = set.body;
+    if (b.kind == cases::BallShape::Kind::clump)
+      return fmt::format("rigid clumps of {} spheres", b.members.size());
     const std::string sizes = b.kind == cases::BallShape::Kind::cube
                                   ? value(key + "edge", b.edge, "m") + ", edges rounded to " +
                                         value(key + "rounding", b.rounding, "m")

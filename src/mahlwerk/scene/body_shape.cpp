@@ -10,6 +10,7 @@
 
 #include "mahlwerk/base/elementary.hpp"
 #include "mahlwerk/base/trig.hpp"
+#include "mahlwerk/geometry/principal_axes.hpp"
 
 namespace mahlwerk::scene {
 namespace {
@@ -74,29 +75,6 @@ int points_on_edge(int spheres) {
   return points;
 }
 
-/// Turns to principal axes by Jacobi's rotations. `a`: the symmetric matrix, which becomes
-/// diagonal; `axes`: the eigenvectors.
-void diagonalise(std::array<std::array<double, 3>, 3>& a,
-                 std::array<std::array<double, 3>, 3>& axes) {
-  constexpr int sweeps = 30;
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (const auto& [p, q] : {std::pair{0U, 1U}, std::pair{0U, 2U}, std::pair{1U, 2U}}) {
-      if (std::abs(a[p][q]) <= 1e-15 * (std::abs(a[p][p]) + std::abs(a[q][q]))) continue;
-      const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-      const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-      const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double kp = a[k][p], kq = a[k][q];
-        a[k][p] = c * kp - s * kq, a[k][q] = s * kp + c * kq;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double pk = a[p][k], qk = a[q][k], vp = axes[k][p], vq = axes[k][q];
-        a[p][k] = c * pk - s * qk, a[q][k] = s * pk + c * qk;
-        axes[k][p] = c * vp - s * vq, axes[k][q] = s * vp + c * vq;
-      }
-    }
-}
-
 }  // namespace
 
 double BodyShape::reach() const {
@@ -114,6 +92,7 @@ BodyShape Solid::shape() const {
   const double r = equivalent_radius();
   BodyShape s{.spheres = spheres,
               .inertia_ratio = inertia / (volume * r * r),
+              .solid = kind,
               .core = core.scaled(1 / r),
               .rounding = rounding / r};
   for (MemberSphere& m : s.spheres) m = {m.centre / r, m.radius / r};
@@ -123,10 +102,9 @@ BodyShape Solid::shape() const {
 Solid clump(std::span<const MemberSphere> spheres) {
   const geometry::SolidMoments m = geometry::union_moments(spheres);
   const Vec3 &s = m.squares, &p = m.products;
-  std::array<std::array<double, 3>, 3> tensor{
+  geometry::Matrix3 tensor{
       {{s.y + s.z, -p.x, -p.z}, {-p.x, s.z + s.x, -p.y}, {-p.z, -p.y, s.x + s.y}}};
-  std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  diagonalise(tensor, axes);
+  const geometry::Matrix3 axes = geometry::diagonalise(tensor);
   const auto column = [&](std::size_t k) { return Vec3{axes[0][k], axes[1][k], axes[2][k]}; };
   const Vec3 ex = column(0), ey = column(1), ez = cross(ex, ey);  // right-handed
   Solid solid{.spheres = {spheres.begin(), spheres.end()},
@@ -149,7 +127,7 @@ Solid cylinder_of_spheres(double diameter, double length, int spheres) {
   }
   const double r = diameter / 2, volume = pi * r * r * length;
   const double across = volume * (3 * r * r + length * length) / 12;
-  return {std::move(all), volume, {across, across, volume * r * r / 2}};
+  return {std::move(all), volume, {across, across, volume * r * r / 2}, SolidKind::cylinder};
 }
 
 int fewest_in_cylinder(double diameter, double length) {
@@ -167,7 +145,7 @@ Solid rod_of_spheres(double diameter, double length, int spheres) {
   const double shift = middle / 2 + 0.375 * r;
   const double across = side * (3 * r * r + middle * middle) / 12 +
                         ends * (0.4 * r * r - 0.375 * 0.375 * r * r + shift * shift);
-  return {std::move(all), side + ends, {across, across, along}};
+  return {std::move(all), side + ends, {across, across, along}, SolidKind::rod};
 }
 
 Solid cube_of_spheres(double edge, double rounding, int spheres) {
@@ -190,7 +168,7 @@ Solid cube_of_spheres(double edge, double rounding, int spheres) {
                          8 * b * (c * c * pi * r2 / 4 + 2 * c * r3 / 3 + pi * r4 / 16) +
                          8 * (c * c * pi * r3 / 6 + 2 * c * pi * r4 / 16 + pi * r4 * r / 30);
   const double inertia = 2 * squares;
-  return {std::move(all), volume, {inertia, inertia, inertia}};
+  return {std::move(all), volume, {inertia, inertia, inertia}, SolidKind::cube};
 }
 
 Solid ellipsoid_of_spheres(double diameter, double length, int spheres) {
@@ -204,7 +182,7 @@ Solid ellipsoid_of_spheres(double diameter, double length, int spheres) {
     all.push_back({{0, 0, z}, focal > 0 ? b * std::sqrt(1 - z * z / focal) : b});
   }
   const double volume = 4.0 / 3 * pi * a * b * b, across = volume * (a * a + b * b) / 5;
-  return {std::move(all), volume, {across, across, volume * 2 * b * b / 5}};
+  return {std::move(all), volume, {across, across, volume * 2 * b * b / 5}, SolidKind::ellipsoid};
 }
 
 int usual_spheres_of_cylinder(double diameter, double length) {

@@ -10,6 +10,13 @@
 
 namespace mahlwerk::scene {
 
+/// The solid that the spheres of a body stand for; none: they stand for themselves.
+enum class SolidKind { none, cylinder, rod, cube, ellipsoid };
+/// Whether it has an axis of revolution, which is the third principal axis.
+constexpr bool has_axis(SolidKind kind) {
+  return kind == SolidKind::cylinder || kind == SolidKind::rod || kind == SolidKind::ellipsoid;
+}
+
 /// The shape of the balls of a set that are no spheres (docs/theory/bodies.md), in the principal
 /// axes of inertia, the origin at the centre of mass. All lengths are over the radius of the sphere
 /// of the same volume, Ball::radius, so that a set of several sizes has one shape.
@@ -18,6 +25,7 @@ struct BodyShape {
   /// they are for pictures only.
   std::vector<geometry::MemberSphere> spheres;
   Vec3 inertia_ratio{0.4, 0.4, 0.4};  ///< [1] principal moments of inertia over m R^2
+  SolidKind solid = SolidKind::none;
   /// The core of a rounded convex body, whose surface touches other bodies (bod.20); of a clump
   /// empty.
   geometry::ConvexCore core = {};
@@ -38,8 +46,9 @@ struct BodyShape {
 /// that they stand for, of density 1.
 struct Solid {
   std::vector<geometry::MemberSphere> spheres;
-  double volume = 0;               ///< [m3]
-  Vec3 inertia;                    ///< [m5] principal, along the axes
+  double volume = 0;  ///< [m3]
+  Vec3 inertia;       ///< [m5] principal, along the axes
+  SolidKind kind = SolidKind::none;
   geometry::ConvexCore core = {};  ///< [m] of a rounded convex body, else empty
   double rounding = 0;             ///< [m]
 

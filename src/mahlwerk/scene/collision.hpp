@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mahlwerk/base/vec3.hpp"
+#include "mahlwerk/scene/body_feature.hpp"
 
 namespace mahlwerk::scene {
 
@@ -23,6 +24,8 @@ struct Collision {
   double impulse = 0;          ///< [N s] normal
   double lost_normal = 0;      ///< [J] dissipated along the normal
   double lost_tangential = 0;  ///< [J] dissipated along the wall
+  /// Where the ball and the other one were hit; as `where`, at the end of the contact.
+  BodyFeature feature = BodyFeature::none, other_feature = BodyFeature::none;
 
   double energy_normal() const { return 0.5 * mass * approach * approach; }  // (evt.9) [J]
   double energy_contact_point() const {                                      // (evt.10) [J]

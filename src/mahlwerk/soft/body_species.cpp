@@ -14,6 +14,7 @@ namespace {
 
 BodySpecies body_species(const scene::Ball& ball, const scene::BodyShape& shape) {
   BodySpecies s;
+  s.features = scene::BodyCore(shape);
   s.ball = ball, s.mass = ball.mass(), s.reach = shape.reach() * ball.radius;
   s.inertia = s.mass * ball.radius * ball.radius * shape.inertia_ratio;
   s.inverse_inertia = {1 / s.inertia.x, 1 / s.inertia.y, 1 / s.inertia.z};

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mahlwerk/scene/balls.hpp"
-#include "mahlwerk/scene/body_shape.hpp"
+#include "mahlwerk/scene/body_core.hpp"
 
 namespace mahlwerk::soft {
 
@@ -20,6 +20,7 @@ struct BodySpecies {
   std::vector<Vec3> offsets;      ///< [m] centres of the spheres, along the principal axes
   std::vector<double> radii;      ///< [m] of the spheres
   double reach = 0;               ///< [m] of the sphere about the centre of mass that holds them
+  scene::BodyCore features;       ///< over the radius of the ball
   geometry::ConvexCore core;      ///< [m] of a rounded convex body, else empty
   double rounding = 0;            ///< [m]
 

@@ -112,6 +112,55 @@ TEST(BallShape, convex_surface_needs_a_jar_that_no_wall_bulges_into) {
   EXPECT_TRUE(engine_faults(read_sample(lifters)).empty());
 }
 
+/// The sample with a clump of these members.
+std::string clump_of(const std::string& members) {
+  return with(with(with(mill, "shape", "shape = \"clump\""), "diameter = \"12", ""), "length",
+              "members = " + members);
+}
+
+TEST(BallShape, clump_has_mass_and_inertia_of_the_union_of_its_members) {
+  const Case c = read_sample(
+      clump_of(R"([["1 mm", "2 mm", "3 mm", "6 mm"], ["7 mm", "2 mm", "3 mm", "6 mm"]])"));
+  // Two spheres that overlap: both, less two caps of the height h = R - d/2 = 3 mm.
+  const double r = 6e-3, h = 3e-3, pi = std::numbers::pi;
+  const double volume = 8.0 / 3 * pi * r * r * r - 2 * pi * h * h * (3 * r - h) / 3;
+  EXPECT_NEAR(ball_volume(c.balls[0]) / volume, 1, 1.25e-4) << "400^-1.5";
+  EXPECT_NEAR(c.balls[0].mass() / (7800 * volume), 1, 1.25e-4);
+  EXPECT_EQ(c.balls[0].body.scale(), 1);
+  const auto shapes = body_shapes(c);
+  ASSERT_EQ(shapes[0].spheres.size(), 2U);
+  const double apart = norm(shapes[0].spheres[0].centre - shapes[0].spheres[1].centre);
+  EXPECT_NEAR(apart * 0.5 * c.balls[0].diameter, 6e-3, 1e-12) << "about the centre of mass";
+  EXPECT_TRUE(read_text(write(c), "case.toml", catalogue()) == c) << write(c);
+}
+
+TEST(BallShape, members_that_make_no_body_are_refused) {
+  const auto fault = [](const std::string& members) {
+    const auto found = faults_of(clump_of(members), {});
+    return found.size() == 1 ? found[0].code + ": " + found[0].what
+                             : std::to_string(found.size()) + " faults";
+  };
+  const auto says = [&](const std::string& members, const std::string& code,
+                        const std::string& what) {
+    const std::string found = fault(members);
+    EXPECT_TRUE(found.starts_with(code)) << found;
+    EXPECT_NE(found.find(what), std::string::npos) << found;
+  };
+  says("[]", "wrong-type", "must be a list of spheres");
+  says("\"5 mm\"", "wrong-type", "must be a list of spheres");
+  says(R"([["0 mm", "0 mm", "5 mm"]])", "wrong-type", "member 1 must have four numbers");
+  says(R"([["0 mm", "0 mm", "0 mm", "5 mm"]])", "out-of-range", "at least two members");
+  says(R"([["0 mm", "0 mm", "0 mm", "5 mm"], ["1 mm", "0 mm", "0 mm", "-1 mm"]])", "out-of-range",
+       "");
+  says(R"([["0 mm", "0 mm", "0 mm", "5 mm"], ["6 mm", "0 mm", "0 mm", "4 mm"],
+           ["30 mm", "0 mm", "0 mm", "4 mm"]])",
+       "out-of-range", "member 3 does not overlap");
+  says(R"([["0 mm", "0 mm", "0 mm", "5 mm"], ["5 mm", "0 mm", "0 mm", "0.04 mm"]])", "out-of-range",
+       "more than 100 times");
+  EXPECT_EQ(code_of({{"balls.shape", "clump"}, {"balls.diameter", "12 mm"}}).substr(2), "faults")
+      << "members are missing, diameter and length are too much";
+}
+
 TEST(BallShape, spheres_keep_their_case) {
   const Case c = read_sample(vial);
   EXPECT_FALSE(has_bodies(c));

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "bodies.hpp"
 #include "statement.hpp"
@@ -117,6 +118,56 @@ TEST(BodyImpact, flat_hit_of_two_spheres_has_the_restitution_of_both_contacts) {
   const double both = b * std::sqrt(2 * mass / m);
   const double expected = std::exp(-std::numbers::pi * both / std::sqrt(1 - both * both));
   states("restitution of the flat hit", found, expected, 0.01, "bod.14");
+}
+
+/// Where bodies that fall on a floor are hit: by their orientation. A flat one has a record of each
+/// sphere that touches, all of the face or side.
+TEST(BodyImpact, record_tells_face_edge_corner_side_or_cap) {
+  using scene::BodyFeature;
+  constexpr double quarter = 0.5 * std::numbers::pi;
+  const scene::Solid cylinder = scene::cylinder_of_spheres(0.01, 0.012, 47),
+                     cube = scene::cube_of_spheres(0.01, 0.002, 60),
+                     rod = scene::rod_of_spheres(0.01, 0.03, 5);
+  const Quaternion on_edge = turned_about({1, 0, 0}, 0.5 * quarter);
+  const double to_corner = std::acos(1 / std::sqrt(3.0));
+  const struct {
+    std::string what;
+    const scene::Solid& solid;
+    Quaternion orientation;
+    BodyFeature feature;
+  } falls[]{{"cylinder on its end", cylinder, {}, BodyFeature::face},
+            {"cylinder on its side", cylinder, turned_about({1, 0, 0}, quarter), BodyFeature::side},
+            {"cylinder on its rim", cylinder, on_edge, BodyFeature::edge},
+            {"cube on its face", cube, turned_about({0, 1, 0}, quarter), BodyFeature::face},
+            {"cube on its edge", cube, on_edge, BodyFeature::edge},
+            {"cube on its corner", cube,
+             turned_about({std::sqrt(0.5), -std::sqrt(0.5), 0}, to_corner), BodyFeature::corner},
+            {"rod on its end", rod, {}, BodyFeature::cap},
+            {"rod on its side", rod, turned_about({0, 1, 0}, quarter), BodyFeature::side}};
+  for (const auto& one : falls) {
+    const Hit hit = fall(one.solid, one.orientation, 0.1, pair_of(soft_steel, soft_steel, 0.6));
+    ASSERT_GT(hit.records, 0U) << one.what;
+    EXPECT_EQ(name_of(hit.record.feature), name_of(one.feature)) << one.what;
+    EXPECT_EQ(hit.record.other_feature, BodyFeature::none) << "the floor";
+  }
+}
+
+/// A rod falls with its end on the side of another one, which lies across.
+TEST(BodyImpact, record_of_two_bodies_tells_where_each_is_hit) {
+  const scene::Solid rod = scene::rod_of_spheres(0.01, 0.03, 5);
+  scene::Ball upright = body_of(rod, density, {0, 0, 0.021}),
+              across = body_of(rod, density, {}, turned_about({0, 1, 0}, 0.5 * std::numbers::pi));
+  upright.velocity = {0, 0, -0.5};
+  const contact::Pair pair = pair_of(soft_steel, soft_steel, 0.6);
+  const double dt = body_step({upright, across}, rod, HertzMindlin{}, pair, 0.5, 50);
+  const auto engine =
+      body_engine(still_box(side), {upright, across}, rod, of_law(HertzMindlin{}), pair, dt);
+  Recorder recorder;
+  engine->advance(0.02, recorder);
+  ASSERT_EQ(recorder.all.size(), 1U);
+  const scene::Collision& hit = recorder.all.front();
+  EXPECT_EQ(name_of(hit.ball == 0 ? hit.feature : hit.other_feature), "cap");
+  EXPECT_EQ(name_of(hit.ball == 0 ? hit.other_feature : hit.feature), "side");
 }
 
 /// A clump of a single sphere moves as the sphere does.

@@ -126,7 +126,8 @@ ReplicateRun::ReplicateRun(std::shared_ptr<const RunSetup> setup, int index,
                mill_case_->grinding->method != cases::Grinding::Method::balance),
       engine_(engine(*setup_, index, threads, stop, launch)),
       window_(cases::least_settling(*mill_case_) > 0 ? 0 : 1) {
-  result_.charge = observe::Charge(setup_->chamber, result_.tally.wall_map.grid().radius);
+  result_.charge = observe::Charge(setup_->chamber, result_.tally.wall_map.grid().radius,
+                                   cases::sets_with_axis(*mill_case_));
   result_.motion = observe::MotionStates(setup_->chamber);
   last_ = result_.energy_balance = result_.at_settled = engine_->energy_balance();
   settling_.add(last_, 0);

@@ -28,7 +28,7 @@ void describe_shape_word(KeyVisitor& v, BallShape& body) {
           {"balls", "cylinders with flat ends, as rings of spheres",
            "cylinders with round ends, as rows of spheres",
            "cubes with round edges, as grids of spheres",
-           "ellipsoids of revolution, as rows of spheres"}},
+           "ellipsoids of revolution, as rows of spheres", "the spheres of `members`"}},
          body.kind);
 }
 
@@ -52,9 +52,12 @@ void refuse_keys_of_others(KeyVisitor& v, const BallShape& body) {
              "remove it, or choose another shape");
   };
   if (kind == ShapeKind::sphere)
-    return useless({"length", "edge", "rounding", "spheres", "surface"});
+    return useless({"length", "edge", "rounding", "spheres", "members", "surface"});
   useless({"distribution", "spread", "smallest", "largest", "passing", "retained", "classes",
            "wall_thickness", "coating_thickness", "coating_density"});
+  if (kind == ShapeKind::clump)
+    return useless({"diameter", "length", "edge", "rounding", "spheres", "surface"});
+  useless({"members"});
   if (kind == ShapeKind::cube) return useless({"diameter", "length"});
   useless({"edge"});
   if (kind == ShapeKind::ellipsoid) useless({"surface"});
@@ -62,6 +65,74 @@ void refuse_keys_of_others(KeyVisitor& v, const BallShape& body) {
   if (!body.is_convex())
     v.refuse({"rounding"}, "with shape = \"cylpebs\" made of spheres",
              "remove it, or write surface = \"convex\"");
+}
+
+constexpr NumberSpec member_centre("members", "m", any_number, "");
+constexpr NumberSpec member_radius =
+    NumberSpec("members", "m", positive, "").plausible_within("", "0.5 m");
+
+std::string members_text(const std::vector<geometry::MemberSphere>& members) {
+  std::string rows;
+  for (const geometry::MemberSphere& s : members) {
+    const Vec3& c = s.centre;
+    rows += fmt::format("{}[{}, {}, {}, {}]", rows.empty() ? "" : ", ", in_quotes(show(c.x, "m")),
+                        in_quotes(show(c.y, "m")), in_quotes(show(c.z, "m")),
+                        in_quotes(show(s.radius, "m")));
+  }
+  return "[" + rows + "]";
+}
+
+/// The spheres of a clump. False after a fault.
+bool read_members(SectionReader& in, BallShape& body) {
+  constexpr std::string_view example =
+      "members = [[\"0 mm\", \"0 mm\", \"0 mm\", \"5 mm\"], [\"6 mm\", \"0 mm\", \"0 mm\", \"4 "
+      "mm\"]]";
+  const std::string remedy = fmt::format("write x, y, z and radius of each: {}", example);
+  const Node* at = in.find("members");
+  if (at == nullptr) {
+    in.missing("members", "spheres of a clump", remedy);
+    return false;
+  }
+  bool sound = at->kind == Node::Kind::list && !at->items.empty();
+  if (!sound) in.fault(*at, "`members` must be a list of spheres", remedy, "wrong-type");
+  for (const Node& row : at->items) {
+    if (!sound) return false;
+    sound = row.kind == Node::Kind::list && row.items.size() == 4;
+    if (!sound) {
+      in.fault(row, fmt::format("member {} must have four numbers", body.members.size() + 1),
+               remedy, "wrong-type");
+      return false;
+    }
+    const auto centre = [&](std::size_t k) { return in.quantity(row.items[k], member_centre); };
+    const double x = centre(0), y = centre(1), z = centre(2);
+    const double radius = in.quantity(row.items[3], member_radius);
+    body.members.push_back({{x, y, z}, radius});
+    sound = !std::isnan(x + y + z + radius);
+  }
+  if (!sound) return false;
+  body.spheres = std::ssize(body.members);
+  if (const std::string flaw = flaw_of_members(body.members); !flaw.empty()) {
+    in.fault(*at, flaw, "move or change the members so that they overlap and make one body",
+             "out-of-range");
+    return false;
+  }
+  in.record_origin("members", members_text(body.members), at);
+  return true;
+}
+
+/// A clump, whose spheres are given. A reader sets the diameter.
+void describe_clump(KeyVisitor& v, BallShape& body, double& diameter) {
+  if (SectionReader* in = v.reader()) {
+    diameter = read_members(*in, body) ? 2 * body.solid().equivalent_radius() : invalid_value;
+    return;
+  }
+  v.custom(
+      {.key = "members",
+       .about = "spheres of a clump, each with x, y, z and radius, in axes of its own; mass and "
+                "inertia are those of their union",
+       .sound = flaw_of_members(body.members).empty(),
+       .required = true},
+      [&] { return members_text(body.members); });
 }
 
 void describe_shape_numbers(KeyVisitor& v, BallShape& body) {
@@ -138,6 +209,10 @@ bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
   if (!body.is_sphere() && body.kind != ShapeKind::ellipsoid) describe_surface(v, body);
   refuse_keys_of_others(v, body);
   if (body.is_sphere()) return false;
+  if (body.kind == ShapeKind::clump) {
+    describe_clump(v, body, diameter);
+    return true;
+  }
   describe_shape_numbers(v, body);
   SectionReader* in = v.reader();
   if (body.is_convex())

@@ -38,6 +38,11 @@ constexpr CollisionColumn record_columns[] = {
     {"lost_normal", "J", "energy dissipated along the normal", offsetof(Collision, lost_normal)},
     {"lost_tangential", "J", "energy dissipated across the normal",
      offsetof(Collision, lost_tangential)},
+    {"feature", "1",
+     "where the ball was hit, if it is no sphere: 1 face, 2 edge, 3 corner, 4 side, 5 cap; else 0",
+     offsetof(Collision, feature), true},
+    {"other_feature", "1", "where the other ball was hit, likewise",
+     offsetof(Collision, other_feature), true},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
+#include "mahlwerk/results/quantities/bodies.hpp"
 #include "mahlwerk/results/quantities/pairs.hpp"
 #include "mahlwerk/results/quantities/part_loads.hpp"
 #include "mahlwerk/results/quantities/part_map.hpp"
@@ -51,6 +52,8 @@ std::vector<NamedTable> tables(const Outcome& outcome) {
                spectra_by_pair(outcome));
   unless_empty("durations", "contacts per bin of duration", durations(outcome));
   unless_empty("flashes", "collisions per bin of flash temperature rise", flashes(outcome));
+  unless_empty("body_hits", "hits of bodies per bin of energy, by where on the body",
+               body_hits(outcome));
   unless_empty("wall_map", "hits and wear by cell of the jar's wall", wall_map(outcome));
   unless_empty("part_map", "hits and wear by cell of the parts in the jar", part_map(outcome));
   unless_empty("fields", "density and velocity of the charge", fields(outcome));

@@ -44,6 +44,10 @@ Measures motion_measures();
 /// Tangential impact energy per collision and per second, and the share of grazing impacts.
 Measures tangential_measures();
 
+// bodies.cpp
+/// Hits of bodies that are no spheres by where on the body, and the order of their axes.
+Measures body_measures();
+
 // checks.cpp
 /// Numbers of powder as grains, the same in every replicate.
 Measures grain_measures();

@@ -28,7 +28,7 @@ Measures all_groups() {
        {collision_rates, collision_rates_by_partner, collision_means, power_measures, loss_measures,
         contact_time_measures, mill_measures, mill_power_measures, energy_balance_measures,
         dose_measures, regime_measures, motion_state_measures, motion_measures, bed_measures,
-        part_measures, tangential_measures})
+        part_measures, tangential_measures, body_measures})
     add(group);
   for (const cases::Part* part : cases::parts())
     if (part->quantities != nullptr) add(part->quantities);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/results/quantities/bed.hpp"
 #include "mahlwerk/results/quantities/heat_share.hpp"
 #include "mahlwerk/results/quantities/regime.hpp"
@@ -14,7 +15,7 @@ namespace mahlwerk::results {
 bool can_be_summed_up(const cases::Case& mill_case) {
   constexpr std::int64_t few = 32;
   return mill_case.run.replicates > few && !mill_case.capture && !mill_case.kinetics &&
-         !mill_case.grinding;
+         !mill_case.grinding && !cases::has_bodies(mill_case);
 }
 
 SummingUp::SummingUp(Outcome& outcome)

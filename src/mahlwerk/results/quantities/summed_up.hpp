@@ -29,8 +29,8 @@ struct SummedUp {
   observe::Charge charge;
 };
 
-/// Whether the maps and spectra of a case's replicates can be forgotten: its powder is computed
-/// from those of all replicates at the end.
+/// Whether the maps and spectra of a case's replicates can be forgotten: its powder and
+/// the hits of bodies are computed from those of all replicates at the end.
 bool can_be_summed_up(const cases::Case& mill_case);
 
 /// Sums up the replicates of an outcome while it is computed. Thread-safe.

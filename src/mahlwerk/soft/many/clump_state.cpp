@@ -39,6 +39,18 @@ ManyBodySolver::BallEnergy ManyBodySolver::energy_of_sphere(
           -(of.mass * dot(jar_->gravity(), bodies_.now[b].centre + frame.centre))};
 }
 
+/// Where the body of a row is hit, with the vector `arm` from the centre of the row to the contact
+/// (bod.16).
+scene::BodyFeature ManyBodySolver::feature_hit(std::int32_t number, const Vec3& arm) const {
+  const auto row = static_cast<std::size_t>(number);
+  if (!is_member(row)) return scene::BodyFeature::none;
+  const std::size_t b = bodies_.body(row);
+  const BodyRecord& at = bodies_.now[b];
+  const BodySpecies& of = body_species_[bodies_.rows[b].species];
+  const Vec3 point = rows_[row].position() + arm - at.centre;
+  return of.features.feature_at(rotation_of(at.orientation).apply_inverse(point) / of.ball.radius);
+}
+
 void ManyBodySolver::add_bodies(std::vector<scene::Ball>& all, const Vec3& body_kick_change) const {
   for (std::size_t b = 0; b < bodies_.rows.size(); ++b) {
     const PresentBody at = present(b, body_kick_change);

@@ -202,20 +202,24 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const Vec3 towards = wall ? get_lane(list.wall_normals[n].normal, l) : touch.normal;
   const Vec3 normal = (1 / norm(towards)) * towards,
              where = jar_->within_period(ball.position()) + touch.arm_i + touch.radius_i * normal;
-  chunk.finished.push_back({step_,
-                            {.time = time_of(onset.step),
-                             .duration = duration,
-                             .ball = id_[static_cast<std::size_t>(g.i[l])],
-                             .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
-                             .where = jar_->to_face_point(where, t, face),
-                             .normal = jar_->to_face_axes(normal, t, face),
-                             .mass = contact_mass(list, n, l),
-                             .approach = onset.approach,
-                             .slip = onset.slip,
-                             .glide = onset.glide,
-                             .impulse = g.impulse[l],
-                             .lost_normal = g.lost_normal[l],
-                             .lost_tangential = g.lost_tangential[l]}});
+  chunk.finished.push_back(
+      {step_,
+       {.time = time_of(onset.step),
+        .duration = duration,
+        .ball = id_[static_cast<std::size_t>(g.i[l])],
+        .other = wall ? ~g.j[l] : id_[static_cast<std::size_t>(g.j[l])],
+        .where = jar_->to_face_point(where, t, face),
+        .normal = jar_->to_face_axes(normal, t, face),
+        .mass = contact_mass(list, n, l),
+        .approach = onset.approach,
+        .slip = onset.slip,
+        .glide = onset.glide,
+        .impulse = g.impulse[l],
+        .lost_normal = g.lost_normal[l],
+        .lost_tangential = g.lost_tangential[l],
+        .feature = feature_hit(g.i[l], touch.arm_i + touch.radius_i * normal),
+        .other_feature = wall ? scene::BodyFeature::none
+                              : feature_hit(g.j[l], touch.arm_j - touch.radius_j * normal)}});
   ++chunk.sums.collisions;
   if (is_sustained(duration, onset, pair, *settings_.model.law)) ++chunk.sums.sustained;
 }

@@ -175,6 +175,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void follow_moves();
   void place_contact_spheres(Chunk& chunk, ContactPackets& list, std::size_t n) override;
   PresentBody present(std::size_t body, const Vec3& body_kick_change) const;
+  scene::BodyFeature feature_hit(std::int32_t row, const Vec3& arm) const;
   Vec3 velocity_of_row(std::size_t row, const Vec3& body_kick_change) const;  // ball or sphere
   Vec3 spin_of_row(std::size_t row) const;
   BallEnergy energy_of_sphere(std::size_t row, const Vec3& body_kick_change,
