@@ -100,14 +100,14 @@ TEST(RoundedBodies, hit_on_a_floor_gives_the_impulse_of_rigid_bodies) {
 }
 
 /// Two bodies that meet without friction.
-struct Meeting {
+struct Impact {
   std::vector<scene::Ball> before, after;
   std::vector<scene::Collision> hits;
   double residual = 0;
 };
-Meeting meet(const scene::Solid& solid, const Quaternion& a, const Quaternion& b,
-             const Vec3& offset, const Vec3& velocity, double e, double time) {
-  Meeting m;
+Impact collide(const scene::Solid& solid, const Quaternion& a, const Quaternion& b,
+               const Vec3& offset, const Vec3& velocity, double e, double time) {
+  Impact m;
   m.before = {body_of(solid, density, {}, a), body_of(solid, density, offset, b)};
   m.before[1].velocity = velocity;
   const contact::Pair pair = pair_of(soft_steel, soft_steel, e);
@@ -130,19 +130,19 @@ TEST(RoundedBodies, rods_that_cross_give_the_impulse_of_rigid_bodies) {
                    along_y = turned_about({1, 0, 0}, pi / 2);
   for (const double e : {0.5, 1.0})
     for (const double at : {0.0, 0.012}) {  // from both middles
-      const Meeting met =
-          meet(rod, along_x, along_y, {at, at, 0.01 + 1e-5}, {0, 0, -speed}, e, 1e-3);
-      ASSERT_EQ(met.hits.size(), 1U);
+      const Impact met =
+          collide(rod, along_x, along_y, {at, at, 0.01 + 1e-5}, {0, 0, -speed}, e, 1e-3);
+      ASSERT_EQ(hit.hits.size(), 1U);
       const double mass = 1 / (2 / m + 2 * at * at / i);
       const std::string what = fmt::format("e = {}, {} m from the middle: ", e, at);
-      states(what + "impulse [N s]", met.hits[0].impulse, (1 + e) * mass * speed,
+      states(what + "impulse [N s]", hit.hits[0].impulse, (1 + e) * mass * speed,
              2e-3 * mass * speed, "(1 + e) m* v");
-      states(what + "v' of the first [m/s]", met.after[0].velocity.z, -(1 + e) * mass * speed / m,
+      states(what + "v' of the first [m/s]", hit.after[0].velocity.z, -(1 + e) * mass * speed / m,
              2e-3 * speed, "impulse over its mass");
-      states(what + "spin of the first [rad/s]", met.after[0].spin.y,
+      states(what + "spin of the first [rad/s]", hit.after[0].spin.y,
              (1 + e) * mass * speed * at / i, 1e-2 * mass * speed * at / i + 1e-9, "moment over I");
       stays_below(what + "balance over the energy",
-                  std::abs(met.residual) / (0.5 * m * speed * speed), 1e-4, "dem.32");
+                  std::abs(hit.residual) / (0.5 * m * speed * speed), 1e-4, "dem.32");
     }
 }
 
@@ -160,7 +160,7 @@ TEST(RoundedBodies, elastic_impacts_keep_momentum_angular_momentum_and_energy) {
     const auto turn = [&] { return turned_about(random.direction(), random.uniform(0, 3)); };
     const Quaternion a = turn(), b = turn();
     const Vec3 offset = 0.038 * random.direction(), speed = -12.0 * offset;
-    const Meeting m = meet(solid, a, b, offset, speed, 1, 0.06);
+    const Impact m = collide(solid, a, b, offset, speed, 1, 0.06);
     met += m.hits.empty() ? 0 : 1;
     const double mass = density * solid.volume;
     const auto sums = [&](const std::vector<scene::Ball>& all) {

@@ -75,6 +75,26 @@ template <class V>
   });
 }
 
+/// The bodies of a packet: the balls, or with rounded bodies their spheres, which are placed first.
+inline PacketRows packet_rows(const ChunkStep& s, Chunk& chunk, ContactPackets& list, std::size_t n,
+                              ContactKind kind) {
+  const ContactPacket& g = list.packets[n];
+  if (!s.rounded) return {s.rows, s.spins, &g.i, &g.j};
+  s.callbacks->place_contact_spheres(chunk, list, n);
+  const ContactSpheres& spheres = chunk.spheres;
+  return {spheres.rows.data(), spheres.spins.data(), &spheres.i,
+          kind == ContactKind::wall ? &g.j : &spheres.j};
+}
+
+/// Adds the torques of the forces on the spheres of rounded bodies about their centres of mass.
+template <class V>
+[[gnu::always_inline]] inline void add_arm_torques(const LaneGroup<V>& group,
+                                                   const ContactSpheres& spheres,
+                                                   ContactForce<V>& force) {
+  force.torque_i = force.torque_i + cross(group(spheres.arm_i), force.force);
+  force.torque_j = force.torque_j - cross(group(spheres.arm_j), force.force);
+}
+
 /// Relative motion of the pairs of a group. `points` are the wall contact points of its packet,
 /// `from` has its bodies.
 template <class V>

@@ -162,15 +162,6 @@ inline void add_wall_loads(const ChunkStep& s, Chunk& chunk, const ContactPacket
   }
 }
 
-/// Adds the torques of the forces on the spheres of rounded bodies about their centres of mass.
-template <class V>
-[[gnu::always_inline]] inline void add_arm_torques(const LaneGroup<V>& group,
-                                                   const ContactSpheres& spheres,
-                                                   ContactForce<V>& force) {
-  force.torque_i = force.torque_i + cross(group(spheres.arm_i), force.force);
-  force.torque_j = force.torque_j - cross(group(spheres.arm_j), force.force);
-}
-
 /// Computes the contacts of a packet and adds their forces to the balls of the chunk: first those
 /// of balls i, then those of balls j, each in the order of the lanes.
 template <class Law, class V>
@@ -181,12 +172,7 @@ template <class Law, class V>
                                                 ContactWork& sums) {
   ContactPacket& g = list.packets[n];
   Vec<Lanes> points;
-  PacketRows from{s.rows, s.spins, &g.i, &g.j};
-  if (s.rounded) {
-    s.callbacks->place_contact_spheres(chunk, list, n);
-    from = {chunk.spheres.rows.data(), chunk.spheres.spins.data(), &chunk.spheres.i,
-            kind == ContactKind::wall ? &g.j : &chunk.spheres.j};
-  }
+  const PacketRows from = packet_rows(s, chunk, list, n, kind);
   if (kind == ContactKind::wall)
     s.jar->wall_points(from.rows, *from.i, g.j, g.touching, s.wall_axes, s.pull_off_distance,
                        points, s.jar->keeps_near_facets() ? near_facets(chunk, n) : nullptr);
