@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Bodies that are clumps of spheres beside balls of the same volume: a drum of as many of each.
+// Bodies that are clumps of spheres, and rounded convex bodies, beside balls: a drum of as many of
+// each.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -92,6 +93,9 @@ std::vector<Row> bodies() {
   add(fmt::format("cylpebs of {} spheres", cylpebs.spheres.size()), cylpebs);
   const scene::Solid cube = scene::cube_of_spheres(d, d / 4, 27);
   add(fmt::format("cube of {} spheres", cube.spheres.size()), cube);
+  add("convex rod", scene::rounded_rod(d, 2 * d));
+  add("convex cylpebs", scene::rounded_cylinder(d, d, d / 10));
+  add("convex cube", scene::rounded_cube(d, d / 10));
   return rows;
 }
 

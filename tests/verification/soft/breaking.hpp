@@ -91,20 +91,23 @@ inline std::unique_ptr<scene::Engine> engine(const scene::Chamber& jar,
                            contact::PairTable(1, geometry::faces(*jar.shape), pair), 0);
 }
 
+/// Distance of the grains of a lattice over their radius: fragments hardly reach the next one.
+constexpr double apart = 8;
+
 /// Grains above the floor of a box, apart from each other, that fall on it without gravity.
 inline std::vector<scene::Ball> falling(int side, double speed) {
   std::vector<scene::Ball> balls;
   for (int i = 0; i < side * side; ++i) {
     const Vec3 cell{i % side - 0.5 * (side - 1), static_cast<double>(i / side) - 0.5 * (side - 1),
                     0};
-    scene::Ball ball = sphere(radius, 3 * radius * cell, {0, 0, -speed});
+    scene::Ball ball = sphere(radius, apart * radius * cell, {0, 0, -speed});
     ball.position.z = -0.1 + 1.05 * radius;
     balls.push_back(ball);
   }
   return balls;
 }
 inline scene::Chamber box_for(int side) {
-  return {geometry::Box{3 * radius * (side + 1), 3 * radius * (side + 1), 0.2},
+  return {geometry::Box{apart * radius * (side + 1), apart * radius * (side + 1), 0.2},
           kinematics::Still{},
           {},
           {}};

@@ -130,7 +130,7 @@ TEST(RoundedBodies, rods_that_cross_give_the_impulse_of_rigid_bodies) {
                    along_y = turned_about({1, 0, 0}, pi / 2);
   for (const double e : {0.5, 1.0})
     for (const double at : {0.0, 0.012}) {  // from both middles
-      const Impact met =
+      const Impact hit =
           collide(rod, along_x, along_y, {at, at, 0.01 + 1e-5}, {0, 0, -speed}, e, 1e-3);
       ASSERT_EQ(hit.hits.size(), 1U);
       const double mass = 1 / (2 / m + 2 * at * at / i);
@@ -267,6 +267,46 @@ TEST(RoundedBodies, cubes_make_a_tower) {
               1 / (30.0 * 4), "impulse of a step on a corner of each cube (bod.21)");
   stays_below("  the same at 120 steps over that at 30", fed[1] / fed[0], 0.25,
               "it vanishes faster than the step");
+}
+
+/// Cubes and cylinders that are shaken in a jar with a fillet, in a capsule and in a sphere: their
+/// corners and rims never leave it.
+TEST(RoundedBodies, bodies_stay_within_their_jar) {
+  const std::vector<geometry::AnyShape> jars{geometry::RoundedCylinder{0.06, 0.06, 0.01},
+                                             geometry::Capsule{0.06, 0.03}, geometry::Sphere{0.07}};
+  for (const geometry::AnyShape& jar : jars)
+    for (const scene::Solid& solid :
+         {scene::rounded_cube(0.012, 0.001), scene::rounded_cylinder(0.014, 0.01, 0.001)}) {
+      const contact::Pair pair = pair_of(soft_steel, soft_steel, 0.6, 0.3);
+      std::vector<scene::Ball> all;
+      Random random(5, 0);
+      for (const double x : {-0.011, 0.011})
+        for (const double y : {-0.011, 0.011})
+          for (const double z : {-0.011, 0.011}) {
+            all.push_back(body_of(solid, density, {x, y, z},
+                                  turned_about(random.direction(), random.uniform(0, 3))));
+            all.back().velocity = 1.5 * random.direction();
+          }
+      const scene::Chamber chamber{jar, kinematics::Still{}, {}, {0, 0, -gravity}};
+      const double dt = body_step(all, solid, HertzMindlin{}, pair, 1.5, 30);
+      const auto engine = body_engine(chamber, all, solid, of_law(HertzMindlin{}), pair, dt);
+      Recorder hits;
+      double deepest = 0;
+      for (int k = 1; k <= 40; ++k) {
+        engine->advance(0.005 * k, hits);
+        for (const scene::Ball& b : engine->balls()) {
+          const Rotation axes = rotation_of(b.orientation);
+          for (int n = 0; n < 200; ++n) {
+            const Vec3 d = random.direction();
+            const Vec3 at = b.position + axes * solid.core.support(d) + solid.rounding * (axes * d);
+            deepest = std::max(deepest, -geometry::nearest_wall(jar, at, 1e-6));
+          }
+        }
+      }
+      EXPECT_GT(hits.all.size(), 50U);
+      stays_below("deepest point outside the jar over the rounding", deepest / solid.rounding, 0.3,
+                  "overlaps of impacts at 1.5 m/s");
+    }
 }
 
 TEST(RoundedBodies, cores_that_meet_stop_the_run) {

@@ -236,10 +236,12 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
   std::vector<double> gaps, all(static_cast<std::size_t>(jar_->faces()));
   for (std::int32_t i = chunk.first; i < chunk.last; ++i) {
     const BallRecord& ball = rows_[static_cast<std::size_t>(i)];
+    const BodySpecies* rounded = rounded_species(i);
+    const double touching_radius = rounded != nullptr ? rounded->rounding : ball.radius;
     jar_->distances(ball.position(), wall_axes_, ball.radius + skin_ + pull_off_distance_, all);
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
-      if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, ball.radius)) continue;
+      if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, touching_radius)) continue;
       if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), "it is outside the jar"};
       if (std::ranges::binary_search(touching, std::pair(i, face))) continue;
       found.push_back({i, ~face});
