@@ -153,7 +153,7 @@ struct Columns {
     const auto made = soft::make_engine(box_for(side), bodies(grains), settings,
                                         contact::PairTable(grains ? 2 : 1, 6, pair), 0);
     SizeObserver seen;
-    made->advance(8e-3, seen);
+    made->advance(7e-3, seen);
     return seen;
   }
 };
