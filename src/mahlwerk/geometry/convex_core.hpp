@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,17 @@ NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, NearestHu
 double mean_curvature(const ConvexCore& core, double rounding, const Vec3& at, const Vec3& normal,
                       CoreFeature feature);
 
+/// Corners of an octagon, as cosine and sine.
+inline constexpr std::array<std::array<double, 2>, 8> octagon{
+    {{1, 0},
+     {std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},
+     {0, 1},
+     {-std::numbers::sqrt2 / 2, std::numbers::sqrt2 / 2},
+     {-1, 0},
+     {-std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2},
+     {0, -1},
+     {std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2}}};
+
 /// The point of a core at which `gap` is least: corners of a hull, points of the two rims of a
 /// cylinder. `gap(x)` returns the distance of a point from a wall that is nowhere convex, and the
 /// normal into the jar: a struct with `distance` and `inward`.
@@ -81,19 +93,41 @@ Vec3 nearest_to_wall(const PlacedCore& placed, const Gap& gap) {
   const ConvexCore& core = *placed.core;
   for (const Vec3& corner : core.corners) try_point(placed.centre + placed.axes * corner);
   if (!core.is_cylinder()) return best;
-  // On each rim the point that the present normal makes the nearest one: the distance from such a
-  // wall is concave, so that each round lessens it, by about the ratio of the curvatures.
-  constexpr int most_rounds = 60;
-  const Vec3 inward = gap(placed.centre).inward;
+  // From the lower ones of eight points of each rim to the point that the present normal makes the
+  // nearest: the distance from such a wall is concave, so that each round lessens it, by about the
+  // ratio of the curvatures.
+  constexpr int points = 8, most_rounds = 60;
   for (const double z : {-core.half_length, core.half_length}) {
-    Vec3 d = inward, last;
-    for (int n = 0; n < most_rounds; ++n) {
-      const Vec3 own = placed.axes.apply_inverse(d);
-      Vec3 rim = core.support({-own.x, -own.y, 0});
-      rim.z = z;
-      if (n > 0 && squared(rim - last) < 1e-16 * core.radius * core.radius) break;
-      last = rim;
-      d = try_point(placed.centre + placed.axes * rim);
+    std::array<Vec3, points> inward;
+    std::array<double, points> distance;
+    const auto on_rim = [&](const Vec3& d) {  // against d, given in the axes of the body
+      Vec3 x = core.support({-d.x, -d.y, 0});
+      x.z = z;
+      return x;
+    };
+    for (int k = 0; k < points; ++k) {
+      const auto& [x, y] = octagon[static_cast<std::size_t>(k)];
+      const auto at = gap(placed.centre + placed.axes * Vec3{core.radius * x, core.radius * y, z});
+      inward[static_cast<std::size_t>(k)] = at.inward;
+      distance[static_cast<std::size_t>(k)] = at.distance;
+    }
+    for (std::size_t k = 0; k < points; ++k) {
+      if (distance[k] > distance[(k + 1) % points] ||
+          distance[k] > distance[(k + points - 1) % points])
+        continue;
+      Vec3 d = inward[k], last, before;
+      for (int n = 0; n < most_rounds; ++n) {
+        Vec3 rim = on_rim(placed.axes.apply_inverse(d));
+        const double step = norm(rim - last), step_before = norm(last - before);
+        if (n > 0 && step < 1e-8 * core.radius) break;
+        const Vec3 previous = last;
+        before = last, last = rim;
+        if (n % 3 == 2 && step < step_before) {  // the limit of steps in a constant ratio
+          const Vec3 limit = rim + step / (step_before - step) * (rim - previous);
+          rim = on_rim(-limit), last = rim;
+        }
+        d = try_point(placed.centre + placed.axes * rim);
+      }
     }
   }
   return best;

@@ -12,13 +12,13 @@ namespace mahlwerk::scene {
 struct GrainState {
   double size = 0;         ///< [m] of its particles
   double strength = 0;     ///< of its particles, in the terms of GrainBreakage
-  double peak = 0;         ///< [J] largest energy of the present stressing (bed.3)
+  double peak = 0;         ///< [J] largest energy of the present stressing (bed.3); least one since
   double broken = 0;       ///< [J/kg] largest energy of the stressing that broke it
   std::uint64_t draw = 0;  ///< state of its random numbers
   enum class Phase : std::int64_t {
     whole,
     breaks,   ///< in the present stressing, whose largest energy decides how fine
-    broke,    ///< in the present stressing, which breaks it no further
+    rests,    ///< whole, since the last stressing: its load falls
     replaced  ///< soon, by its fragments
   };
   Phase phase = Phase::whole;

@@ -126,11 +126,15 @@ std::vector<scene::Ball> BodySpeciesTable::lightest_contacts(
   // As many contacts share a face without a shorter step: the limits have a margin for a ball
   // between several neighbours (dem.31, dem.48).
   constexpr double shared = 4;
-  return parts(balls, [](const BodySpecies& s, std::size_t k) {
+  double largest_ball = 0;
+  for (std::size_t b = 0; b < balls.size(); ++b)
+    if (of_ball(b) < 0) largest_ball = std::max(largest_ball, balls[b].radius);
+  return parts(balls, [&](const BodySpecies& s, std::size_t k) {
     const double least = s.least_contact_mass(k);
-    return std::pair(
-        s.widest_contact(k),
-        s.is_rounded() ? least : std::min(least, s.mass * shared / s.spheres_on_a_plane()));
+    if (!s.is_rounded())
+      return std::pair(s.radii[k], std::min(least, s.mass * shared / s.spheres_on_a_plane()));
+    // Two of these have the largest R* of two bodies; a ball on a face has two thirds of it.
+    return std::pair(std::max(4 * s.edge_radius(), 2 * largest_ball), least);
   });
 }
 

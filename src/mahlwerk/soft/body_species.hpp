@@ -28,8 +28,9 @@ struct BodySpecies {
   /// [kg] The least effective mass of a contact of a sphere of the body (bod.12); of a rounded
   /// body, of a contact at its core.
   double least_contact_mass(std::size_t sphere) const;
-  /// [m] Radius that stands for the least curved contact of a sphere of the body (bod.22).
-  double widest_contact(std::size_t sphere) const;
+  /// [m] Radius of the edges of a rounded body, of the side of a cylinder: (bod.22) takes no R*
+  /// above twice that of the larger one of two bodies.
+  double edge_radius() const { return rounding + (core.is_cylinder() ? core.radius : 0); }
   /// The largest number of spheres that touch a plane across a principal axis.
   int spheres_on_a_plane() const;
 };

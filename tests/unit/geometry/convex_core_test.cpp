@@ -213,8 +213,8 @@ TEST(ConvexCore, nearest_point_to_a_wall_is_the_corner_or_the_rim_that_is_deepes
   };
   double worst = 0;
   for (int n = 0; n < 3000; ++n) {
-    const double phi = draw.between(0, 2 * pi);
-    const Vec3 where{0.6 * std::cos(phi), 0.6 * std::sin(phi), 0};
+    const double phi = draw.between(0, 2 * pi), from_axis = draw.between(0, 0.65);
+    const Vec3 where{from_axis * std::cos(phi), from_axis * std::sin(phi), 0};
     const Rotation axes = draw.rotation();
     const double rim = drum(nearest_to_wall(PlacedCore{&cylinder, where, axes}, drum)).distance;
     const double corner = drum(nearest_to_wall(PlacedCore{&cube, where, axes}, drum)).distance;

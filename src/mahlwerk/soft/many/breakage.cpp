@@ -126,16 +126,18 @@ double ManyBodySolver::cushioned_share() const {
 }
 
 /// Follows the stressing of a grain: it breaks at the largest energy so far, and is weakened once
-/// half of that is gone (bed.3). How fine it becomes is decided once its load falls, or by the end
-/// of the stressing where spheres stay (bed.10).
+/// half of that is gone (bed.3). The next stressing begins when the load rises again. How fine it
+/// becomes is decided once its load falls, or by the end of the stressing where spheres stay
+/// (bed.10).
 void ManyBodySolver::stress(std::size_t row, double share, Stressing& out) {
   using Phase = GrainState::Phase;
   GrainState& grain = breakage_.grains[static_cast<std::size_t>(id_[row])];
   if (grain.phase == Phase::replaced) return;
   const double mass = pairs_.species(species_[row]).mass, now = share * load_[row];
-  const bool rises = now > grain.peak, ends = now < 0.5 * grain.peak,
-             stays = breakage_.species.empty();
-  if (rises) grain.peak = now;
+  const bool rises = now > grain.peak, stays = breakage_.species.empty();
+  if (rises && grain.phase == Phase::rests) grain.phase = Phase::whole;
+  const bool rests = grain.phase == Phase::rests, ends = !rests && now < 0.5 * grain.peak;
+  if (rises || rests) grain.peak = now;
   if (rises && grain.phase == Phase::whole && settings_.breakage->breaks(grain, now / mass))
     grain.phase = Phase::breaks, grain.broke_at = step_;
   const bool leaves = grain.phase == Phase::breaks && !stays &&
@@ -147,7 +149,7 @@ void ManyBodySolver::stress(std::size_t row, double share, Stressing& out) {
   } else if (ends) {
     if (grain.phase == Phase::whole) settings_.breakage->weaken(grain, grain.peak / mass);
     if (grain.phase == Phase::breaks) become_finer(grain, mass, out);
-    grain.phase = Phase::whole;
+    grain.phase = Phase::rests;
     grain.peak = now;
   }
 }
@@ -168,7 +170,7 @@ void ManyBodySolver::become_finer(GrainState& grain, double mass, Stressing& out
   const double size = rule.fragment_size(grain);
   const GrainState was = grain;
   grain = rule.particle(std::min(size, grain.size), grain.draw + 2);
-  grain.peak = was.peak, grain.broken = was.broken, grain.phase = GrainState::Phase::broke;
+  grain.peak = was.peak, grain.broken = was.broken;
   ++out.broken;
   out.changes.push_back({time_of(step_), -mass, rule.class_of(was.size), 1});
   out.changes.push_back({time_of(step_), mass, rule.class_of(grain.size), 0});

@@ -293,10 +293,14 @@ void ManyBodySolver::apply_contact_mass(PairParameters& parameters, std::size_t 
   SpeciesPair own = pairs_[species_pair];
   own.effective.mass = 1 / sum.normal;
   own.effective.slip_factor = sum.tangential / sum.normal;
-  if (rounded_species(contact.ball) != nullptr ||
-      (contact.other >= 0 && rounded_species(contact.other) != nullptr)) {
-    const double narrowest = 1 / std::max(parameters.radius_i[lane], parameters.radius_j[lane]);
-    own.effective.radius = 1 / std::max(touch.curvature_i + touch.curvature_j, narrowest);
+  if (has_rounded(contact)) {
+    const auto edge_radius = [&](std::int32_t row, double radius) {
+      const BodySpecies* of = row < 0 ? nullptr : rounded_species(row);
+      return of != nullptr ? of->edge_radius() : radius;
+    };
+    const double widest = 2 * std::max(edge_radius(contact.ball, touch.radius_i),
+                                       edge_radius(contact.other, touch.radius_j));
+    own.effective.radius = 1 / std::max(touch.curvature_i + touch.curvature_j, 1 / widest);
     parameters.radius_i[lane] = touch.radius_i, parameters.radius_j[lane] = touch.radius_j;
     parameters.inverse_radius[lane] = 1 / min_radius(parameters, lane);
   }
