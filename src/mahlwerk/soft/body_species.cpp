@@ -53,11 +53,6 @@ double BodySpecies::least_contact_mass(std::size_t sphere) const {
   return 1 / (1 / mass + most);
 }
 
-double BodySpecies::widest_contact(std::size_t sphere) const {
-  if (!is_rounded()) return radii[sphere];
-  return 2 * (core.is_cylinder() ? core.radius + rounding : rounding);
-}
-
 int BodySpecies::spheres_on_a_plane() const {
   constexpr double level = 1e-6;
   int most = 0;
