@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -76,59 +79,63 @@ inline constexpr std::array<std::array<double, 2>, 8> octagon{
      {0, -1},
      {std::numbers::sqrt2 / 2, -std::numbers::sqrt2 / 2}}};
 
+/// Goes from a point of a rim of a cylinder, at the height `z`, to the one that the normal there
+/// makes the nearest to the wall, until it stays. `try_point(x)` returns the normal into the jar at
+/// x; `d` is that at the beginning.
+template <class TryPoint>
+void descend_along_rim(const PlacedCore& placed, double z, Vec3 d, const TryPoint& try_point) {
+  constexpr int most_rounds = 60;
+  const ConvexCore& core = *placed.core;
+  const auto on_rim = [&](const Vec3& against) {  // in the axes of the body
+    Vec3 x = core.support({-against.x, -against.y, 0});
+    x.z = z;
+    return x;
+  };
+  Vec3 last, before;
+  for (int n = 0; n < most_rounds; ++n) {
+    Vec3 rim = on_rim(placed.axes.apply_inverse(d));
+    const double step = norm(rim - last), step_before = norm(last - before);
+    if (n > 0 && step < 1e-8 * core.radius) break;
+    const Vec3 previous = last;
+    before = last, last = rim;
+    if (n % 3 == 2 && step < step_before) {  // the limit of steps in a constant ratio
+      const Vec3 limit = rim + step / (step_before - step) * (rim - previous);
+      rim = on_rim(-limit), last = rim;
+    }
+    d = try_point(placed.centre + placed.axes * rim);
+  }
+}
+
 /// The point of a core at which `gap` is least: corners of a hull, points of the two rims of a
 /// cylinder. `gap(x)` returns the distance of a point from a wall that is nowhere convex, and the
-/// normal into the jar: a struct with `distance` and `inward`.
+/// normal into the jar: a struct with `distance` and `inward`. On a rim the search begins at the
+/// lower ones of eight points: the distance from such a wall is concave, so that each round of
+/// descend_along_rim() lessens it, by about the ratio of the curvatures.
 template <class Gap>
 Vec3 nearest_to_wall(const PlacedCore& placed, const Gap& gap) {
   Vec3 best = placed.centre;
   if (placed.core == nullptr) return best;
-  double least = 0;
-  bool first = true;
+  double least = std::numeric_limits<double>::infinity();
   const auto try_point = [&](const Vec3& x) {
     const auto at = gap(x);
-    if (first || at.distance < least) best = x, least = at.distance, first = false;
+    if (at.distance < least) best = x, least = at.distance;
     return at.inward;
   };
   const ConvexCore& core = *placed.core;
   for (const Vec3& corner : core.corners) try_point(placed.centre + placed.axes * corner);
   if (!core.is_cylinder()) return best;
-  // From the lower ones of eight points of each rim to the point that the present normal makes the
-  // nearest: the distance from such a wall is concave, so that each round lessens it, by about the
-  // ratio of the curvatures.
-  constexpr int points = 8, most_rounds = 60;
   for (const double z : {-core.half_length, core.half_length}) {
-    std::array<Vec3, points> inward;
-    std::array<double, points> distance;
-    const auto on_rim = [&](const Vec3& d) {  // against d, given in the axes of the body
-      Vec3 x = core.support({-d.x, -d.y, 0});
-      x.z = z;
-      return x;
-    };
-    for (int k = 0; k < points; ++k) {
-      const auto& [x, y] = octagon[static_cast<std::size_t>(k)];
-      const auto at = gap(placed.centre + placed.axes * Vec3{core.radius * x, core.radius * y, z});
-      inward[static_cast<std::size_t>(k)] = at.inward;
-      distance[static_cast<std::size_t>(k)] = at.distance;
+    std::array<Vec3, octagon.size()> inward;
+    std::array<double, octagon.size()> distance;
+    for (std::size_t k = 0; k < octagon.size(); ++k) {
+      const Vec3 rim{core.radius * octagon[k][0], core.radius * octagon[k][1], z};
+      const auto at = gap(placed.centre + placed.axes * rim);
+      inward[k] = at.inward, distance[k] = at.distance;
     }
-    for (std::size_t k = 0; k < points; ++k) {
-      if (distance[k] > distance[(k + 1) % points] ||
-          distance[k] > distance[(k + points - 1) % points])
-        continue;
-      Vec3 d = inward[k], last, before;
-      for (int n = 0; n < most_rounds; ++n) {
-        Vec3 rim = on_rim(placed.axes.apply_inverse(d));
-        const double step = norm(rim - last), step_before = norm(last - before);
-        if (n > 0 && step < 1e-8 * core.radius) break;
-        const Vec3 previous = last;
-        before = last, last = rim;
-        if (n % 3 == 2 && step < step_before) {  // the limit of steps in a constant ratio
-          const Vec3 limit = rim + step / (step_before - step) * (rim - previous);
-          rim = on_rim(-limit), last = rim;
-        }
-        d = try_point(placed.centre + placed.axes * rim);
-      }
-    }
+    const std::size_t n = octagon.size();
+    for (std::size_t k = 0; k < n; ++k)
+      if (distance[k] <= std::min(distance[(k + 1) % n], distance[(k + n - 1) % n]))
+        descend_along_rim(placed, z, inward[k], try_point);
   }
   return best;
 }
