@@ -32,6 +32,10 @@ void describe_shape_word(KeyVisitor& v, BallShape& body) {
          body.kind);
 }
 
+bool has_convex_form(ShapeKind kind) {
+  return kind == ShapeKind::cylpebs || kind == ShapeKind::rod || kind == ShapeKind::cube;
+}
+
 void describe_surface(KeyVisitor& v, BallShape& body) {
   v.word({"surface",
           surface_words(),
@@ -206,7 +210,7 @@ bool read_spheres(SectionReader& in, BallShape& body) {
 
 bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
   describe_shape_word(v, body);
-  if (!body.is_sphere() && body.kind != ShapeKind::ellipsoid) describe_surface(v, body);
+  if (has_convex_form(body.kind)) describe_surface(v, body);
   refuse_keys_of_others(v, body);
   if (body.is_sphere()) return false;
   if (body.kind == ShapeKind::clump) {

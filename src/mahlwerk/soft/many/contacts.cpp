@@ -199,8 +199,8 @@ void ManyBodySolver::record(Chunk& chunk, const ContactPackets& list, std::size_
   const int face = wall ? g.j[l] : -1;
   const TouchingSpheres touch =
       wall ? sphere_at_wall(g.i[l], face) : touching_spheres(g.i[l], g.j[l]);
-  const Vec3 towards = wall ? get_lane(list.wall_normals[n].normal, l) : touch.normal;
-  const Vec3 normal = (1 / norm(towards)) * towards,
+  const Vec3 of_wall = wall ? get_lane(list.wall_normals[n].normal, l) : Vec3{};
+  const Vec3 normal = wall ? (1 / norm(of_wall)) * of_wall : touch.normal,
              where = jar_->within_period(ball.position()) + touch.arm_i + touch.radius_i * normal;
   chunk.finished.push_back(
       {step_,
