@@ -72,26 +72,30 @@ void ManyBodySolver::activate(Chunk& chunk, const NeighbourPair& pair) {
   g.begun |= bit(l);
 }
 
+/// Adds eight free lanes.
+void ManyBodySolver::add_packet(ContactPackets& list, std::int32_t species_pair,
+                                std::int32_t ball) {
+  const auto g = static_cast<std::int32_t>(list.packets.size());
+  const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
+  ContactPacket& fresh = list.packets.emplace_back();
+  fresh.species_pair.fill(species_pair);
+  fresh.i.fill(ball);
+  fresh.j.fill(wall ? 0 : ball);
+  list.onsets.emplace_back();
+  if (has_history_) list.optional_histories.emplace_back();
+  if (has_friction_history_) list.friction_histories.emplace_back();
+  if (wall) list.wall_normals.emplace_back();
+  if (body_species_.has_rounded()) list.hulls.emplace_back();
+  if (settings_.breakage) list.stresses.emplace_back();
+  if ((settings_.model.curved_walls && wall) || bodies_.has_members())
+    list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
+  for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
+}
+
 /// Returns a free lane for a contact of `ball` and `species_pair`, with its history cleared.
 std::int32_t ManyBodySolver::free_lane(ContactPackets& list, std::int32_t species_pair,
                                        std::int32_t ball) {
-  if (list.free.empty()) {
-    const auto g = static_cast<std::int32_t>(list.packets.size());
-    const bool wall = parameters_[static_cast<std::size_t>(species_pair)].wall[0] != 0;
-    ContactPacket& fresh = list.packets.emplace_back();
-    fresh.species_pair.fill(species_pair);
-    fresh.i.fill(ball);
-    fresh.j.fill(wall ? 0 : ball);
-    list.onsets.emplace_back();
-    if (has_history_) list.optional_histories.emplace_back();
-    if (has_friction_history_) list.friction_histories.emplace_back();
-    if (wall) list.wall_normals.emplace_back();
-    if (body_species_.has_rounded()) list.hulls.emplace_back();
-    if (settings_.breakage) list.stresses.emplace_back();
-    if ((settings_.model.curved_walls && wall) || bodies_.has_members())
-      list.parameters.emplace_back() = parameters_[static_cast<std::size_t>(species_pair)];
-    for (int l = lanes - 1; l >= 0; --l) list.free.push_back(g * lanes + l);
-  }
+  if (list.free.empty()) add_packet(list, species_pair, ball);
   const std::int32_t at = list.free.back();
   list.free.pop_back();
   const auto n = static_cast<std::size_t>(at / lanes), l = static_cast<std::size_t>(at % lanes);

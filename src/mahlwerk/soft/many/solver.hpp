@@ -252,6 +252,7 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void test_walls(Chunk& chunk) override;
   geometry::NearFacets* tested_facets(Chunk& chunk, const NeighbourPair& pair) const;
   void activate(Chunk& chunk, const NeighbourPair& pair) override;
+  void add_packet(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
   std::int32_t free_lane(ContactPackets& list, std::int32_t species_pair, std::int32_t ball);
   void begin(Chunk& chunk, ContactPackets& list, std::size_t n) override;
   void record_onset(ContactPackets& list, std::size_t n, std::uint32_t begun,
