@@ -216,7 +216,8 @@ NearestPoints nearest_points(const PlacedCore& a, const PlacedCore& b, NearestHu
     if (square - along <= accuracy * square || simplex.has(next.w)) break;
     simplex.add(next);
     Simplex::Weights nearest = simplex.nearest();
-    if (nearest.count == 0) {
+    if (nearest.count == 0) {  // they meet
+      simplex.drop_last();
       square = 0;
       break;
     }
