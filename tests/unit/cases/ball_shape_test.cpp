@@ -172,6 +172,8 @@ TEST(BallShape, numbers_that_make_no_body_are_refused) {
   EXPECT_EQ(code_of({{"balls.length", "5 mm"}}), "out-of-range");
   EXPECT_EQ(code_of({{"balls.shape", "rod"}, {"balls.length", "12 mm"}}), "out-of-range");
   EXPECT_EQ(code_of({{"balls.spheres", "3"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.length", "1e200 m"}}), "out-of-range");
+  EXPECT_EQ(code_of({{"balls.surface", "convex"}, {"balls.length", "1 nm"}}), "out-of-range");
   EXPECT_EQ(code_of({{"balls.edge", "3 mm"}}), "too-much");
   EXPECT_EQ(code_of({{"balls.wall_thickness", "3 mm"}}), "too-much");
 }

@@ -172,8 +172,24 @@ bool rounds_edges(SectionReader& in, double rounding, double width, const char* 
   return false;
 }
 
+/// A fault if spheres would be too many for the longer of two lengths by the shorter one.
+bool is_compact(SectionReader& in, const BallShape& body) {
+  constexpr double most = 200;
+  const bool cube = body.kind == ShapeKind::cube;
+  const double a = cube ? body.edge : body.diameter, b = cube ? body.rounding : body.length;
+  if (cube && body.is_convex()) return true;
+  if (!(std::max(a, b) > most * std::min(a, b))) return true;
+  in.fault(
+      *in.find("shape"),
+      fmt::format("{} ({}) and {} ({}) differ by more than {:g} times", cube ? "edge" : "diameter",
+                  show_rounded(a, "m"), cube ? "rounding" : "length", show_rounded(b, "m"), most),
+      "give lengths that differ less", "out-of-range");
+  return false;
+}
+
 /// The numbers must make the shape. False after a fault.
 bool makes_a_solid(SectionReader& in, const BallShape& body) {
+  if (!is_compact(in, body)) return false;
   if (body.kind == ShapeKind::cube)
     return rounds_edges(in, body.rounding, body.edge, "edge", "shape = \"sphere\" is a ball");
   if (std::isnan(body.diameter + body.length)) return false;
