@@ -19,40 +19,6 @@ using contact::HertzMindlin;
 constexpr double density = 7800, side = 0.4, pi = std::numbers::pi;
 constexpr contact::ElasticConstants soft_steel{1e9, 0.3};
 
-/// A convex body whose core is a point is a sphere.
-scene::Solid point_body(double radius) {
-  scene::Solid one{{{{}, radius}}, 4.0 / 3 * pi * radius * radius * radius, {}};
-  const double i = 0.4 * one.volume * radius * radius;
-  one.inertia = {i, i, i};
-  one.core.corners = {Vec3{}}, one.rounding = radius;
-  return one;
-}
-
-TEST(RoundedBodies, body_whose_core_is_a_point_moves_as_the_sphere) {
-  const scene::Solid one = point_body(0.005);
-  const contact::Pair pair = pair_of(soft_steel, soft_steel, 0.7, 0.3);
-  scene::Ball ball = body_of(one, density, {0, 0, -0.19});
-  ball.velocity = {0.3, 0.1, -0.2}, ball.spin = {10, -20, 5};
-  scene::Ball other = ball;
-  other.position = {0.03, 0.01, -0.19}, other.velocity = {-0.2, 0, 0.1};
-  const Vec3 pull{0, 0, -gravity};
-  const double dt = body_step({ball}, one, HertzMindlin{}, pair, 1, 25);
-  const auto body =
-      body_engine(still_box(side, pull), {ball, other}, one, of_law(HertzMindlin{}), pair, dt);
-  soft::Settings settings{of_law(HertzMindlin{}), dt, false, 0};
-  const auto sphere = soft::make_engine(still_box(side, pull), {ball, other}, settings,
-                                        contact::PairTable(1, 6, pair));
-  Recorder a, b;
-  body->advance(0.3, a);
-  sphere->advance(0.3, b);
-  ASSERT_EQ(a.all.size(), b.all.size());
-  EXPECT_GT(a.all.size(), 3U);
-  for (std::size_t k = 0; k < 2; ++k)
-    stays_below("distance from the sphere [m]",
-                norm(body->balls()[k].position - sphere->balls()[k].position), 1e-6,
-                "a leapfrog of the spin instead of velocity Verlet");
-}
-
 /// J = (1 + e) v/(1/m + r x n . I^-1 r x n) at the lowest corner of a cube, the lowest rim point of
 /// a cylinder, the lower end of a rod, on a smooth floor.
 TEST(RoundedBodies, hit_on_a_floor_gives_the_impulse_of_rigid_bodies) {
