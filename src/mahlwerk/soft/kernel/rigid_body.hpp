@@ -70,18 +70,6 @@ inline Quaternion after_free_rotation(const Quaternion& q, const Vec3& momentum,
   return {w, x, y, z};
 }
 
-/// Eight bodies that turn freely: turned_freely() of each, and then their axes and predicted spins
-/// (bod.9).
-struct alignas(64) FreeBodies {
-  OrientationOf<Lanes> orientation{};
-  Vec<Lanes> momentum{}, rate{};
-  Vec<Lanes> predicted_momentum{}, inverse_inertia{};
-  Vec<Lanes> ex{}, ey{}, ez{}, spin{};  ///< results: images of the principal axes; [rad/s]
-};
-/// Compiled for the instruction set of this machine.
-using TurnFreeBodies = void (*)(FreeBodies&);
-TurnFreeBodies turn_free_bodies();
-
 /// The vector whose components along the axes of a body are those of `a` times `factors`: spin from
 /// angular momentum with the inverse moments of inertia (bod.9).
 inline Vec3 scaled_along_axes(const Rotation& axes, const Vec3& factors, const Vec3& a) {

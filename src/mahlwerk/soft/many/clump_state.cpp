@@ -12,8 +12,8 @@ ManyBodySolver::PresentBody ManyBodySolver::present(std::size_t b,
                                                     const Vec3& body_kick_change) const {
   const BodyMotion& m = bodies_.motion[b];
   const BodySpecies& of = body_species_[bodies_.rows[b].species];
-  const Vec3 momentum = 2.0 * m.momentum - m.predicted_momentum;
-  return {2.0 * m.velocity - m.predicted_velocity + body_kick_change, momentum,
+  const Vec3 momentum = 2.0 * second_vector(m.half_step) - second_vector(m.predicted);
+  return {2.0 * first_vector(m.half_step) - first_vector(m.predicted) + body_kick_change, momentum,
           scaled_along_axes(rotation_of(bodies_.now[b].orientation), of.inverse_inertia, momentum)};
 }
 
@@ -68,7 +68,7 @@ void ManyBodySolver::add_body_forces(std::vector<Vec3>& all, const Vec3& pull) c
     const BodyMotion& m = bodies_.motion[b];
     all[static_cast<std::size_t>(bodies_.rows[b].ball)] =
         body_species_[bodies_.rows[b].species].mass / half_dt *
-        (m.predicted_velocity - m.velocity - pull);
+        (first_vector(m.predicted) - first_vector(m.half_step) - pull);
   }
 }
 

@@ -13,67 +13,18 @@
 namespace mahlwerk::soft {
 namespace {
 
-/// A vector in two registers: x and y; z and 0.
-using Half = Register<2>;
-struct Halves {
-  Half xy, z;
-  explicit Halves(const Vec3& a) : xy{a.x, a.y}, z{a.z, 0} {}
-};
-
-/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin. The
-/// velocity of a sphere is linear in its offset, as its position is.
+/// Writes the rows of a body's spheres with the predicted motion (bod.7); `w` is the spin.
 void write_rows(const BodySpecies& of, const Vec3& centre, const Rotation& axes,
-                const Vec3& v_centre, const Vec3& w, BallRecord* rows, SpinRecord* spins) {
-  const Halves x(centre), ex(axes.ex), ey(axes.ey), ez(axes.ez), v(v_centre), spin(w),
-      fx(cross(w, axes.ex)), fy(cross(w, axes.ey)), fz(cross(w, axes.ez));
+                const Vec3& velocity, const Vec3& w, BallRecord* rows, SpinRecord* spins) {
   for (std::size_t k = 0; k < of.offsets.size(); ++k) {
     const Vec3& o = of.offsets[k];
-    store_part<Half>(rows[k], 0, x.xy + o.x * ex.xy + o.y * ey.xy + o.z * ez.xy);
-    store_part<Half>(rows[k], 2, x.z + o.x * ex.z + o.y * ey.z + o.z * ez.z + Half{0, of.radii[k]});
-    store_part<Half>(rows[k], 4, v.xy + o.x * fx.xy + o.y * fy.xy + o.z * fz.xy);
-    store_part<Half>(rows[k], 6, v.z + o.x * fx.z + o.y * fy.z + o.z * fz.z);
-    store_part<Half>(spins[k], 0, spin.xy), store_part<Half>(spins[k], 2, spin.z);
+    const Vec3 x = centre + o.x * axes.ex + o.y * axes.ey + o.z * axes.ez;
+    const Vec3 v =
+        velocity + o.x * cross(w, axes.ex) + o.y * cross(w, axes.ey) + o.z * cross(w, axes.ez);
+    rows[k] = {x.x, x.y, x.z, of.radii[k], v.x, v.y, v.z, 0};
+    spins[k] = {w.x, w.y, w.z, 0};
   }
 }
-
-/// Force [N] and torque [N m] about the centre of mass of a body: the sum over its rows (bod.11).
-struct BodyLoad {
-  Vec3 force, torque;
-};
-BodyLoad load_on(const Vec3& centre, std::size_t count, const BallRecord* rows,
-                 const VectorPair* on_rows) {
-  BodyLoad sum;
-  for (std::size_t k = 0; k < count; ++k) {
-    const VectorPair& f = on_rows[k];
-    if (f.x == 0 && f.y == 0 && f.z == 0 && f.a == 0 && f.b == 0 && f.c == 0) continue;  // faster
-    const Vec3 force{f.x, f.y, f.z};
-    sum.force += force;
-    sum.torque += Vec3{f.a, f.b, f.c} + cross(rows[k].position() - centre, force);
-  }
-  return sum;
-}
-
-/// Displacements of the rows of a chunk, as integrate_balls() finds them (dem.34).
-class DisplacementSum {
- public:
-  explicit DisplacementSum(const Vec3& predicted_mean) : mean_(predicted_mean) {}
-  void add(const BallRecord& row, const FloatPosition& reference) {
-    add(load_part<Half>(row, 0) - reference_part<Half>(reference, 0), mean_.xy, sum_.xy, most_.xy);
-    add(load_part<Half>(row, 2) - reference_part<Half>(reference, 2), mean_.z, sum_.z, most_.z);
-  }
-  void put(std::int32_t rows, ChunkDisplacement& out) const {
-    out.spread = norm(Vec3{most_.xy[0], most_.xy[1], most_.z[0]});
-    out.mean = Vec3{sum_.xy[0], sum_.xy[1], sum_.z[0]} / rows;
-  }
-
- private:
-  static void add(const Half& way, const Half& mean, Half& sum, Half& most) {
-    const Half off = way - mean;
-    sum += way;
-    most = max(most, max(off, -off));
-  }
-  Halves mean_, sum_{Vec3{}}, most_{Vec3{}};
-};
 
 }  // namespace
 
@@ -153,18 +104,17 @@ void ManyBodySolver::initialize_bodies(const std::vector<scene::Ball>& balls,
     const BodySpecies& of = body_species_[at.species];
     const scene::Ball& ball = balls[static_cast<std::size_t>(at.ball)];
     const BodyRecord& now = bodies_.now[b];
-    BodyMotion& m = bodies_.motion[b];
-    m.velocity = ball.velocity + 0.5 * dt * drive[0].body_acceleration;
-    m.predicted_velocity = m.velocity + 0.5 * dt * drive[1].body_acceleration;
-    m.momentum = m.predicted_momentum =
-        scaled_along_axes(rotation_of(now.orientation), of.inertia, ball.spin);
-    bodies_.next[b] = {now.centre + dt * m.velocity,
-                       after_free_rotation(now.orientation, m.momentum, of.inverse_inertia, dt)};
+    const Vec3 velocity = ball.velocity + 0.5 * dt * drive[0].body_acceleration;
+    const Vec3 predicted = velocity + 0.5 * dt * drive[1].body_acceleration;
+    const Vec3 momentum = scaled_along_axes(rotation_of(now.orientation), of.inertia, ball.spin);
+    bodies_.motion[b] = {vector_pair(velocity, momentum), vector_pair(predicted, momentum)};
+    bodies_.next[b] = {now.centre + dt * velocity,
+                       after_free_rotation(now.orientation, momentum, of.inverse_inertia, dt)};
     const auto first = static_cast<std::size_t>(at.first);
     const Rotation axes = rotation_of(bodies_.next[b].orientation);
-    write_rows(of, bodies_.next[b].centre, axes, m.predicted_velocity,
-               scaled_along_axes(axes, of.inverse_inertia, m.predicted_momentum),
-               &next_rows_[first], &next_spins_[first]);
+    write_rows(of, bodies_.next[b].centre, axes, predicted,
+               scaled_along_axes(axes, of.inverse_inertia, momentum), &next_rows_[first],
+               &next_spins_[first]);
   }
 }
 
@@ -210,61 +160,12 @@ Vec3 ManyBodySolver::grid_position(std::size_t row) const {
   return is_member(row) ? bodies_.now[bodies_.body(row)].centre : rows_[row].position();
 }
 
-/// Kicks a body by the forces on its rows (bod.8), and puts it into a lane of `turning`.
-void ManyBodySolver::kick_body(std::size_t b, const BodyKicks& kicks, const ChunkStep& s,
-                               const VectorPair* on_rows, FreeBodies& turning, std::size_t lane) {
-  const double dt = s.constants.dt;
-  const BodySpecies& of = body_species_[bodies_.rows[b].species];
-  const BodyRecord& now = bodies_.now[b];
-  BodyMotion& m = bodies_.motion[b];
-  const BodyLoad load =
-      load_on(now.centre, of.offsets.size(), s.rows + bodies_.rows[b].first, on_rows);
-  const Vec3 half_kick = (0.5 * dt / of.mass) * load.force, half_spin_kick = 0.5 * dt * load.torque;
-  m.velocity += 2.0 * half_kick + kicks.before;
-  m.predicted_velocity = m.velocity + half_kick + kicks.after;
-  m.momentum += 2.0 * half_spin_kick;
-  m.predicted_momentum = m.momentum + half_spin_kick;
-  bodies_.next[b].centre = now.centre + dt * m.velocity;
-  OrientationOf<Lanes>& q = turning.orientation;
-  q.w[lane] = now.orientation.w, q.x[lane] = now.orientation.x;
-  q.y[lane] = now.orientation.y, q.z[lane] = now.orientation.z;
-  set_lane(turning.momentum, lane, m.momentum);
-  set_lane(turning.rate, lane, dt * of.inverse_inertia);
-  set_lane(turning.predicted_momentum, lane, m.predicted_momentum);
-  set_lane(turning.inverse_inertia, lane, of.inverse_inertia);
-}
-
-/// Velocity Verlet (dem.26) for the centres of mass; for the rotation a leapfrog of the angular
-/// momentum (bod.8), of eight bodies at a time.
 void ManyBodySolver::step_bodies(const ChunkStep& s, const Chunk& chunk, const BallForces& forces,
                                  ChunkDisplacement& displacement) {
-  const BodyKicks kicks{s.constants.dt * s.drive.body_acceleration,
-                        0.5 * s.constants.dt * s.next_drive.body_acceleration};
-  DisplacementSum displacements(displacement.predicted_mean);
-  const std::size_t first = bodies_.body(static_cast<std::size_t>(chunk.first)),
-                    last = bodies_.body(static_cast<std::size_t>(chunk.last - 1)) + 1;
-  FreeBodies turning;
-  for (std::size_t block = first; block < last; block += lanes) {
-    const std::size_t count = std::min<std::size_t>(lanes, last - block);
-    for (std::size_t l = 0; l < count; ++l)
-      kick_body(block + l, kicks, s, forces.data() + (bodies_.rows[block + l].first - chunk.first),
-                turning, l);
-    turn_free_bodies_(turning);
-    for (std::size_t l = 0; l < count; ++l) {
-      const std::size_t b = block + l;
-      const OrientationOf<Lanes>& q = turning.orientation;
-      bodies_.next[b].orientation = {q.w[l], q.x[l], q.y[l], q.z[l]};
-      const BodySpecies& of = body_species_[bodies_.rows[b].species];
-      const std::int32_t row = bodies_.rows[b].first;
-      write_rows(of, bodies_.next[b].centre,
-                 {get_lane(turning.ex, l), get_lane(turning.ey, l), get_lane(turning.ez, l)},
-                 bodies_.motion[b].predicted_velocity, get_lane(turning.spin, l), s.next_rows + row,
-                 s.next_spins + row);
-      for (std::int32_t k = row; k < row + std::ssize(of.offsets); ++k)
-        displacements.add(s.next_rows[k], s.reference_positions[k]);
-    }
-  }
-  displacements.put(chunk.last - chunk.first, displacement);
+  step_bodies_({s, body_species_, body_factors_, bodies_,
+                bodies_.body(static_cast<std::size_t>(chunk.first)),
+                bodies_.body(static_cast<std::size_t>(chunk.last - 1)) + 1, forces.data()},
+               displacement);
 }
 
 /// Replaces the parameters of a contact by those of its effective mass at the point of first touch

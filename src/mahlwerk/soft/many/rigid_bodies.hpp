@@ -8,19 +8,33 @@
 
 #include "mahlwerk/base/quaternion.hpp"
 #include "mahlwerk/soft/body_species.hpp"
+#include "mahlwerk/soft/kernel/ball_record.hpp"
 
 namespace mahlwerk::soft {
 
 /// Centre of mass [m] and orientation of a body.
-struct BodyRecord {
+struct alignas(64) BodyRecord {
   Vec3 centre;
+  double zero = 0;  ///< eight numbers, for load_columns()
   Quaternion orientation;
+
+  BodyRecord() = default;
+  BodyRecord(const Vec3& c, const Quaternion& q) : centre(c), orientation(q) {}
 };
 /// Velocity [m/s] and angular momentum [kg m2/s] of a body, in axes of the laboratory: half a step
 /// after the present one, and predicted for the next (bod.8).
 struct BodyMotion {
-  Vec3 velocity, momentum, predicted_velocity, predicted_momentum;
+  VectorPair half_step, predicted;
 };
+inline Vec3 first_vector(const VectorPair& a) {
+  return {a.x, a.y, a.z};
+}
+inline Vec3 second_vector(const VectorPair& a) {
+  return {a.a, a.b, a.c};
+}
+inline VectorPair vector_pair(const Vec3& a, const Vec3& b) {
+  return {a.x, a.y, a.z, 0, b.x, b.y, b.z, 0};
+}
 /// The rows of a body's spheres are those from `first` on.
 struct BodyRows {
   std::int32_t first = 0, species = 0, ball = 0;

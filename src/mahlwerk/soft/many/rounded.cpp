@@ -140,7 +140,7 @@ double ManyBodySolver::largest_move(const Chunk& chunk) const {
     const std::size_t b = bodies_.body(row);
     const BodySpecies& of = body_species_[bodies_.rows[b].species];
     const Vec3& inverse = of.inverse_inertia;
-    const double turned = settings_.time_step * norm(bodies_.motion[b].momentum) *
+    const double turned = settings_.time_step * norm(second_vector(bodies_.motion[b].half_step)) *
                           std::max({inverse.x, inverse.y, inverse.z});
     most = std::max(most, norm(bodies_.next[b].centre - bodies_.now[b].centre) + of.reach * turned);
   }

@@ -12,10 +12,9 @@
 #include "mahlwerk/scene/engine.hpp"
 #include "mahlwerk/soft/contacts.hpp"
 #include "mahlwerk/soft/energy_watch.hpp"
-#include "mahlwerk/soft/kernel/rigid_body.hpp"
+#include "mahlwerk/soft/many/body_step.hpp"
 #include "mahlwerk/soft/many/breakage_state.hpp"
 #include "mahlwerk/soft/many/chunk_step.hpp"
-#include "mahlwerk/soft/many/rigid_bodies.hpp"
 #include "mahlwerk/soft/many/thread_team.hpp"
 #include "mahlwerk/soft/neighbours/candidates.hpp"
 #include "mahlwerk/soft/neighbours/grid.hpp"
@@ -137,11 +136,6 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   void sort_bodies(std::size_t size_class, std::vector<std::int32_t>& from) const;
   void reorder_bodies(const std::vector<std::int32_t>& from);
   Vec3 grid_position(std::size_t row) const;
-  struct BodyKicks {
-    Vec3 before, after;  // [m/s] of the body acceleration: a whole step; half a step at the next
-  };
-  void kick_body(std::size_t body, const BodyKicks& kicks, const ChunkStep& step,
-                 const VectorPair* on_rows, FreeBodies& turning, std::size_t lane);
   void step_bodies(const ChunkStep& step, const Chunk& chunk, const BallForces& forces,
                    ChunkDisplacement& displacement) override;
   void apply_contact_mass(PairParameters& parameters, std::size_t lane, const NeighbourPair& pair,
@@ -295,7 +289,8 @@ class ManyBodySolver final : public scene::Engine, private ManyContactCallbacks 
   HugePageVector<VectorPair> half_step_;
   std::vector<std::int32_t> id_, species_, contacts_of_;
   RigidBodies bodies_;  // empty where all balls are spheres
-  TurnFreeBodies turn_free_bodies_ = turn_free_bodies();
+  std::vector<BodyFactors> body_factors_ = body_factors(body_species_, settings_.time_step);
+  BodyStepper step_bodies_ = body_stepper();
   /// [m] Bound of the decrease of any gap of rounded bodies since the start.
   double path_ = 0;
 
