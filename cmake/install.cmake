@@ -73,7 +73,7 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/share/mahlwerk/device DESTINATION share/
 install(DIRECTORY catalogue papers validation examples DESTINATION share/mahlwerk
   COMPONENT program PATTERN __pycache__ EXCLUDE)
 # The documents, with the folders that they link to beside them.
-install(FILES README.md CONTRIBUTING.md CITATION.cff DESTINATION share/doc/mahlwerk
+install(FILES README.md CONTRIBUTING.md SUPPORT.md SECURITY.md CITATION.cff DESTINATION share/doc/mahlwerk
   COMPONENT program)
 install(DIRECTORY docs DESTINATION share/doc/mahlwerk COMPONENT program
   FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "*.png" PATTERN site EXCLUDE)

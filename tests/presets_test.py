@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Every name that a test preset excludes is the name of a test, and CONTRIBUTING.md names the slow tests.
+"""Every name that a test preset excludes is the name of a test, and docs/developers/tests.md names the slow tests.
 
     presets_test.py CMakePresets.json BUILD_FOLDER
 
@@ -36,8 +36,8 @@ def expanded(part):
 
 
 def not_in_nightly_list(presets, build):
-    """Tests with the label slow that the nightly list of CONTRIBUTING.md does not name."""
-    text = (pathlib.Path(presets).parent / "CONTRIBUTING.md").read_text()
+    """Tests with the label slow that the nightly list of docs/developers/tests.md does not name."""
+    text = (pathlib.Path(presets).parent / "docs/developers/tests.md").read_text()
     named = re.findall(r"`(\w+\.\w*)`", text.split("### The nightly list")[1].split("###")[0])
     shown = subprocess.run(["ctest", "--show-only=json-v1", "--test-dir", build], capture_output=True,
                            text=True, check=True)
@@ -59,7 +59,7 @@ def main(presets, build):
     groups = max(pattern.count("(") for pattern in filters)
     print(f"expected: at most 9 groups in a filter; found: {groups}")
     missing, slow = not_in_nightly_list(presets, build)
-    print(f"expected: CONTRIBUTING.md names each of {slow} slow tests; found: {missing or 'it does'}")
+    print(f"expected: docs/developers/tests.md names each of {slow} slow tests; found: {missing or 'it does'}")
     return 1 if unknown or not names or groups > 9 or missing or not slow else 0
 
 

@@ -9,17 +9,21 @@ THEORY = ["bond", "mill-power", "mixing", "flow", "geometry", "kinematics", "eve
           "hollow-balls", "bodies", "liquid", "charge", "statistics", "observe", "regimes", "lammps", "wear-heat", "powder",
           "bed-breakage", "kinetics", "sensors", "measure", "fit",
           "calibration", "campaigns", "sensitivity", "optimum"]
+DEVELOPERS = ["case", "step", "adding", "tests", "releases"]
+# Pages of the top folder of the repository.
+TOP = ("CONTRIBUTING.md", "CHANGELOG.md", "GOVERNANCE.md", "CODE_OF_CONDUCT.md", "SECURITY.md", "SUPPORT.md")
 TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {
-    "Start": ["install", "tutorial/index"],
+    "Start": ["install", "tutorial/index", "features"],
     "How-to": ["howto/*"],
     "Use": ["cases", "cli", "measure", "formats", "campaigns", "cluster", "papers", "examples/index"],
     "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
                   "warnings", "conventions", "glossary"],
     "Trust": ["limits", "validation", "verification", "performance", "publications/index"],
     "Theory": [f"theory/{name}" for name in THEORY],
-    "Development": ["architecture", "contributing", "viewer", "changelog"],
+    "Development": ["developers/index", "architecture", "contributing", "viewer", "governance", "code_of_conduct", "security", "support",
+                    "changelog"],
 }
 # Index pages that list others: page, title, sentence, pages below.
 LISTS = {
@@ -32,7 +36,8 @@ HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar", "brows
 # Pages below another page that is no list.
 BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",
          "reference/keys/index": "reference/keys/*",
-         "tutorial/index": [f"tutorial/{name}" for name in TUTORIAL]}
+         "tutorial/index": [f"tutorial/{name}" for name in TUTORIAL],
+         "developers/index": [f"developers/{name}" for name in DEVELOPERS]}
 
 
 def site_name(source: str) -> str:
@@ -41,7 +46,7 @@ def site_name(source: str) -> str:
     first, rest = path.parts[0], path.parts[1:]
     if first == "docs":
         return path.relative_to("docs").with_suffix("").as_posix()
-    if source in ("CONTRIBUTING.md", "CHANGELOG.md"):
+    if source in TOP:
         return path.stem.lower()
     if path.suffix == ".ipynb":
         return path.with_suffix("").as_posix()
@@ -57,7 +62,7 @@ def site_name(source: str) -> str:
 
 def sources() -> dict[str, str]:
     """Markdown file or notebook of the repository: name of its page."""
-    found = [HOME / "CONTRIBUTING.md", HOME / "CHANGELOG.md", HOME / "viewer" / "README.md",
+    found = [*(HOME / name for name in TOP), HOME / "viewer" / "README.md",
              HOME / "catalogue" / "README.md", *(HOME / "docs").rglob("*.md"),
              *(HOME / "examples").glob("*/README.md"),
              *(HOME / "examples").glob("*/*.ipynb"), *(HOME / "papers").glob("*/README.md"), *(HOME / "validation").glob("*/README.md")]

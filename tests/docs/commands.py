@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shell commands and Python blocks of Markdown files, with the annotations that tell tests how to run them.
 
-An annotation is a comment before a fenced block (CONTRIBUTING.md, "Commands in the documents"):
+An annotation is a comment before a fenced block (docs/developers/tests.md, "Commands in the documents"):
 
     <!-- test: VERB `PREFIX`: TEXT -->     PREFIX: only the commands of the block that begin so
 """

@@ -51,7 +51,7 @@ class Runner:
             os.killpg(running.pid, signal.SIGKILL)
             running.communicate()
             return self.fail(where, f"'{text}' takes more than {LIMIT} s; annotate it "
-                             "(CONTRIBUTING.md, \"Commands in the documents\")")
+                             "(docs/developers/tests.md, \"Commands in the documents\")")
         took = time.monotonic() - begin
         self.run += 1
         self.times.append((took, where))
