@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// All balls as one instanced sphere. Only the positions and colours of the balls change with time.
+// All balls as one instanced sphere. Only the positions and colours of the balls change with time. Bodies
+// that are no spheres have surfaces of their own (bodies.js).
 
 import {
-  BufferAttribute, Color, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh,
+  BufferAttribute, Color, Group, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh,
   MeshStandardMaterial,
 } from "three";
 import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+import { Bodies } from "./bodies.js";
 import { speciesColours, speedColour } from "./colours.js";
 import { isInJar } from "./data.js";
 import { between } from "./motion.js";
@@ -32,6 +34,9 @@ function sphereOf(detail) {
   return shared;
 }
 
+/// Whether the geometry of an object outlives it.
+export const keepsGeometry = (part) => [...spheres.values()].includes(part.geometry);
+
 export class Balls {
   constructor(data, speedTop) {
     this.data = data;
@@ -41,6 +46,8 @@ export class Balls {
     this.mesh.frustumCulled = false; // the bounds of the mesh do not follow the balls
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * data.count), 3);
+    this.bodies = data.bodies.map((kind) => new Bodies(kind, this, material));
+    this.group = new Group().add(this.mesh, ...this.bodies.map(({ mesh }) => mesh));
     this.species = speciesColours.map((colour) => new Color(colour).toArray());
   }
 
@@ -50,6 +57,7 @@ export class Balls {
     this.place(step);
     if (colour === "species") this.colourBySpecies();
     else this.colourBySpeed(step);
+    for (const bodies of this.bodies) bodies.show();
     this.mesh.instanceMatrix.needsUpdate = true;
     this.mesh.instanceColor.needsUpdate = true;
   }

@@ -56,6 +56,24 @@ function readMesh(mesh, frames, i) {
   return { name: String(mesh.name ?? ""), vertices, triangles, turn, shift };
 }
 
+/// Bodies of one kind, drawn by their surface in place of their spheres.
+function readBody(body, spheres, i) {
+  const at = `bodies[${i}]`;
+  const places = decodedGroups(Float32Array, body.places, 3, `${at}.places`);
+  const vertices = decodedGroups(Float32Array, body.vertices, 3, `${at}.vertices`);
+  const normals = decoded(Float32Array, body.normals, vertices.length, `${at}.normals`);
+  const triangles = decodedGroups(Uint32Array, body.triangles, 3, `${at}.triangles`);
+  if (triangles.some((v) => 3 * v >= vertices.length))
+    throw fault(`"${at}.triangles" refers to a vertex that "${at}.vertices" does not contain`);
+  const { first, count } = body;
+  const each = places.length / 3;
+  if (!Number.isInteger(first) || !Number.isInteger(count) || first < 0 || count < 1 ||
+      first + count * each > spheres)
+    throw fault(`"${at}" has ${count} bodies from sphere ${first} on, of ${spheres} spheres`);
+  return { first, count, each, places, vertices, normals, triangles,
+    radius: positive(body.radius, `${at}.radius`) };
+}
+
 function readTimes(times) {
   if (!Array.isArray(times) || times.length === 0) throw fault('"times" is missing or empty');
   if (times.some((t, f) => !Number.isFinite(t) || (f > 0 && t <= times[f - 1])))
@@ -105,6 +123,7 @@ export function readObject(json) {
     jarTurn: array(Float32Array, "jar_turn", 4 * F),
     carrierTurn: array(Float32Array, "carrier_turn", 4 * F),
     carrier: json.carrier ?? null,
+    bodies: (json.bodies ?? []).map((body, i) => readBody(body, N, i)),
     meshes: json.meshes.map((mesh, i) => readMesh(mesh, F, i)),
   };
 }

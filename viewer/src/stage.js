@@ -9,7 +9,7 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
-import { Balls } from "./balls.js";
+import { Balls, keepsGeometry } from "./balls.js";
 import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
 import { carrierOf, plateOf, rimOf } from "./carrier.js";
 import { isInJar } from "./data.js";
@@ -69,7 +69,7 @@ export class Stage {
   /// Replaces everything that the data describe, except for bodies that are the same.
   renew(data, speedTop) {
     const same = sameBodies(this.data, data);
-    const old = [this.balls.mesh, ...(same ? [] : this.bodies.map((body) => body.group))];
+    const old = [this.balls.group, ...(same ? [] : this.bodies.map((body) => body.group))];
     if (this.carrier && !same) old.push(this.carrier.group);
     for (const group of old) group.removeFromParent();
     this.retired.push(...old);
@@ -81,7 +81,7 @@ export class Stage {
   disposeOfRetired() {
     for (const group of this.retired.splice(0))
       group.traverse((part) => {
-        if (!part.isInstancedMesh) part.geometry?.dispose();
+        if (!keepsGeometry(part)) part.geometry?.dispose();
         part.material?.dispose();
         part.dispose?.();
       });
@@ -92,7 +92,7 @@ export class Stage {
     this.data = data;
     this.directions = directionsOf(data);
     this.balls = new Balls(data, speedTop);
-    this.riding.add(this.balls.mesh);
+    this.riding.add(this.balls.group);
     if (!same) this.addVesselAndParts(data);
     this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
     this.fitShadow(this.key.shadow);

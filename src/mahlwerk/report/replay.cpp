@@ -20,6 +20,7 @@
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/kinematics/carrier.hpp"
 #include "mahlwerk/kinematics/planetary.hpp"
+#include "mahlwerk/report/body_surface.hpp"
 #include "mahlwerk/report/plot/picture_json.hpp"
 #include "mahlwerk/report/scripts.hpp"
 #include "mahlwerk/results/quantities/jar_surface.hpp"
@@ -99,6 +100,39 @@ std::string part_meshes(const cases::Case& c, const std::vector<double>& times) 
   return list;
 }
 
+/// One kind of rounded bodies, whose `count` bodies are drawn by their surface in place of their
+/// spheres, the first of which is `first`.
+std::string rounded_body(const scene::BodyShape& shape, std::size_t first, std::size_t count) {
+  const BodySurface surface = body_surface(shape);
+  std::vector<float> places, vertices, normals;
+  for (const geometry::MemberSphere& s : shape.spheres) append(places, s.centre);
+  for (const Vec3& v : surface.vertices) append(vertices, v);
+  for (const Vec3& n : surface.normals) append(normals, n);
+  return fmt::format(
+      "{{\"first\":{},\"count\":{},\"places\":\"{}\",\"radius\":{:.9g},\"vertices\":\"{}\","
+      "\"normals\":\"{}\",\"triangles\":\"{}\"}}",
+      first, count, packed(places), shape.spheres.front().radius, packed(vertices), packed(normals),
+      packed(surface.triangles));
+}
+
+/// The rounded bodies among the drawn spheres, `kinds` in turn. A film that leaves spheres out has
+/// none.
+std::string rounded_bodies(const cases::Case& c, const std::vector<scene::Ball>& spheres,
+                           std::size_t stride) {
+  const std::vector<scene::BodyShape> shapes = cases::body_shapes(c);
+  std::string list;
+  for (std::size_t i = 0; i < spheres.size() && !shapes.empty() && stride == 1;) {
+    const std::size_t first = i;
+    const auto kind = spheres[first].kind;
+    while (i < spheres.size() && spheres[i].kind == kind) ++i;
+    const scene::BodyShape& shape = shapes[static_cast<std::size_t>(kind)];
+    if (shape.is_rounded())
+      list += (list.empty() ? "" : ",") +
+              rounded_body(shape, first, (i - first) / shape.spheres.size());
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string replay_data(const cases::Case& c, const observe::Replay& film) {
@@ -124,10 +158,11 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
       "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
       "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
-      "\"carrier_turn\":\"{}\",\"carrier\":{},\"meshes\":[{}]}}",
+      "\"carrier_turn\":\"{}\",\"carrier\":{},\"bodies\":[{}],\"meshes\":[{}]}}",
       json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
       names, film.position_unit(), packed(film.positions()), fastest / most, packed(speeds),
       packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
+      rounded_bodies(c, balls, film.ball_stride()),
       meshes(c, w) + part_meshes(c, film.mill_times()));
 }
 
