@@ -9,6 +9,7 @@ import { short } from "./words.js";
 
 const font = "system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif";
 const margin = 14;
+const pickedText = "#e0480f";
 
 function write(pen, text, x, y, { size = 12, weight = 400, align = "left", colour }) {
   pen.font = `${weight} ${size}px ${font}`;
@@ -83,12 +84,36 @@ function drawWeight(pen, width, height, { theme, weight }) {
   write(pen, "g", x - 12 * Math.abs(uy) - 4, y + 4 - 12 * Math.abs(ux), { colour: theme.soft });
 }
 
+/// A bar of 1, 2 or 5 times a power of ten, at most 110 pixels long; it holds at the middle of the picture.
+function drawScale(pen, width, height, { theme, pixelsOfMetre }) {
+  const most = 110 / pixelsOfMetre;
+  const decade = 10 ** Math.floor(Math.log10(most));
+  const metres = [5, 2, 1].find((step) => step * decade <= most) * decade;
+  const long = metres * pixelsOfMetre;
+  const [left, y] = [width - margin - 60 - long, height - margin - 6];
+  pen.strokeStyle = theme.soft;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  for (const [fromX, fromY, toX, toY] of [[0, 0, long, 0], [0, -4, 0, 4], [long, -4, long, 4]]) {
+    pen.moveTo(left + fromX, y + fromY);
+    pen.lineTo(left + toX, y + toY);
+  }
+  pen.stroke();
+  const text = metres < 1 ? `${short(1e3 * metres)} mm` : `${short(metres)} m`;
+  write(pen, text, left + long / 2, y - 8, { align: "center", colour: theme.soft });
+}
+
 /// Draws on `pen`; the unit is a CSS pixel, the picture has `width` times `height` pixels. `what`:
-/// theme, title (or none), time and factor as text, colour, speed scale, speciesNames, weight.
+/// theme, title (or none), time and factor as text, colour, speed scale, speciesNames, weight, pixelsOfMetre, and
+/// `picked`, words on the picked ball or none.
 export function annotate(pen, width, height, what) {
   if (what.title)
     write(pen, what.title, margin, margin + 14, { size: 14, weight: 600, colour: what.theme.ink });
   drawTime(pen, width, what);
+  drawScale(pen, width, height, what);
+  if (what.picked)
+    write(pen, what.picked, width - margin, margin + 52,
+      { weight: 600, align: "right", colour: pickedText });
   if (what.colour === "species") drawSpeciesLegend(pen, height, what);
   else drawSpeedLegend(pen, height, what);
   drawWeight(pen, width, height, what);

@@ -13,6 +13,7 @@ import { Bodies } from "./bodies.js";
 import { speciesColours, speedColour } from "./colours.js";
 import { isInJar } from "./data.js";
 import { between } from "./motion.js";
+import { pickedColour } from "./picked.js";
 
 const trianglesInAll = 2.5e6; // estimate: a laptop draws this number smoothly
 
@@ -48,18 +49,30 @@ export class Balls {
     this.mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * data.count), 3);
     this.bodies = data.bodies.map((kind) => new Bodies(kind, this, material));
     this.group = new Group().add(this.mesh, ...this.bodies.map(({ mesh }) => mesh));
+    this.picked = new Color(pickedColour);
     this.species = speciesColours.map((colour) => new Color(colour).toArray());
   }
 
-  /// Sets positions and colours for the fractional frame `frame`.
-  show(frame, colour) {
+  /// Sets positions and colours for the fractional frame `frame`; `picked`: a ball, or null.
+  show(frame, colour, picked) {
     const step = between(this.data, frame);
     this.place(step);
     if (colour === "species") this.colourBySpecies();
     else this.colourBySpeed(step);
+    if (picked !== null) this.picked.toArray(this.mesh.instanceColor.array, 3 * picked);
     for (const bodies of this.bodies) bodies.show();
     this.mesh.instanceMatrix.needsUpdate = true;
     this.mesh.instanceColor.needsUpdate = true;
+  }
+
+  /// The ball that the ray of a Raycaster meets first; null if it meets none. A body is named by its first sphere.
+  hitBy(ray) {
+    const meshes = [this.mesh, ...this.bodies.map(({ mesh }) => mesh)];
+    for (const mesh of meshes) mesh.boundingSphere = null; // of another frame
+    const [hit] = ray.intersectObjects(meshes, false);
+    if (!hit) return null;
+    const bodies = this.bodies.find(({ mesh }) => mesh === hit.object);
+    return bodies ? bodies.kind.first + hit.instanceId * bodies.kind.each : hit.instanceId;
   }
 
   place({ low, high, part }) {

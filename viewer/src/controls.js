@@ -67,7 +67,7 @@ const pictureOf = (title) => {
 function keysHint() {
   const hint = element("span", { className: "keys" });
   hint.innerHTML = " Drag rotates, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
-    "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour.";
+    "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour. A click picks a ball, <kbd>b</kbd> the next one.";
   return hint;
 }
 

@@ -7,6 +7,7 @@ import { annotate } from "./annotations.js";
 import { printTheme, speedScaleTop, themeOf } from "./colours.js";
 import { apologize, build } from "./controls.js";
 import { frameOf, timeOf, viewsOf } from "./motion.js";
+import { wordsOf } from "./picked.js";
 import { film, savePicture, videoFault } from "./save.js";
 import { Stage } from "./stage.js";
 import { captionOf, clockOf, factorsOf } from "./words.js";
@@ -26,7 +27,7 @@ export class Replay {
     this.take(data);
     this.seen = true;
     this.state = { frame: 0, playing: false, factor: this.factors.usual, loop: true,
-      view: this.views[0].key, colour: "speed", recording: null, said: "" };
+      view: this.views[0].key, colour: "speed", picked: null, recording: null, said: "" };
     this.elements = build(root, { ...this.offer(), colours, videoFault: videoFault() },
       this.actions());
     this.theme = themeOf(root);
@@ -62,6 +63,7 @@ export class Replay {
     const time = timeOf(this.data, state.frame);
     const resumes = data.frames > 1 && this.data.frames < 2 && !this.still();
     if (state.recording) this.play(false);
+    if (restart || data.count !== this.data.count) state.picked = null;
     this.take(data);
     const sameView = this.views.some(({ key }) => key === state.view);
     if (!sameView) state.view = this.views[0].key;
@@ -70,6 +72,7 @@ export class Replay {
     this.elements.offer(this.offer());
     this.stage.renew(data, this.speed.top);
     this.stage.paint(this.theme);
+    this.stage.showPath(state.picked, state.view);
     if (this.size) this.stage.lookFrom(restart || !sameView ? "start" : this.stage.direction(),
       state.view);
     if (resumes || (restart && !this.still())) this.play(true);
@@ -105,7 +108,16 @@ export class Replay {
     this.stage.controls.addEventListener("change", () => this.want());
     // The wheel zooms only while the picture has the focus; otherwise it scrolls the page.
     this.stage.controls.enableZoom = false;
-    scene.addEventListener("pointerdown", () => scene.focus({ preventScroll: true }));
+    let pressed = null;
+    scene.addEventListener("pointerdown", (event) => {
+      scene.focus({ preventScroll: true });
+      pressed = event.button === 0 ? [event.offsetX, event.offsetY] : null;
+    });
+    scene.addEventListener("pointerup", ({ offsetX, offsetY }) => {
+      if (pressed && Math.hypot(offsetX - pressed[0], offsetY - pressed[1]) < 4)
+        this.pick(this.stage.ballAt((2 * offsetX) / scene.clientWidth - 1,
+          1 - (2 * offsetY) / scene.clientHeight));
+    });
     scene.addEventListener("focus", () => (this.stage.controls.enableZoom = true));
     scene.addEventListener("blur", () => (this.stage.controls.enableZoom = false));
     scene.addEventListener("webglcontextrestored", () => this.want());
@@ -127,6 +139,8 @@ export class Replay {
     else if (event.key === "v" && name !== "select") this.view(next(this.views, this.state.view));
     else if (event.key === "c" && name !== "select")
       this.change({ colour: next(colours, this.state.colour) });
+    else if (event.key === "b" && name !== "select") this.pick(this.nextBall());
+    else if (event.key === "Escape" && this.state.picked !== null) this.pick(null);
     else if (event.key === "+" || event.key === "-") this.nearer(event.key === "+" ? 0.87 : 1.15);
     else return;
     event.preventDefault();
@@ -160,7 +174,20 @@ export class Replay {
   view(key) {
     this.state.view = key;
     this.stage.lookFrom(this.stage.direction(), key);
+    this.stage.showPath(this.state.picked, key);
     this.show();
+  }
+
+  /// Shows the path and the speed of a ball; null: of none.
+  pick(ball) {
+    this.state.picked = ball;
+    this.stage.showPath(ball, this.state.view);
+    this.show();
+  }
+
+  nextBall() {
+    const { picked } = this.state;
+    return this.data.count === 0 ? null : picked === null ? 0 : (picked + 1) % this.data.count;
   }
 
   look(direction) {
@@ -247,7 +274,7 @@ export class Replay {
     const { state, data, elements } = this;
     if (!this.size) return; // the component is hidden
     const time = this.clock(timeOf(data, state.frame));
-    this.weight = this.stage.draw(state.frame, state.view, state.colour);
+    this.weight = this.stage.draw(state.frame, state.view, state.colour, state.picked);
     const { width, height, ratio } = this.size;
     const pen = elements.written.getContext("2d");
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -256,14 +283,16 @@ export class Replay {
     elements.showTime(state.frame, time);
     if (state.recording) this.compose(state.recording.canvas, this.theme);
     Object.assign(this.root.dataset, { state: "drawn", frame: Math.round(state.frame),
-      view: state.view, colour: state.colour, playing: state.playing });
+      view: state.view, colour: state.colour, playing: state.playing,
+      picked: state.picked ?? "none" });
   }
 
   annotations(theme, title) {
     const { state, data, speed, weight } = this;
     return { theme, title, time: this.clock(timeOf(data, state.frame)),
       factor: `${state.factor}x real time`, colour: state.colour, speed, weight,
-      speciesNames: data.speciesNames };
+      speciesNames: data.speciesNames, pixelsOfMetre: this.stage.pixelsOfMetre(this.size.height),
+      picked: state.picked === null ? null : wordsOf(data, state.picked, state.frame) };
   }
 
   /// Picture and annotations on one canvas, at the current size of the picture.
@@ -285,7 +314,7 @@ export class Replay {
     const { width, height } = this.size;
     this.stage.paint(theme);
     this.stage.resize(width, height, ratio);
-    this.stage.draw(this.state.frame, this.state.view, this.state.colour);
+    this.stage.draw(this.state.frame, this.state.view, this.state.colour, this.state.picked);
     this.compose(canvas, theme);
     this.stage.paint(this.theme);
     this.stage.resize(width, height, this.size.ratio);

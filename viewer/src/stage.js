@@ -5,7 +5,7 @@
 
 import {
   DirectionalLight, Group, HemisphereLight, PCFShadowMap, PerspectiveCamera, PMREMGenerator,
-  Quaternion, Scene, Spherical, Vector3, WebGLRenderer,
+  Quaternion, Raycaster, Scene, Spherical, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
@@ -13,8 +13,9 @@ import { Balls, keepsGeometry } from "./balls.js";
 import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
 import { carrierOf, plateOf, rimOf } from "./carrier.js";
 import { isInJar } from "./data.js";
-import { partOf, vesselOf } from "./jar.js";
+import { lines, partOf, vesselOf } from "./jar.js";
 import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
+import { pathOf, pickedColour } from "./picked.js";
 
 const zUpToYUp = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(0, 1, 0));
 const rides = ["laboratory", "carrier"]; // views that show the carrier
@@ -178,7 +179,35 @@ export class Stage {
     this.controls.update();
   }
 
-  draw(frame, view, colour) {
+  /// The ball at a place of the picture, -1 to 1 to the right and upwards; null if there is none.
+  ballAt(x, y) {
+    const ray = new Raycaster();
+    this.scene.updateMatrixWorld();
+    ray.setFromCamera(new Vector2(x, y), this.camera);
+    return this.balls.hitBy(ray);
+  }
+
+  /// Shows the path of a ball in a view, or none.
+  showPath(ball, view) {
+    if (this.path) {
+      this.path.removeFromParent();
+      this.retired.push(this.path);
+      this.path = null;
+    }
+    const points = ball === null ? [] : pathOf(this.data, view, ball, this.reach);
+    if (points.length === 0) return;
+    this.path = lines(points, 2, 0.9);
+    this.path.material.color.set(pickedColour);
+    this.scene.add(this.path);
+  }
+
+  /// Pixels of a metre at the target of the camera, in a picture of `height` pixels.
+  pixelsOfMetre(height) {
+    const far = this.camera.position.distanceTo(this.controls.target);
+    return height / (2 * far * Math.tan((fieldOfView * Math.PI) / 360));
+  }
+
+  draw(frame, view, colour, picked) {
     const pose = poseAt(this.data, frame);
     const seen = frameOfView(this.data, view, pose);
     this.room.quaternion.copy(seen.turn);
@@ -192,7 +221,7 @@ export class Stage {
       this.carrier.group.visible = rides.includes(view);
       this.carrier.group.quaternion.copy(pose.carrier);
     }
-    this.balls.show(frame, colour);
+    this.balls.show(frame, colour, picked);
     this.light(pose.centre.clone().sub(seen.origin).applyQuaternion(seen.turn));
     this.renderer.render(this.scene, this.camera);
     this.disposeOfRetired();

@@ -150,6 +150,26 @@ def check_balls_outside(checks):
                "below 0.01%, a ball above 0.2%", part < 1e-4 and seen > 0.002)
 
 
+def check_bodies(checks):
+    """Bodies have faces in place of their spheres; one is picked by a click on it, and its path is drawn."""
+    pictures = {}
+    for name, faces in (("spheres", False), ("faces", True)):
+        checks.open(f"cube_{name}", synthetic.turning_cube(faces))
+        checks.scrub(9)
+        pictures[name] = checks.picture(name)
+        checks.quiet()
+    part = changed(pictures["spheres"], pictures["faces"])
+    checks.say("faces_take_the_place_of_spheres", f"{part:.2%} changed", "above 1%", part > 0.01)
+    checks.do("(s => { const r = s.getBoundingClientRect(); for (const kind of ['pointerdown', 'pointerup'])"
+              " s.dispatchEvent(new PointerEvent(kind, {button: 0, pointerId: 1, clientX: r.left + r.width / 2,"
+              " clientY: r.top + r.height / 2})); })(document.querySelector('#replay .scene'))")
+    checks.browser.wait_for(f"{dataset}.picked === '0'", 10)
+    checks.say("a_click_picks_the_body", checks.state("picked"), "0", checks.state("picked") == "0")
+    part = changed(pictures["faces"], checks.picture("picked"))
+    checks.say("a_picked_body_is_marked", f"{part:.2%} changed", "above 0.5%", part > 0.005)
+    checks.quiet()
+
+
 def check_keys(checks):
     """Keys, as a person without a mouse uses them."""
     browser = checks.browser
@@ -157,7 +177,8 @@ def check_keys(checks):
     browser.ask("document.querySelector('#replay .scene').focus()")
     for key, what, expected in (("ArrowRight", "frame", "1"), ("ArrowRight", "frame", "2"),
                                 ("ArrowLeft", "frame", "1"), ("v", "view", "centre"),
-                                ("c", "colour", "species"), (" ", "playing", "true"),
+                                ("c", "colour", "species"), ("b", "picked", "0"),
+                                ("Escape", "picked", "none"), (" ", "playing", "true"),
                                 (" ", "playing", "false")):
         browser.key(key)
         browser.wait_for(f"{dataset}.{what} === '{expected}'", 10)
@@ -290,6 +311,7 @@ def check_pages(checks):
     check_case(checks, "attritor", synthetic.attritor(), rides)
     check_frames_of_views(checks)
     check_balls_outside(checks)
+    check_bodies(checks)
     check_keys(checks)
     check_playing(checks)
     check_mouse(checks)

@@ -166,6 +166,27 @@ def vial():
                   species_names=["steel, 8 mm"])
 
 
+def turning_cube(faces=True):
+    """A cube of eight spheres turns about the axis of a capsule; drawn by its faces, or by its spheres."""
+    frames, half = 20, 0.002
+    times = [1e-3 * f for f in range(frames)]
+    corners = [[x, y, z] for x in (-half, half) for y in (-half, half) for z in (-half, half)]
+    places = [[[x * math.cos(a) - y * math.sin(a), x * math.sin(a) + y * math.cos(a), z] for x, y, z in corners]
+              for a in (0.05 * f for f in range(frames))]
+    data = replay("A cube that turns", times, [0.001] * 8, [0] * 8, places, [[0, 0, 0]] * frames,
+                  [still] * frames, [still] * frames, [mesh("jar", capsule(0.006, 0.020))],
+                  species_names=["cube"])
+    if faces:
+        flat = [1.5 * c for corner in corners for c in corner]
+        size = 1.5 * half * 3 ** 0.5
+        data["bodies"] = [{
+            "first": 0, "count": 1, "radius": 0.001, "places": packed("f", [c for p in corners for c in p]),
+            "vertices": packed("f", flat), "normals": packed("f", [c / size for c in flat]),
+            "triangles": packed("I", [0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                      2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3])}]
+    return data
+
+
 def attritor():
     """A stirrer turns in an upright vessel among 200 balls that follow it."""
     frames, radius, ball = 60, 0.05, 0.004

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Mahlwerk authors
+// SPDX-License-Identifier: Apache-2.0
+
+// The ball that the reader has picked: its path over the whole replay, and its speed.
+
+import { Vector3 } from "three";
+import { isInJar } from "./data.js";
+import { between, frameOfView, poseAt } from "./motion.js";
+import { grouped, short } from "./words.js";
+
+/// Colour of the picked ball and of its path.
+export const pickedColour = 0xff5a1f;
+
+/// Where a ball is at frame `f` in a view [m]; null outside the jar.
+function placeAt(data, view, ball, f) {
+  const at = 3 * (data.count * f + ball);
+  if (!isInJar(data.positions, at)) return null;
+  const pose = poseAt(data, f);
+  const seen = frameOfView(data, view, pose);
+  return new Vector3().fromArray(data.positions, at).multiplyScalar(data.positionScale)
+    .add(pose.centre).sub(seen.origin).applyQuaternion(seen.turn);
+}
+
+/// The path of a ball in a view as pairs of points. A ball that leaves a side of a periodic jar and returns at the
+/// other has a gap there: `reach` [m] is half the size of the picture.
+export function pathOf(data, view, ball, reach) {
+  const points = [];
+  let last = null;
+  for (let f = 0; f < data.frames; ++f) {
+    const place = placeAt(data, view, ball, f);
+    if (last && place && last.distanceTo(place) < reach)
+      points.push(...last.toArray(), ...place.toArray());
+    last = place;
+  }
+  return points;
+}
+
+/// "Ball 12, steel: 0.82 m/s".
+export function wordsOf(data, ball, frame) {
+  const { low, high, part } = between(data, frame);
+  const speed = (f) => data.speeds[data.count * f + ball];
+  const now = data.speedScale * (speed(low) + part * (speed(high) - speed(low)));
+  const kind = data.speciesNames[data.species[ball]];
+  return `${data.bodies.length > 0 ? "Sphere" : "Ball"} ${grouped(ball + 1)}` +
+    `${kind ? `, ${kind}` : ""}: ${short(now)} m/s`;
+}
