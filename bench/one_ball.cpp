@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One ball in paper A's vial: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9. Conservative
-// advancement with the whole engine and statistics, compared with textbook scanning, which only
-// finds touches.
+// One ball in the vial of Chen et al. 2016: capsule of 12 mm, 10 Hz, 25 mm, e_n = e_t = 0.9.
+// Conservative advancement with the whole engine and statistics, compared with textbook scanning,
+// which only finds touches.
 #include <sys/resource.h>
 
 #include <algorithm>

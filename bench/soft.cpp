@@ -57,7 +57,7 @@ double planetary_ns(const contact::AnyLaw& law) {
 struct VibrationResult {
   double steps, seconds, rate;
 };
-/// Paper A's vial at 10 Hz and 25 mm, e = 0.9, five simulated seconds.
+/// The vial of Chen et al. 2016 at 10 Hz and 25 mm, e = 0.9, five simulated seconds.
 VibrationResult run_vibration(bool free_flight_skip) {
   kinematics::Vibration motion;
   motion.frequency = 10;

@@ -35,13 +35,13 @@ inline void copy_state(scene::Engine& from, scene::Engine& to) {
 
 constexpr double gravity = 9.81;
 
-/// Paper A's vial: 5 ml, capsule of diameter `dv` [m].
+/// The vial of Chen et al. 2016: 5 ml, capsule of diameter `dv` [m].
 inline geometry::Capsule vial(double dv) {
   const double pi = std::numbers::pi;
   return {dv, (5e-6 - pi * dv * dv * dv / 6) / (pi * dv * dv / 4)};
 }
 
-/// Paper A's mill with frequency `f` [Hz] and amplitude `a` [m].
+/// The mill of Chen et al. 2016 with frequency `f` [Hz] and amplitude `a` [m].
 inline kinematics::Vibration shaken(double f, double a) {
   kinematics::Vibration v;
   v.frequency = f;
@@ -53,13 +53,13 @@ inline scene::Chamber mill_a(double f = 10, double a = 0.025, double dv = 0.012)
   return {vial(dv), shaken(f, a), {}, {0, 0, -gravity}};
 }
 
-/// Paper A's ball: 8 mm steel.
+/// The ball of Chen et al. 2016: 8 mm steel.
 inline scene::Ball ball_a(const Vec3& position = {}, const Vec3& velocity = {},
                           const Vec3& spin = {}) {
   return {0.004, 7850, position, velocity, spin};
 }
 
-/// Paper A's constants: e_n = e_t = 0.9, no Coulomb limit in bounces.
+/// Constants of Chen et al. 2016: e_n = e_t = 0.9, no Coulomb limit in bounces.
 inline event::Rules rules_a(double e = 0.9) {
   event::Rules rules;
   rules.bounce = {e, 0.9, INFINITY};

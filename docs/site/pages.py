@@ -16,7 +16,7 @@ TUTORIAL = ["first-run", "own-mill", "numbers", "sweep", "powder"]
 # Caption of the navigation: pages as the site names them. A folder with * takes all of its pages.
 NAVIGATION = {
     "Start": ["install", "tutorial/index", "features"],
-    "How-to": ["howto/*"],
+    "How-to": ["howto/index", "howto/*"],
     "Use": ["cases", "cli", "measure", "formats", "campaigns", "cluster", "papers", "examples/index"],
     "Reference": ["reference/keys/index", "catalogue/index", "reference/python", "reference/cpp", "errors",
                   "warnings", "conventions", "glossary"],
@@ -32,7 +32,8 @@ LISTS = {
     "publications/index": ("Recomputed papers", "Two published simulations, recomputed figure by figure.",
                            "publications/*"),
 }
-HOWTO = ["planetary", "mixer", "drum", "vibration", "stirred", "own-jar", "browser", "notebook"]
+HOWTO = ["settings", "machine", "product", "trust", "results", "computing",
+         "planetary", "mixer", "drum", "vibration", "stirred", "own-jar", "browser", "notebook"]
 # Pages below another page that is no list.
 BELOW = {"validation": "validation/*", "catalogue/index": "catalogue/*",
          "reference/keys/index": "reference/keys/*",

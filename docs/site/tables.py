@@ -70,13 +70,13 @@ def mark(value: dict) -> str:
 
 
 def entry(one: dict) -> str:
-    rows = [[f"`{key}`", cell(v["value"]), mark(v), cell(v["source"])]
+    rows = [[f"`{key}`", cell(v["value"]), ": ".join(filter(None, [mark(v), cell(v["source"])]))]
             for key, v in sorted(one["values"].items())]
     lines = [f"## {cell(one['name'])}\n", f"**{cell(one['title'])}**"
              + (f", kind `{one['kind']}`" if one.get("kind") else "") + ".\n"]
     if one.get("about"):
         lines.append(cell(one["about"]) + "\n")
-    lines.append(table(["key", "value", "", "source"], rows))
+    lines.append(table(["key", "value", "source"], rows))
     if one.get("jars"):
         lines.append("Jars that fit: " + ", ".join(f"[{cell(j)}](jars.md#{slug(j)})"
                                                    for j in one["jars"]) + "\n")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from mahlwerk.papers import Paper
 
-paper = Paper(title="The planetary mill (paper B)",
+paper = Paper(title="The planetary mill (Mhadhbi 2021)",
               source="M. Mhadhbi, \"Modelling of the High-Energy Ball Milling Process\", Advances "
                      "in Materials Physics and Chemistry 11, 2021, 31-44, doi "
                      "10.4236/ampc.2021.111004: a Fritsch Pulverisette 7, simulated by the discrete "
@@ -255,17 +255,17 @@ paper.check("5", "after 20 h the average particle size is below 1 um",
 paper.check("abstract", "balls of stainless steel are better: they dissipate more power than balls "
                         "of alumina (all with the paper's restitution and friction)",
             material.larger("dissipated_power", against="balls.material", first="alumina-99.5",
-                            second="steel-paper-b"),
+                            second="steel-mhadhbi-2021"),
             why="steel balls are twice as heavy; tungsten carbide would be better still")
 paper.check("abstract", "balls of stainless steel are better: they dissipate more power than balls "
                         "of alumina (each with its own assumed restitution and friction)",
             material_own.larger("dissipated_power", against="balls.material", first="alumina-99.5",
-                                second="steel-paper-b"))
+                                second="steel-mhadhbi-2021"))
 paper.check("abstract", "balls of stainless steel have a positive effect on the milling efficiency "
                         "(read as the share of the energy that hits dissipate along the normal, all "
                         "with the paper's restitution and friction)",
             material.larger("impact_efficiency", against="balls.material", first="alumina-99.5",
-                            second="steel-paper-b"),
+                            second="steel-mhadhbi-2021"),
             why="at the same restitution and friction the motion hardly depends on the density of "
                 "the balls, and all powers grow with it alike")
 paper.check("2.2", "the shock frequency grows with the speed of the disc",
@@ -305,7 +305,7 @@ paper.check("2.2", "the same balls and vial dissipate more power in the mixer mi
                    "the planetary mill at 400 rpm (4.2 W)",
             mixer.above("4.2 W", "dissipated_power", at={"mill.frequency": "30 Hz"}),
             why="the mixer mill reverses the vial 60 times a second, and its balls mostly fly and "
-                "hit head-on. Its stroke of 9 mm is recalled, not measured",
+                "hit head-on. Its stroke of 9 mm is assumed, not measured",
             own=True)
 paper.check("eq. 17", "the two contact laws of the paper give the same power",
             law.is_alike("dissipated_power", against="contact.law", within=0.1),

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 from mahlwerk.papers import Paper
 
-paper = Paper(title="The vertical vibration mill (paper A)",
+paper = Paper(title="The vertical vibration mill (Chen et al. 2016)",
               source="Chen, Nguyen, Wu and Liu, J. Tsinghua Univ. (Sci. Technol.) 56(3) (2016) "
                      "328-333, doi 10.16511/j.cnki.qhdxxb.2016.21.030: one 8 mm ball in a 5 ml "
                      "capsule, event-driven",

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Results of a run, from memory or from a result folder."""
+"""Results of a run, just computed or read from a result folder."""
 
 from __future__ import annotations
 

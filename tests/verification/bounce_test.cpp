@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// One collision by the corrected rule of paper A, and by Walton's rule.
+// One collision by the corrected rule of Chen et al. 2016, and by Walton's rule.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -60,7 +60,7 @@ TEST(Flight, bouncing_ball_rises_to_h_e_to_the_2n_and_stops_in_its_closed_form_t
 }
 
 /// Compares the search by conservative advancement with dense sampling of the gap: 1e5 flights over
-/// the frequencies and vials of paper A.
+/// the frequencies and vials of Chen et al. 2016.
 TEST(Search, never_steps_over_a_contact_in_a_hundred_thousand_flights) {
   Random random(11, 0);
   double deepest = -1, furthest = 0;

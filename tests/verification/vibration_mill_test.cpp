@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The conclusions of paper A from its figures 4, 5 and 6, tested with the cases in
+// The conclusions of Chen et al. 2016 from its figures 4, 5 and 6, tested with the cases in
 // papers/vertical-vibration-mill.
 #include <gtest/gtest.h>
 
@@ -72,7 +72,8 @@ double r_squared(const std::vector<double>& x, const std::vector<double>& y, boo
 }
 
 void at_least(const std::string& what, double found, double bound) {
-  std::printf("    %-58s at least %.3f, found %.5f [paper A]\n", what.c_str(), bound, found);
+  std::printf("    %-58s at least %.3f, found %.5f [Chen et al. 2016]\n", what.c_str(), bound,
+              found);
   EXPECT_GT(found, bound) << what;
 }
 

@@ -30,8 +30,8 @@ measured_daniel = paper.measured(
     values=[("106.6 W", "2.1 W")])
 measured_levin = paper.measured(
     "levin",
-    source="Levin 1989: 198e-7 kWh per revolution, from memory; Doll and Nikolic state that it is "
-           "computed from the work index, not measured at the mill",
+    source="Levin 1989: 198e-7 kWh per revolution, as it is often quoted, not seen in print; Doll "
+           "and Nikolic state that it is computed from the work index, not measured at the mill",
     status="unverified",
     error_is="none",
     values=[("83 W", "1 W")])

@@ -75,7 +75,7 @@ const origins = [
   { key: "gravity", value: "9.81 m/s2", source: "default: on Earth", assumed: true, unverified: false },
   { key: "contact.rolling_friction", value: "0.01", source: "default: uncalibrated, 0-0.1",
     assumed: true, unverified: false },
-  { key: "mill.jars_carried", value: "2", source: "maker's figure from memory", assumed: false,
+  { key: "mill.jars_carried", value: "2", source: "maker's data sheet", assumed: false,
     unverified: true },
 ];
 const notices = [{ severity: "warning", code: "invented",

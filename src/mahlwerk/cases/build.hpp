@@ -22,9 +22,9 @@ scene::Chamber chamber(const Case& c);
 scene::Flow flow_in_jar_frame(const Case& c);
 
 /// Balls at random positions without contact, with random velocities and spins in the ranges of
-/// [run] (paper A: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Positions given by the case are
-/// kept, or those of run.start_from. The fresh feed is outside. The result depends only on the seed
-/// and the replicate. Throws Interrupted once `*stop` is set.
+/// [run] (Chen et al. 2016: 0 to 0.1 m/s in the laboratory, 0 to 0.1 rad/s). Positions given by the
+/// case are kept, or those of run.start_from. The fresh feed is outside. The result depends only on
+/// the seed and the replicate. Throws Interrupted once `*stop` is set.
 std::vector<scene::Ball> starting_balls(const Case& c, int replicate,
                                         const std::atomic<bool>* stop = nullptr);
 

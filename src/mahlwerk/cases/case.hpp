@@ -144,7 +144,7 @@ struct PairRule {
 struct Contact {
   contact::ContactModel model;  ///< of the soft engine
   double softening = 1;         ///< of the soft engine: factor on every Young's modulus
-  contact::BounceRule rule;     ///< infinite friction: paper A's constant e_t
+  contact::BounceRule rule;     ///< infinite friction: the constant e_t of Chen et al. 2016
   std::vector<PairRule> pairs;  ///< exceptions from `rule`; the last one that matches a pair counts
   double lasting_friction = 0;  ///< mu of sustained contacts of the event engine
   double rolling_friction = 0;  ///< [1] mu_r; [s/m] with viscous rolling resistance

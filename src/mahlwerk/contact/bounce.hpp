@@ -12,12 +12,12 @@
 // Instantaneous collisions of rough spheres (hard-sphere model): impulses and losses.
 namespace mahlwerk::contact {
 
-/// Collision rule. Paper A: constant e_n and e_t, no Coulomb limit. Walton: the same below the
-/// Coulomb limit `friction` (mu), sliding above it. e_n may depend on the speed.
+/// Collision rule. Chen et al. 2016: constant e_n and e_t, no Coulomb limit. Walton: the same below
+/// the Coulomb limit `friction` (mu), sliding above it. e_n may depend on the speed.
 struct BounceRule {
   Restitution restitution = 1;        ///< e_n in [0, 1]
   double tangential_restitution = 1;  ///< e_t in [-1, 1]: 1 smooth, 0 no slip, -1 perfectly rough
-  double friction = INFINITY;         ///< mu >= 0; infinite: no Coulomb limit (paper A)
+  double friction = INFINITY;         ///< mu >= 0; infinite: no Coulomb limit (Chen et al. 2016)
   bool operator==(const BounceRule&) const = default;
 };
 

@@ -35,7 +35,7 @@ constexpr std::array rolling_rules{
                 true, true, true},
     RollingRule{Rolling::own_spin, "own-spin",
                 "constant torque against the spin of each ball in the laboratory (EDEM, eq. 11 of "
-                "paper B)",
+                "Mhadhbi 2021)",
                 true, "", false, false, false}};
 constexpr const RollingRule& rule_of(Rolling rolling) {
   return rolling_rules[static_cast<std::size_t>(rolling)];

@@ -10,8 +10,8 @@
 
 namespace mahlwerk::geometry {
 
-/// A cylinder closed by two half spheres: the vial of paper A. Its wall is the set of points at one
-/// radius from the axis segment, so it is one C1 face (geo.3).
+/// A cylinder closed by two half spheres: the vial of Chen et al. 2016. Its wall is the set of
+/// points at one radius from the axis segment, so it is one C1 face (geo.3).
 struct Capsule {
   double diameter = 0;  // [m]
   double height = 0;    // [m] of the cylinder, without the caps

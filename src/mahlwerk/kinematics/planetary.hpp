@@ -8,7 +8,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A rotating jar on a rotating disc, both axes vertical (physics of paper B) (kin.3).
+/// A rotating jar on a rotating disc, both axes vertical (physics of Mhadhbi 2021) (kin.3).
 struct Planetary {
   double orbit_radius = 0;  // [m]
   double speed = 0;         // [rad/s] of the disc

@@ -9,7 +9,7 @@
 
 namespace mahlwerk::kinematics {
 
-/// A jar that vibrates sinusoidally along a straight line (paper A, eq. 1) (kin.2).
+/// A jar that vibrates sinusoidally along a straight line (Chen et al. 2016, eq. 1) (kin.2).
 struct Vibration : NonRotating {
   double frequency = 0;  // [Hz]
   double amplitude = 0;  // [m]
@@ -41,7 +41,7 @@ struct Vibration : NonRotating {
                  {0, std::numbers::pi},
                  "angle of the line from the vertical",
                  0.0,
-                 "vertical, as in paper A"}
+                 "vertical, as in Chen et al. 2016"}
             .with({.usual = {"0 deg", "90 deg"}}),
         Field<V>{"heading", "rad", &V::heading, any_number,
                  "direction of a tilted line around the vertical, from x", 0.0, "along x"}};

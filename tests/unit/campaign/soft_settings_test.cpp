@@ -47,7 +47,7 @@ bool warned(const cases::Case& mill_case) {
   return notices.size() == 1 && notices[0].code == "soft-contacts";
 }
 
-TEST(SoftSettings, paper_b_s_time_step_is_an_eighth_of_the_rayleigh_time) {
+TEST(SoftSettings, mhadhbi_s_time_step_is_an_eighth_of_the_rayleigh_time) {
   // 15 mm steel balls, E = 200 GPa, nu = 0.265: 1 us.
   const SoftSettings s = soft_settings(soft_case("restitution = 0.5"));
   EXPECT_NEAR(s.steps.rayleigh, 8.1e-6, 0.2e-6);

@@ -98,14 +98,29 @@ TEST(Catalogue, every_liquid_flows_and_weighs_as_solvents_do) {
   EXPECT_EQ(liquids, 5);
 }
 
-TEST(Catalogue, what_is_recalled_or_from_memory_is_marked_unverified_or_has_a_range) {
+TEST(Catalogue, what_has_no_public_source_is_marked_unverified_or_has_a_range) {
   for_each_entry([&](const CatalogueEntry& entry) {
     for (const auto& [key, value] : entry.values) {
-      const bool weak = value.source.find("from memory") != std::string::npos ||
-                        value.source.find("recalled") != std::string::npos;
+      const bool weak = value.source.find("no public source") != std::string::npos;
       EXPECT_TRUE(value.unverified || value.assumed || !weak) << key;
     }
   });
+}
+
+TEST(Catalogue, an_unknown_name_that_is_near_none_suggests_those_that_share_its_words) {
+  const auto remedy = [](const char* category, const char* name) -> std::string {
+    try {
+      shipped().find(category, name, "here");
+    } catch (const InputError& error) {
+      return error.faults().front().remedy;
+    }
+    return "found";
+  };
+  EXPECT_EQ(remedy("media", "former-5x15mm"),
+            "did you mean 'mhadhbi-2021-5x15mm'? `mahlwerk list media` shows them all");
+  const std::string steels = remedy("materials", "steel-former-name");
+  EXPECT_NE(steels.find("'steel-chen-2016' or 'steel-mhadhbi-2021'"), std::string::npos) << steels;
+  EXPECT_EQ(remedy("materials", "unobtainium"), "`mahlwerk list materials` shows them all");
 }
 
 TEST(Catalogue, every_mill_is_a_known_motion_and_its_jars_exist) {
@@ -151,7 +166,7 @@ TEST(Catalogue, ball_sets_give_diameter_and_a_whole_number_of_balls) {
   });
 }
 
-TEST(Catalogue, the_p7_of_paper_b_reads_as_the_file_says) {
+TEST(Catalogue, the_p7_of_mhadhbi_reads_as_the_file_says) {
   const CatalogueEntry p7 = shipped().find("mills", "fritsch-p7-classic");
   EXPECT_EQ(p7.kind, "planetary");
   EXPECT_EQ(p7.values.at("ratio").text, "1:-2");

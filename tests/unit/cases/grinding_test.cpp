@@ -230,8 +230,10 @@ TEST(ReadBreakage, strengths_come_from_the_material_where_the_case_is_silent) {
   EXPECT_EQ(read.e_infinity, 43.4);
   EXPECT_EQ(read.d_0, 3.48e-3);
   EXPECT_EQ(read.phi, 2);
-  EXPECT_EQ(source_of(c, "breakage.e_infinity"),
-            "catalogue materials/quartz: Tavares and King, recalled");
+  EXPECT_EQ(
+      source_of(c, "breakage.e_infinity"),
+      "catalogue materials/quartz: attributed to Tavares and King (Int. J. Miner. Process. 54, "
+      "1998, 1-28); the paper could not be read, check it before use");
   EXPECT_EQ(c.powder->density, 2650);
 }
 

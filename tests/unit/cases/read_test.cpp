@@ -26,7 +26,7 @@ double planetary_ratio(const std::string& mill) {
   return std::get<Planetary>(*read_sample("[mill]\n" + mill + text).mill.motion).ratio;
 }
 
-TEST(ReadCase, the_vial_of_paper_a) {
+TEST(ReadCase, the_vial_of_chen_2016) {
   const Case c = read_sample(vial);
   EXPECT_EQ(c.title, "vial");
   EXPECT_EQ(c.seed, 3U);
@@ -55,7 +55,7 @@ TEST(ReadCase, every_value_has_its_origin) {
   EXPECT_EQ(source_of(c, "mill.frequency"), "case.toml:5");
   EXPECT_EQ(source_of(c, "jar.height"), "case.toml:11: follows from volume = \"5 ml\"");
   EXPECT_EQ(source_of(c, "run.time"), "--set run.time");
-  EXPECT_EQ(source_of(c, "run.start_speed"), "default: paper A");
+  EXPECT_EQ(source_of(c, "run.start_speed"), "default: Chen et al. 2016");
   EXPECT_EQ(source_of(c, "balls.1.diameter"), "case.toml:14");
   const Case p = read_sample(planetary);
   EXPECT_EQ(source_of(p, "mill.orbit_radius"), "catalogue mills/p7: test sheet");
@@ -107,7 +107,7 @@ TEST(ReadCase, every_value_has_its_origin) {
     EXPECT_NE(source_of(p, key), "") << key;
 }
 
-TEST(ReadCase, the_planetary_mill_of_paper_b) {
+TEST(ReadCase, the_planetary_mill_of_mhadhbi_2021) {
   const Case c = read_sample(planetary);
   EXPECT_EQ(c.title, "case");  // the stem of the file name
   const auto& mill = std::get<Planetary>(*c.mill.motion);
@@ -164,7 +164,7 @@ TEST(ReadCase, balls_by_number_mass_filling_or_none) {
   EXPECT_EQ(count("mass = \"68 g\""), 5);     // 13.6 g each
   EXPECT_EQ(count("mass = \"74.7 g\""), 5);   // 5.49 balls
   EXPECT_EQ(count("mass = \"1 g\""), 1);      // never none
-  EXPECT_EQ(count("filling = \"20 %\""), 5);  // solid volume fraction, as in paper B
+  EXPECT_EQ(count("filling = \"20 %\""), 5);  // solid volume fraction, as in Mhadhbi 2021
   EXPECT_EQ(count("filling = 0.4"), 10);
   EXPECT_EQ(count("# nothing said"), 1);
 }
@@ -307,11 +307,11 @@ TEST(ReadCase, the_examples_read_with_the_real_catalogue) {
   const Case c = read(home / "examples/01-one-ball/case.toml", real);
   EXPECT_EQ(std::get<geometry::Capsule>(*c.jar.shape),
             std::get<geometry::Capsule>(*read_sample(vial).jar.shape));
-  std::string paper_b = with(planetary, "model", "model = \"fritsch-p7-classic\"");
-  paper_b = with(paper_b, "model = \"pot", "model = \"fritsch-45ml-steel\"");
-  paper_b = with(paper_b, "material = \"steel", "material = \"steel-1.4034\"");
-  const Case b = read_text(paper_b + "[sweep]\n\"mill.speed\" = [\"200 rpm\", \"300 rpm\"]\n",
-                           "paper-b.toml", real);
+  std::string mhadhbi = with(planetary, "model", "model = \"fritsch-p7-classic\"");
+  mhadhbi = with(mhadhbi, "model = \"pot", "model = \"fritsch-45ml-steel\"");
+  mhadhbi = with(mhadhbi, "material = \"steel", "material = \"steel-1.4034\"");
+  const Case b = read_text(mhadhbi + "[sweep]\n\"mill.speed\" = [\"200 rpm\", \"300 rpm\"]\n",
+                           "mhadhbi.toml", real);
   EXPECT_EQ(std::get<Planetary>(*b.mill.motion).orbit_radius, 0.07);
 }
 

@@ -139,8 +139,8 @@ inline std::string source_of(const Case& c, std::string_view key) {
   return at == c.origins.end() ? "" : at->source;
 }
 
-/// Paper A's vial. Lines: frequency 5, amplitude 6, jar 8, volume 11, count 13, ball 14,
-/// restitution 17.
+/// The vial of Chen et al. 2016. Lines: frequency 5, amplitude 6, jar 8, volume 11, count 13, ball
+/// 14, restitution 17.
 inline const std::string vial = R"(title = "vial"
 seed = 3
 [mill]

@@ -14,7 +14,7 @@ namespace {
 
 using tests::states;
 
-/// Two 15 mm balls of paper B, and a grain of its powder with an arbitrary strength.
+/// Two 15 mm balls of Mhadhbi 2021, and a grain of its powder with an arbitrary strength.
 const Nip nip{0.00375, 200e9 / (2 * (1 - 0.265 * 0.265))};
 const Grain grain{40e-6, 4930, 1000};
 
@@ -63,8 +63,8 @@ TEST(Capture, number_of_grains_goes_over_into_one_without_a_jump) {
          "(cap.5); hexagonal packing would be 0.907");
 }
 
-TEST(Capture, deformation_has_the_limits_of_paper_bs_equation_16) {
-  states("at endless energy", bed_deformation(1e30), 0.362, 1e-15, "paper B eq. 16");
+TEST(Capture, deformation_has_the_limits_of_mhadhbis_equation_16) {
+  states("at endless energy", bed_deformation(1e30), 0.362, 1e-15, "Mhadhbi 2021 eq. 16");
   const double little = 1e-12;
   const double expected = 0.362 * 0.152 * std::pow(little, 0.413);
   states("at little energy", bed_deformation(little), expected, expected * 1e-6,

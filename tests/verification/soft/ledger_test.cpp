@@ -41,7 +41,7 @@ std::vector<scene::Ball> five(double radius) {
 scene::Chamber shaken_jar() {
   return {geometry::Cylinder{0.042, 0.0325}, shaken(20, 0.015), {}, {0, 0, -gravity}};
 }
-scene::Chamber planetary() {  // paper B's mill at 400 rpm
+scene::Chamber planetary() {  // the mill of Mhadhbi 2021 at 400 rpm
   return {geometry::Cylinder{0.042, 0.0325},
           kinematics::Planetary{0.07, 400 * 2 * std::numbers::pi / 60, -2},
           {},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Paper B's mill with five balls, over several starts: the charge has more than one mode of motion,
-// so a single run is not conclusive.
+// The mill of Mhadhbi 2021 with five balls, over several starts: the charge has more than one mode
+// of motion, so a single run is not conclusive.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,8 +62,8 @@ Seen run(std::uint32_t start, double time) {
   return seen;
 }
 
-/// Angle [rad] by which a ball of paper B that cannot roll lags behind the wall in two turns of the
-/// disc, without gravity, from rest on the wall.
+/// Angle [rad] by which a ball of Mhadhbi 2021 that cannot roll lags behind the wall in two turns
+/// of the disc, without gravity, from rest on the wall.
 double lag(double ratio, double friction) {
   kinematics::Planetary mill;
   mill.orbit_radius = 0.07;

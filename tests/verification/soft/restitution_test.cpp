@@ -51,7 +51,7 @@ TEST(Restitution, found_is_the_one_asked_for) {
   }
 }
 
-/// Two of paper B's balls, requested e = 0.35. The error of the paper's damper depends on its
+/// Two balls of Mhadhbi 2021, requested e = 0.35. The error of the paper's damper depends on its
 /// damping depth.
 TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
   const double depths[] = {1e-6, 1e-5, 1e-4}, speeds[] = {0.5, 1, 5};
@@ -68,7 +68,7 @@ TEST(AdamsImpact, with_the_damping_as_published_misses_e_as_it_must) {
       const Impact found = impact(balls, pair_of(steel, steel, 0.35), of_law(published), 2e-4);
       states("e at " + std::to_string(speeds[v]) + " m/s, d = 1e-" + std::to_string(6 - d) + " m",
              found.restitution, expected[v][d], 6e-4,  // 5e-4 from its three digits
-             "own integration of paper B eqs. 17-23");
+             "own integration of Mhadhbi 2021 eqs. 17-23");
     }
 }
 

@@ -12,7 +12,7 @@ export const words = {
 };
 
 export const examples = {
-  "vibrating-vial": { name: "Vibrating vial (paper A)",
+  "vibrating-vial": { name: "Vibrating vial (Chen et al. 2016)",
     hint: "One ball bounces in a shaken capsule. Try a frequency of 14 Hz: does the power grow as its " +
       "cube?" },
   "mixer-mill": { name: "Retsch MM 400",

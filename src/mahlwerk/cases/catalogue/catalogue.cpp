@@ -65,6 +65,26 @@ std::vector<std::string> similar_names(std::string_view word,
   return near;
 }
 
+/// Names that share the most parts with an unknown name that is near none: for "steel-440c" the
+/// steels.
+std::vector<std::string> related_names(std::string_view word,
+                                       const std::vector<std::string>& known) {
+  constexpr std::size_t shortest = 3, most = 6;
+  const std::vector<std::string> parts = words_of(word);
+  std::vector<std::string> related;
+  std::ptrdiff_t shared = 1;
+  for (const std::string& name : known) {
+    const auto count = std::ranges::count_if(parts, [&](const std::string& part) {
+      return part.size() >= shortest && name.find(part) != std::string::npos;
+    });
+    if (count > shared) related.clear();
+    if (count >= shared) related.push_back(name);
+    shared = std::max(shared, count);
+  }
+  if (related.size() > most) related.resize(most);
+  return related;
+}
+
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -133,7 +153,9 @@ CatalogueEntry Catalogue::find(std::string_view category, std::string_view name,
                            fmt::format("'{}' may be any of '{}'", name, joined(called, "', '")),
                            "write one of these names", "ambiguous-name"});
   if (called.empty()) {
-    const std::vector<std::string> near = similar_names(name, names(category));
+    const std::vector<std::string> known = names(category);
+    std::vector<std::string> near = similar_names(name, known);
+    if (near.empty()) near = related_names(name, known);
     throw InputError(
         Fault{std::string(where),
               fmt::format("the catalogue has no {} called '{}'", category_noun(category), name),

@@ -195,7 +195,8 @@ Choice bounce_of(KeyVisitor& v, const BounceRule* all) {
     choice.source = of_contact;
   } else if (!friction && v.gives("tangential_restitution")) {
     choice.standard = "constant";
-    choice.source = "tangential_restitution without friction is paper A's rule, no Coulomb limit";
+    choice.source =
+        "tangential_restitution without friction is the rule of Chen et al. 2016, no Coulomb limit";
   }
   return choice;
 }

@@ -141,7 +141,7 @@ bool describe(KeyVisitor& v, ContactModel& model) {
                             .engines = soft_and_lammps},
                            *model.law);
   const bool rolling = v.word(Choice{"rolling", rolling_words(), "cdt",
-                                     "a constant torque against the rolling, as in paper B",
+                                     "a constant torque against the rolling, as in Mhadhbi 2021",
                                      "rolling resistance of the soft engine", rolling_meanings()}
                                   .read_by(soft_and_lammps),
                               model.rolling);
@@ -158,7 +158,7 @@ bool describe(KeyVisitor& v, ContactModel& model) {
           "whether the tangential spring is rescaled while the normal force decreases (dem.21)",
           soft_only},
          model.rescaled_unloading);
-  v.flag({"partial_slip", false, "a tangential spring of full stiffness, as in paper B",
+  v.flag({"partial_slip", false, "a tangential spring of full stiffness, as in Mhadhbi 2021",
           "whether the tangential stiffness falls as slip spreads over the contact area (dem.40)",
           soft_and_lammps},
          model.partial_slip);

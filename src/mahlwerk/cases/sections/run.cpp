@@ -56,10 +56,10 @@ void describe_until(KeyVisitor& v, Run& run) {
 /// Random speeds and spins at the start.
 void describe_random_motion(KeyVisitor& v, Run& run) {
   v.number({"start_speed", "m/s", start_speeds, "starting speeds are uniform between 0 and this",
-            0.1, "paper A"},
+            0.1, "Chen et al. 2016"},
            run.start_speed);
   v.number({"start_spin", "rad/s", start_spins, "starting spins are uniform between 0 and this",
-            0.1, "paper A"},
+            0.1, "Chen et al. 2016"},
            run.start_spin);
 }
 
@@ -214,7 +214,7 @@ void describe(KeyVisitor& v, Run& run) {
     v.word({"start_frame",
             {"laboratory", "jar"},
             "laboratory",
-            "paper A",
+            "Chen et al. 2016",
             "frame of reference of the starting speeds",
             {"at rest", "moves with the centre of the jar, without rotation"}},
            run.start_frame);
@@ -230,7 +230,7 @@ void describe(KeyVisitor& v, Run& run) {
              .most = max_replicates,
              .about = "runs that differ only by chance",
              .standard = 5,
-             .source = "as in paper A",
+             .source = "as in Chen et al. 2016",
              .presentation = {.usual = {"1", "20"}}},
             run.replicates);
   describe_start(v, run);

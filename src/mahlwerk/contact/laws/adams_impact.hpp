@@ -10,10 +10,10 @@
 
 namespace mahlwerk::contact {
 
-/// Impact function of MSC Adams, paper B eqs. 17 to 23 as corrected (dem.14, dem.15): a Hertz
+/// Impact function of MSC Adams, Mhadhbi 2021 eqs. 17 to 23 as corrected (dem.14, dem.15): a Hertz
 /// spring, and a damper that rises from 0 to c_m over the depth d. The force is never attractive.
 /// c_m depends on the speed at touch. c_m is either solved for the requested e, or the paper's
-/// estimate, which misses e (physics of paper B, errata S1-17 to S1-23). Tangential: Mindlin's
+/// estimate, which misses e (physics of Mhadhbi 2021, errata S1-17 to S1-23). Tangential: Mindlin's
 /// spring, undamped.
 struct AdamsImpact : HertzSpring {
   static constexpr std::string_view name = "adams-impact";

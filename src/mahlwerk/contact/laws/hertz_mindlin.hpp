@@ -6,9 +6,9 @@
 
 namespace mahlwerk::contact {
 
-/// Hertz-Mindlin (no-slip) law, damped so that the restitution does not depend on speed: paper B
-/// eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends at zero
-/// overlap. Shortly before, the force is attractive; with that tail e is exact.
+/// Hertz-Mindlin (no-slip) law, damped so that the restitution does not depend on speed: Mhadhbi
+/// 2021 eqs. 3 to 10 as corrected (dem.5 to dem.7; Tsuji 1992, LIGGGHTS, EDEM). The contact ends at
+/// zero overlap. Shortly before, the force is attractive; with that tail e is exact.
 struct HertzMindlin : HertzSpring {
   static constexpr std::string_view name = "hertz-mindlin";
   static constexpr std::string_view about =

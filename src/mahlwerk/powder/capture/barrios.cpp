@@ -10,7 +10,7 @@
 namespace mahlwerk::powder {
 namespace {
 
-// As printed in paper B; not checked against the original.
+// As printed in Mhadhbi 2021; not checked against the original.
 constexpr double max_deformation = 0.362, bed_factor = 0.152, bed_exponent = 0.413;
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace mahlwerk::powder {
 
-/// A bed one grain high (Barrios, de Carvalho and Tavares 2011; paper B eqs. 12 to 16).
+/// A bed one grain high (Barrios, de Carvalho and Tavares 2011; Mhadhbi 2021 eqs. 12 to 16).
 struct Barrios {
   static constexpr std::string_view name = "barrios";
   static constexpr std::string_view about = "a bed one grain high, pressed by the collision";

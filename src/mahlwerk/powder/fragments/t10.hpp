@@ -25,7 +25,7 @@ struct T10Fragments {
                                "breakage model",
                                0.0, "predicted by the breakage model"},
                       Field<M>{"alpha", "", &M::alpha, positive, "shape exponent of the family",
-                               1.0, "King, about 1; recalled"}};
+                               1.0, "about 1; no public source found"}};
   }
   double breakage_function(double ratio, double, double model_t10) const {  // (frg.3)
     if (ratio >= 1) return 1;
