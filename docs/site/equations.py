@@ -17,6 +17,9 @@ WRITTEN = re.compile(r"\\tag\{([a-z]{3}\.\d+(?:, [a-z]{3}\.\d+)*)\}|\*\*\(([a-z]
 MARKED = re.compile(r"\(([a-z]{3}\.\d+)\)")
 CITATION = re.compile(r"(?<![\w./-])([a-z]{3}\.\d+)(?!\.?\w)")
 
+PUNCTUATION = tuple(".,:;)?!")
+WORD_JOINER = "\u2060"
+
 NO_CITATIONS = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.reference, nodes.title, nodes.raw,
                 nodes.comment)
 
@@ -52,6 +55,10 @@ class Equations(Transform):
         for node in list(self.document.findall(nodes.literal_block)):
             if node.get("language") == "math":
                 set_equation(node)
+        for node in list(self.document.findall(nodes.math)):  # no new line between a symbol and the comma that follows
+            after = node.next_node(descend=False, siblings=True)
+            if isinstance(after, nodes.Text) and after.astext()[:1] in PUNCTUATION:
+                after.parent.replace(after, nodes.Text(WORD_JOINER + after.astext()))
         for node in self.document.findall(nodes.strong):  # in tables and running text
             if found := MARKED.fullmatch(node.astext()):
                 node["ids"].append(f"eq-{found[1]}")
