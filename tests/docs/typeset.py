@@ -49,7 +49,7 @@ def check(site: pathlib.Path) -> list[str]:
     browser = Browser(chromium)
     try:
         browser.open(str(page))
-        if not browser.wait_for("window.done === true"):
+        if not browser.wait_for("window.done === true", 300):
             return ["MathJax did not end"]
         said = browser.ask("said")
         number = browser.ask("document.querySelectorAll('svg').length")
