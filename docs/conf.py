@@ -30,7 +30,7 @@ myst_dmath_double_inline = False
 exclude_patterns = []
 root_doc = "index"
 smartquotes = False  # --set stays --set
-highlight_language = "none"  # indented code is output or an equation
+highlight_language = "none"  # indented code is output
 pygments_style = "tango"
 pygments_dark_style = "monokai"
 
@@ -54,7 +54,8 @@ html_theme_options = {
 }
 # A copy in the site: no page asks another server for anything.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_SVG"
-mathjax2_config = {"showMathMenu": False, "messageStyle": "none",
+mathjax2_config = {"showMathMenu": False, "messageStyle": "none", "displayAlign": "left",
+                   "SVG": {"scale": 92, "linebreaks": {"automatic": True}},
                    "tex2jax": {"inlineMath": [["\\(", "\\)"]], "displayMath": [["\\[", "\\]"]],
                                "processClass": "tex2jax_process|mathjax_process|math|output_area"}}
 

@@ -2,21 +2,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sphinx extension: equations with their labels, and links from citations to them.
 
-An equation is indented code with its label, **(geo.1)**, at its end. The label is set to the right and
-is the target of every citation, (geo.1), (geo.1, geo.2) or (geo.1 to geo.3), in running text.
+An equation is a ```math fence of TeX that ends with its label, \\tag{geo.1} (or two, \\tag{geo.1, geo.2}). In tables and
+running text a label is **(geo.1)**. The label is set to the right and is the target of every citation, (geo.1),
+(geo.1, geo.2) or (geo.1 to geo.3), in running text.
 """
-import html
 import pathlib
 import re
 
 from docutils import nodes
 from docutils.transforms import Transform
 
-LABEL = re.compile(r"\s*\*\*\(([a-z]{3}\.\d+)\)\*\*")
+TAG = re.compile(r"\s*\\tag\{([a-z]{3}\.\d+(?:, [a-z]{3}\.\d+)*)\}\s*$")
+WRITTEN = re.compile(r"\\tag\{([a-z]{3}\.\d+(?:, [a-z]{3}\.\d+)*)\}|\*\*\(([a-z]{3}\.\d+)\)\*\*")
 MARKED = re.compile(r"\(([a-z]{3}\.\d+)\)")
 CITATION = re.compile(r"(?<![\w./-])([a-z]{3}\.\d+)(?!\.?\w)")
 
-NO_CITATIONS = (nodes.literal, nodes.literal_block, nodes.reference, nodes.title, nodes.raw, nodes.comment)
+PUNCTUATION = tuple(".,:;)?!")
+WORD_JOINER = "\u2060"
+
+NO_CITATIONS = (nodes.literal, nodes.literal_block, nodes.math, nodes.math_block, nodes.reference, nodes.title, nodes.raw,
+                nodes.comment)
 
 
 def written(folder: pathlib.Path) -> dict[str, str]:
@@ -24,19 +29,21 @@ def written(folder: pathlib.Path) -> dict[str, str]:
     found = {}
     for file in folder.rglob("*.md"):
         page = file.relative_to(folder).with_suffix("").as_posix()
-        for label in LABEL.findall(file.read_text()):
-            found[label] = page
+        for tags, mark in WRITTEN.findall(file.read_text()):
+            for label in (tags or mark).split(", "):
+                found[label] = page
     return found
 
 
 def set_equation(node: nodes.literal_block) -> None:
-    lines = []
-    for line in node.astext().rstrip().split("\n"):
-        labels = LABEL.findall(line)
-        marks = "".join(f'<span class="label" id="eq-{one}">({one})</span>' for one in reversed(labels))  # they float to the right
-        lines.append(f'<span class="line">{marks}{html.escape(LABEL.sub("", line)) or " "}</span>')
-    text = "\n".join(lines)
-    node.replace_self(nodes.raw("", f'<pre class="equation">{text}</pre>\n', format="html"))
+    """The TeX as a block of MathJax, its labels beside it: they stay in sight where a long equation scrolls."""
+    text = node.astext().strip()
+    tags = TAG.search(text)
+    tex = TAG.sub("", text)
+    box = nodes.container("", nodes.math_block(tex, tex, nowrap=False, number=None, label=None), classes=["equation"])
+    for label in tags[1].split(", ") if tags else []:
+        box += nodes.inline("", f"({label})", ids=[f"eq-{label}"], classes=["label"])
+    node.replace_self(box)
 
 
 class Equations(Transform):
@@ -46,8 +53,12 @@ class Equations(Transform):
         env = self.document.settings.env
         places = env.app.equation_places
         for node in list(self.document.findall(nodes.literal_block)):
-            if LABEL.search(node.astext()):
+            if node.get("language") == "math":
                 set_equation(node)
+        for node in list(self.document.findall(nodes.math)):  # no new line between a symbol and the comma that follows
+            after = node.next_node(descend=False, siblings=True)
+            if isinstance(after, nodes.Text) and after.astext()[:1] in PUNCTUATION:
+                after.parent.replace(after, nodes.Text(WORD_JOINER + after.astext()))
         for node in self.document.findall(nodes.strong):  # in tables and running text
             if found := MARKED.fullmatch(node.astext()):
                 node["ids"].append(f"eq-{found[1]}")

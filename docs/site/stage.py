@@ -139,8 +139,7 @@ class Stage:
 
 
 def parts(text: str) -> list[tuple[bool, str]]:
-    """The text in parts: fenced code (True) and the rest. Indented code is fenced, so that it stays
-    as it is; equations (in indented code) are typeset by the extension `equations`."""
+    """The text in parts: fenced code and equations (True), and the rest."""
     made: list[tuple[bool, list[str]]] = [(False, [])]
     fence = ""
     for line in text.splitlines(keepends=True):

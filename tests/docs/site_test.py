@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""The site builds without warnings, every link in it leads somewhere, and it needs no other server.
+"""The site builds without warnings, every link in it leads somewhere, its equations can be set, and it needs no other server.
 
     site_test.py PROGRAM FOLDER [PACKAGE]
 
@@ -12,6 +12,8 @@ import re
 import subprocess
 import sys
 import time
+
+import typeset
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
@@ -46,7 +48,7 @@ def main() -> int:
     if built.returncode:
         return built.returncode if built.returncode == SKIPPED else 1
     print(f"built in {time.monotonic() - begin:.0f} s")
-    faults = check_pages(site)
+    faults = check_pages(site) + typeset.check(site)
     for fault in faults:
         print(fault)
     links = subprocess.run([sys.executable, "-B", pathlib.Path(__file__).with_name("links_test.py"), "site", site])
