@@ -20,13 +20,10 @@ namespace mahlwerk::python {
 namespace {
 
 namespace py = pybind11;
-using Changes = std::vector<std::pair<std::string, std::string>>;
 
 cases::Case read_case(const std::string& text, const std::filesystem::path& file,
                       const Changes& changes) {
-  std::vector<cases::Override> overrides;
-  for (const auto& [key, value] : changes) overrides.push_back({key, value});
-  return cases::read_text(text, file, commands::catalogue(), overrides);
+  return cases::read_text(text, file, commands::catalogue(), overrides_of(changes));
 }
 
 py::list origins(const cases::Case& mill_case) {
@@ -48,6 +45,13 @@ py::list keys() {
 }
 
 }  // namespace
+
+std::vector<cases::Override> overrides_of(const Changes& changes) {
+  std::vector<cases::Override> made;
+  for (const auto& [key, value] : changes)
+    made.push_back({.key = key, .value = value.value_or(""), .unset = !value});
+  return made;
+}
 
 void bind_case(py::module_& m) {
   py::class_<cases::Case>(m, "ResolvedCase", "A case with every value filled in.")

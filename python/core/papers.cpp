@@ -122,9 +122,8 @@ py::tuple traits(const std::string& quantity) {
 
 /// Why points of a campaign cannot run.
 std::vector<Fault> campaign_faults(const std::string& text, const std::filesystem::path& file,
-                                   const std::vector<std::pair<std::string, std::string>>& set) {
-  std::vector<cases::Override> overrides;
-  for (const auto& [key, value] : set) overrides.push_back({key, value});
+                                   const Changes& set) {
+  const std::vector<cases::Override> overrides = overrides_of(set);
   const cases::Catalogue catalogue = commands::catalogue();
   const cases::Case whole = cases::read_text(text, file, catalogue, overrides);
   if (whole.sweep.empty())
