@@ -21,6 +21,7 @@
 #include "mahlwerk/campaign/store/store.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plot/axis_labels.hpp"
@@ -170,6 +171,7 @@ void bind_numbers(py::module_& m) {
         return py::make_tuple(made.factor, made.unit);
       },
       "Factor and name of the multiple of a unit that suits a number.");
+  m.def("student95", &observe::student95);
   m.def("two_digits", [](double value) { return mahlwerk::two_digits(value); });
   m.def("shortest", [](double value) { return mahlwerk::shortest(value); });
   m.def("lerp", [](double a, double b, double t) { return std::lerp(a, b, t); });

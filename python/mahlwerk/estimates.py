@@ -5,16 +5,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, NamedTuple, Optional, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import toml
 from .case import Case
-from .case_source import Changes
 from .changes import checked_threads
 from .commands import command
 from .pages import table_html
 from .progress import Progress
+from .public import Public
 from .quantities import Notice, notices_of
+
+if TYPE_CHECKING:
+    from .changes import Changes
 
 __all__ = ["Band", "Cause", "Estimate", "estimate"]
 
@@ -40,7 +43,7 @@ class Band(NamedTuple):
         return self.value
 
 
-class Estimate:
+class Estimate(Public):
     """Power, hits, their energy and the dose, by name: `estimate["dissipated_power"].low`."""
 
     def __init__(self, data: dict[str, Any], changes: Changes):
@@ -60,6 +63,9 @@ class Estimate:
 
     def __getitem__(self, name: str) -> Band:
         return self.bands[name]
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.bands)
 
     @property
     def notices(self) -> list[Notice]:
