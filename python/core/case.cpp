@@ -65,9 +65,8 @@ void bind_case(py::module_& m) {
       .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });
   m.def("read_case", &read_case, py::arg("text"), py::arg("file"), py::arg("changes"));
   m.def("keys", &keys);
-  m.def("keys_in_text", [](const std::string& text) {
-    return cases::keys_in(cases::parse_tree(text, "case"));
-  });
+  m.def("keys_in_text",
+        [](const std::string& text) { return cases::keys_in(cases::parse_tree(text, "case")); });
   m.def("case_files", [](const std::string& target) { return commands::case_files(target); });
 }
 

@@ -294,12 +294,13 @@ class Case(Public):
                     threads=threads, progress=progress)
         return Optimum(place)
 
-    def match(self, like: Case, settings: Optional[Changes] = None, out: Optional[Place] = None, *,
+    def match(self, like: Union[Case, Place], settings: Optional[Changes] = None, out: Optional[Place] = None, *,
               force: bool = False, threads: int = 0, progress: Progress = None) -> Match:
         """Searches settings of this mill that do what the mill of `like` does, by [match], as
-        `mahlwerk match LIKE --in THIS`."""
+        `mahlwerk match LIKE --in THIS`. `like` is a case, or its file or folder."""
         from .searches import Match
 
+        like = like if isinstance(like, Case) else Case(like)
         case = self._with_section("match", settings)
         place = self._source.result_folder(out, "-match")
         with like._source.as_resolved_file(like.text) as target, case._source.as_file() as data:

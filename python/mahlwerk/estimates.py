@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import toml
@@ -17,7 +17,7 @@ from .public import Public
 from .quantities import Notice, notices_of
 
 if TYPE_CHECKING:
-    from .changes import Changes
+    from .toml import Value
 
 __all__ = ["Band", "Cause", "Estimate", "estimate"]
 
@@ -46,7 +46,7 @@ class Band(NamedTuple):
 class Estimate(Public):
     """Power, hits, their energy and the dose, by name: `estimate["dissipated_power"].low`."""
 
-    def __init__(self, data: dict[str, Any], changes: Changes):
+    def __init__(self, data: dict[str, Any], changes: Mapping[str, Value]):
         self.data = data  #: as `mahlwerk estimate --json` prints it
         self._changes = changes
 
@@ -89,7 +89,7 @@ class Estimate(Public):
 
 def estimate(mill: str, *, balls: Union[str, Iterable[str]], jar: Optional[str] = None,
              material: Optional[str] = None, frequency: Optional[str] = None, speed: Optional[str] = None,
-             powder: Optional[str] = None, time: Optional[str] = None, set: Optional[Changes] = None,
+             powder: Optional[str] = None, time: Optional[str] = None, set: Optional[Mapping[str, Value]] = None,
              threads: int = 0, progress: Progress = False) -> Estimate:
     """Estimates power, hits and dose of a mill of the catalogue, each with its band, as `mahlwerk estimate`.
 

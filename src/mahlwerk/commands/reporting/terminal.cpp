@@ -105,7 +105,8 @@ bool has_color(Stream stream) {
 
 std::size_t terminal_width(Stream stream) {
   constexpr std::size_t usual = 80, least = 20;
-  if (isatty(descriptor(stream)) != 1) return unlimited;
+  // Without TERM nothing is known: in a browser standard output says that it is a terminal.
+  if (isatty(descriptor(stream)) != 1 || environment("TERM").empty()) return unlimited;
   std::size_t columns = 0;
   const std::string_view said = environment("COLUMNS");
   std::from_chars(said.data(), said.data() + said.size(), columns);
