@@ -54,7 +54,7 @@ if(TARGET mahlwerk_python)
     string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       ", python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
   endif()
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib, python3-xarray, python3-uncertainties")
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "simulator of ball mills - Python module
 Reads, changes and runs cases of Mahlwerk from Python and gives its results as
 arrays and tables.")

@@ -7,6 +7,7 @@ from pages import HOME
 
 SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
+    "Commands as functions": ["run", "check", "cite", "sweep", "fit", "optimise", "match", "compare", "evolve_wear"],
     "Estimates": ["estimate", "Estimate", "Band", "Cause"],
     "Results": ["Result", "Quantity", "Influence", "Notice", "Citation", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey", "WearEvolution"],
@@ -16,7 +17,7 @@ SECTIONS = {
     "Errors": ["MahlwerkError", "InputError", "RunError", "Interrupted"],
 }
 ELSEWHERE = {"Fault"}  # of the compiled part
-FUNCTIONS = {"open", "record_columns", "catalogue", "describe", "estimate"}
+FUNCTIONS = {"open", "record_columns", "catalogue", "describe", "estimate", *SECTIONS["Commands as functions"]}
 
 
 def public_names() -> set[str]:

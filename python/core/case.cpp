@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "mahlwerk/cases/file/table.hpp"
 #include "mahlwerk/cases/keys.hpp"
 #include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/cases/write.hpp"
@@ -20,13 +21,10 @@ namespace mahlwerk::python {
 namespace {
 
 namespace py = pybind11;
-using Changes = std::vector<std::pair<std::string, std::string>>;
 
 cases::Case read_case(const std::string& text, const std::filesystem::path& file,
                       const Changes& changes) {
-  std::vector<cases::Override> overrides;
-  for (const auto& [key, value] : changes) overrides.push_back({key, value});
-  return cases::read_text(text, file, commands::catalogue(), overrides);
+  return cases::read_text(text, file, commands::catalogue(), overrides_of(changes));
 }
 
 py::list origins(const cases::Case& mill_case) {
@@ -49,6 +47,13 @@ py::list keys() {
 
 }  // namespace
 
+std::vector<cases::Override> overrides_of(const Changes& changes) {
+  std::vector<cases::Override> made;
+  for (const auto& [key, value] : changes)
+    made.push_back({.key = key, .value = value.value_or(""), .unset = !value});
+  return made;
+}
+
 void bind_case(py::module_& m) {
   py::class_<cases::Case>(m, "ResolvedCase", "A case with every value filled in.")
       .def("write", &cases::write)
@@ -60,6 +65,8 @@ void bind_case(py::module_& m) {
       .def("__eq__", [](const cases::Case& a, const cases::Case& b) { return a == b; });
   m.def("read_case", &read_case, py::arg("text"), py::arg("file"), py::arg("changes"));
   m.def("keys", &keys);
+  m.def("keys_in_text",
+        [](const std::string& text) { return cases::keys_in(cases::parse_tree(text, "case")); });
   m.def("case_files", [](const std::string& target) { return commands::case_files(target); });
 }
 

@@ -71,8 +71,11 @@ T cast(const py::handle& value, const char* name) try {
                        " is of the wrong type: " + py::repr(value).cast<std::string>());
 }
 void take(const py::handle& value, const char* name, std::vector<cases::Override>& list) {
+  Changes changes;
   for (const auto& [key, text] : cast<py::dict>(value, name))
-    list.push_back({cast<std::string>(key, name), cast<std::string>(text, name)});
+    changes.emplace_back(cast<std::string>(key, name),
+                         cast<std::optional<std::string>>(text, name));
+  list = overrides_of(changes);
 }
 template <class T>
 void take(const py::handle& value, const char* name, std::optional<T>& target) {

@@ -4,8 +4,12 @@
 
 #include <pybind11/pybind11.h>
 
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "mahlwerk/cases/read.hpp"
 #include "mahlwerk/results/outcome.hpp"
 #include "records.hpp"
 
@@ -16,6 +20,10 @@ struct RunResult {
   results::Outcome outcome;
   std::vector<RecordBuffer> records;  ///< by replicate, or empty
 };
+
+/// Changes of a case: key and value; without a value the key is taken from the case.
+using Changes = std::vector<std::pair<std::string, std::optional<std::string>>>;
+std::vector<cases::Override> overrides_of(const Changes& changes);
 
 void bind_outcome(pybind11::module_& m);
 void bind_run(pybind11::module_& m);

@@ -21,6 +21,7 @@
 #include "mahlwerk/campaign/store/store.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/observe/statistics.hpp"
 #include "mahlwerk/report/notices.hpp"
 #include "mahlwerk/report/page.hpp"
 #include "mahlwerk/report/plot/axis_labels.hpp"
@@ -122,9 +123,8 @@ py::tuple traits(const std::string& quantity) {
 
 /// Why points of a campaign cannot run.
 std::vector<Fault> campaign_faults(const std::string& text, const std::filesystem::path& file,
-                                   const std::vector<std::pair<std::string, std::string>>& set) {
-  std::vector<cases::Override> overrides;
-  for (const auto& [key, value] : set) overrides.push_back({key, value});
+                                   const Changes& set) {
+  const std::vector<cases::Override> overrides = overrides_of(set);
   const cases::Catalogue catalogue = commands::catalogue();
   const cases::Case whole = cases::read_text(text, file, catalogue, overrides);
   if (whole.sweep.empty())
@@ -171,6 +171,7 @@ void bind_numbers(py::module_& m) {
         return py::make_tuple(made.factor, made.unit);
       },
       "Factor and name of the multiple of a unit that suits a number.");
+  m.def("student95", &observe::student95);
   m.def("two_digits", [](double value) { return mahlwerk::two_digits(value); });
   m.def("shortest", [](double value) { return mahlwerk::shortest(value); });
   m.def("lerp", [](double a, double b, double t) { return std::lerp(a, b, t); });

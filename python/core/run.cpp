@@ -49,14 +49,12 @@ struct RunRequest {
 };
 
 /// What a case is read from: its text, the place of its file, and the changes to it.
-using CaseText =
-    std::tuple<std::string, fs::path, std::vector<std::pair<std::string, std::string>>>;
+using CaseText = std::tuple<std::string, fs::path, Changes>;
 
 cases::Case read_with_value(const CaseText& source, const std::string& key,
                             const std::string& value) {
   const auto& [text, file, changes] = source;
-  std::vector<cases::Override> overrides;
-  for (const auto& [changed, given] : changes) overrides.push_back({changed, given});
+  std::vector<cases::Override> overrides = overrides_of(changes);
   overrides.push_back({key, value});
   return cases::read_text(text, file, commands::catalogue(), overrides);
 }

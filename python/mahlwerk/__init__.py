@@ -8,15 +8,18 @@
 >>> result["collision_rate"]
 >>> result.plot.spectrum()
 
-numpy is loaded with the first table, pandas with the first frame, matplotlib with the first plot.
+A command of the command line is a method of Case and a function: `mahlwerk.run("examples/01-one-ball")`.
+numpy is loaded with the first table, pandas with the first frame, matplotlib with the first plot, xarray with
+the first dataset, uncertainties with the first ufloat.
 """
 
 from __future__ import annotations
 
 import atexit
 import os
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Union
+from typing import Union
 
 from . import _core
 from .campaign import Campaign, SweptKey
@@ -26,6 +29,7 @@ from .citation import Citation
 from .commands import catalogue, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .estimates import Band, Cause, Estimate, estimate
+from .functions import check, cite, compare, evolve_wear, fit, match, optimise, run, sweep
 from .quantities import Influence, Notice, Quantity
 from .records import record_columns
 from .result import Result
@@ -37,20 +41,28 @@ Fault = _core.Fault
 atexit.register(_core.stop_all_jobs)  # daemon threads may still compute
 __version__: str = _core.version
 
+Opened = Union[Result, Campaign, Fit, Optimum, Match, Comparison, WearEvolution]
+
 __all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Citation", "Comparison", "Estimate", "Fault", "Fit",
            "Influence", "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
-           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "WearEvolution", "catalogue", "describe", "estimate",
-           "open", "record_columns"]
+           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "WearEvolution", "catalogue", "check", "cite",
+           "compare", "describe", "estimate", "evolve_wear", "fit", "match", "open", "optimise", "record_columns", "run",
+           "sweep"]
 
 
-def open(folder: Union[str, "os.PathLike[str]"]) -> Any:
+def __dir__() -> list[str]:
+    return [*__all__, "__version__", "papers"]
+
+
+def open(folder: Union[str, "os.PathLike[str]"]) -> Opened:
     """Opens what a command wrote: a Result, Campaign, Fit, Optimum, Match, Comparison or WearEvolution."""
     place = Path(folder)
     if place.suffix == ".sqlite":
         return Campaign(place)
-    for file, kind in (("summary.json", Result), ("campaign.sqlite", Campaign), ("fit.json", Fit),
-                       ("match.json", Match), ("optimise.json", Optimum),
-                       ("compare.csv", Comparison), ("wear_evolution.json", WearEvolution)):
+    kinds: dict[str, Callable[[Path], Opened]] = {
+        "summary.json": Result, "campaign.sqlite": Campaign, "fit.json": Fit, "match.json": Match,
+        "optimise.json": Optimum, "compare.csv": Comparison, "wear_evolution.json": WearEvolution}
+    for file, kind in kinds.items():
         if (place / file).is_file():
             return kind(place)
     what = "holds no result" if place.is_dir() else "is not a folder"

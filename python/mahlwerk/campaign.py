@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Union
 from . import _core
 from .errors import InputError
 from .pages import Page, table_html
+from .public import Public
 from .result import Result
-from .tables import array_of, frame_of
+from .tables import array_of, frame_of, on_grid
 
 if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
+    import xarray as xr
 
     from .plots import CampaignPlots
     from .surrogate import Surrogate
@@ -37,12 +39,12 @@ class SweptKey(NamedTuple):
     follows: bool  #: varies together with another key
 
 
-class Campaign:
+class Campaign(Public):
     """The runs of a case with [sweep]. `Campaign(folder)` opens a campaign's folder or its
     campaign.sqlite, also while it runs; `Case.sweep` returns one.
 
-    >>> campaign = case.sweep({"mill.speed": ["300 rpm", "400 rpm"]}, out="results/speeds")
-    >>> campaign.frame()[["mill.speed_rpm", "dissipated_power_W"]]
+    >>> campaign = case.sweep({"mill.frequency": ["10 Hz", "11 Hz", "12 Hz", "13 Hz"]}, out="results/speeds")
+    >>> campaign.frame()[["mill.frequency_Hz", "dissipated_power_W"]]
     >>> campaign[0]  # the result of the first point
     """
 
@@ -97,6 +99,20 @@ class Campaign:
     def frame(self) -> pd.DataFrame:
         """`table` as a pandas frame."""
         return frame_of(self.table)
+
+    def dataset(self) -> xr.Dataset:
+        """Every quantity and its half-width ("dissipated_power", "dissipated_power_ci95") as an xarray dataset
+        over the swept keys; over "point" where the points are no grid. Raises ImportError without xarray."""
+        axes = {one.key: self.column(one.key) for one in self.keys if not one.follows}
+        data = {one.key: (self.column(one.key), {"units": one.unit}) for one in self.keys if one.follows}
+        for name, (unit, about, column, ci95) in self.quantities.items():
+            for called, known in ((name, column), (name + "_ci95", ci95)):
+                if known in (self.table.dtype.names or ()):
+                    data[called] = (self.table[known], {"units": unit, "long_name": about})
+        made = on_grid(axes, data, {"title": self.title})
+        for one in self.keys:
+            made[one.key].attrs["units"] = one.unit
+        return made
 
     def column(self, name: str) -> np.ndarray:
         """The values of a key ("mill.speed") or a quantity ("dissipated_power"), by point."""

@@ -8,45 +8,52 @@ import html
 import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Optional, Union
+from typing import TYPE_CHECKING, Optional, Union
 
 from . import _core, toml
-from .case_source import CaseSource, Changes, Place
-from .changes import checked_threads
+from .case_source import CaseSource, Place
+from .changes import checked_threads, merged
 from .check import Check, Origin
 from .commands import command
 from .errors import InputError, Interrupted, RunError
 from .files import named_folder
 from .pages import table_html
 from .progress import Progress, shown
+from .public import Public
 from .records import observer
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from .campaign import Campaign
+    from .changes import Changes, Texts
     from .citation import Citation
     from .result import Result
     from .searches import Comparison, Fit, Match, Optimum, WearEvolution
+    from .toml import Value
 
 __all__ = ["Case"]
 
 
-class Case:
+class Case(Public):
     """A complete and valid case.
 
     `source` is a case file, a folder with a case.toml, or a dict of sections as in a case file:
 
-    >>> case = Case({"mill": {"model": "retsch-mm400", "frequency": "30 Hz"},
-    ...              "jar": {"kind": "rounded-cylinder", "diameter": "20 mm", "height": "50 mm"},
-    ...              "balls": [{"count": 2, "diameter": "12 mm", "material": "steel-304"}],
-    ...              "run": {"time": "1 s"}})
+    >>> case = mahlwerk.Case({"mill": {"model": "retsch-mm400", "frequency": "30 Hz"},
+    ...                       "jar": {"model": "retsch-mm-25ml"},
+    ...                       "balls": [{"count": 2, "diameter": "12 mm", "material": "steel-304"}],
+    ...                       "contact": {"friction": 0.3},
+    ...                       "run": {"time": "1 s"}})
     >>> case["mill.frequency"] = "25 Hz"
+    >>> del case["contact.friction"]  # its default counts
 
     A number with a dimension is a text with its unit ("30 Hz"). `changes` replaces values, as --set
-    does on the command line. Files that the case names are relative to its folder, or to the current
+    does on the command line; None takes a value, or a whole section, from the case. Files that the case names are relative to its folder, or to the current
     folder for a dict. Raises InputError with all faults; a change that is refused changes nothing.
     """
 
-    def __init__(self, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes] = None):
+    def __init__(self, source: Union[Place, Mapping[str, Value]], changes: Optional[Changes] = None):
         self._set(CaseSource.of(source, changes))
 
     @classmethod
@@ -82,8 +89,14 @@ class Case:
         self._source = source
 
     def replace(self, changes: Changes) -> Case:
-        """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`."""
+        """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`; None takes a
+        value from the case."""
         return self._of(self._source.changed(changes))
+
+    def without(self, *keys: str) -> Case:
+        """A copy without these values or sections, for instance `case.without("powder.mass")`, as --unset
+        does on the command line. Raises InputError for a key that the case does not give."""
+        return self.replace(dict.fromkeys(keys))
 
     def update(self, changes: Changes) -> None:
         """Changes several values together."""
@@ -91,8 +104,12 @@ class Case:
 
     # Values
 
-    def __setitem__(self, key: str, value: Any) -> None:
+    def __setitem__(self, key: str, value: Optional[Value]) -> None:
         self.update({key: value})
+
+    def __delitem__(self, key: str) -> None:
+        """Takes a value or a whole section from the case: `del case["powder.mass"]`."""
+        self.update({key: None})
 
     def __getitem__(self, key: str) -> str:
         """The value of a key as text with its unit, also a default: `case["mill.speed"]`. Notebooks
@@ -140,7 +157,7 @@ class Case:
     __hash__ = None  # type: ignore[assignment]
     __iter__ = None  # a case is no sequence
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[Callable[[CaseSource], Case], tuple[CaseSource]]:
         return self._of, (self._source,)
 
     def __repr__(self) -> str:
@@ -181,7 +198,7 @@ class Case:
 
     def run(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
             collisions: Optional[bool] = None,
-            observers: Iterable[Callable[[Any, int], Any]] = (),
+            observers: Iterable[Callable[[np.ndarray, int], object]] = (),
             progress: Progress = None) -> Result:
         """Runs the case, as `mahlwerk run`: the same bits on any number of threads.
 
@@ -248,7 +265,7 @@ class Case:
         """Fits a case file whose fitted keys have no values yet, which is no complete Case."""
         from .searches import Fit
 
-        texts = {k: toml.change_text(v) for k, v in (changes or {}).items()}
+        texts = merged({}, changes or {})
         command(["fit"], case=os.fspath(file), data=os.fspath(data), set=texts, out=Path(out),
                 force=force, threads=threads, progress=progress)
         return Fit(out)
@@ -277,12 +294,13 @@ class Case:
                     threads=threads, progress=progress)
         return Optimum(place)
 
-    def match(self, like: Case, settings: Optional[Changes] = None, out: Optional[Place] = None, *,
+    def match(self, like: Union[Case, Place], settings: Optional[Changes] = None, out: Optional[Place] = None, *,
               force: bool = False, threads: int = 0, progress: Progress = None) -> Match:
         """Searches settings of this mill that do what the mill of `like` does, by [match], as
-        `mahlwerk match LIKE --in THIS`."""
+        `mahlwerk match LIKE --in THIS`. `like` is a case, or its file or folder."""
         from .searches import Match
 
+        like = like if isinstance(like, Case) else Case(like)
         case = self._with_section("match", settings)
         place = self._source.result_folder(out, "-match")
         with like._source.as_resolved_file(like.text) as target, case._source.as_file() as data:
@@ -339,7 +357,7 @@ class Case:
     def _value(self, key: str) -> Optional[str]:
         return next((one.value for one in self.origins if one.key == key), None)
 
-    def _titled(self) -> Mapping[str, str]:
+    def _titled(self) -> Texts:
         """The changes, with the title of a case that has none: else the name of a file would be it."""
         changes = self._source.changes
         given = next((one for one in self.origins if one.key == "title"), None)

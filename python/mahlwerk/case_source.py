@@ -10,17 +10,20 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Optional, Union
+from typing import TYPE_CHECKING, Optional, Union
 
 from . import _core, toml
 from .changes import cited, merged, plain
 from .errors import InputError
 from .files import kept, named_folder, read_text, temporary
 
-__all__ = ["CaseSource", "Changes", "Place"]
+if TYPE_CHECKING:
+    from .changes import Changes, Texts
+    from .toml import Value
+
+__all__ = ["CaseSource", "Place"]
 
 Place = Union[str, "os.PathLike[str]"]
-Changes = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
@@ -29,10 +32,10 @@ class CaseSource:
     file: Path  # files that the case names are relative to its folder
     in_file: bool  # whether the text was read from `file`
     shown: str  # the name of the case in messages
-    changes: Mapping[str, str]
+    changes: Texts
 
     @classmethod
-    def of(cls, source: Union[Place, Mapping[str, Any]], changes: Optional[Changes]) -> CaseSource:
+    def of(cls, source: Union[Place, Mapping[str, Value]], changes: Optional[Changes]) -> CaseSource:
         """That of a case file, of a folder with one case, or of a dict of sections."""
         changed = merged({}, changes or {})
         if isinstance(source, Mapping):
@@ -53,13 +56,20 @@ class CaseSource:
         """The case with every value. Faults cite the name that was given."""
         return cited(self.file, self.shown, lambda: _core.read_case(*self.parts()))
 
-    def parts(self) -> tuple[bytes, str, list[tuple[str, str]]]:
+    def parts(self) -> tuple[bytes, str, list[tuple[str, Optional[str]]]]:
         """The text, the file and the changes, from which `_core.run` reads the case with other values."""
         return (self.text.encode("utf-8", "surrogateescape"), os.fspath(self.file),
                 list(self.changes.items()))
 
     def changed(self, changes: Changes) -> CaseSource:
-        return replace(self, changes=merged(self.changes, changes))
+        made = merged(self.changes, changes)
+        changed_before = {plain(key) for key in self.changes}
+        in_text = None
+        for key in [key for key, value in made.items() if value is None and plain(key) in changed_before]:
+            in_text = in_text if in_text is not None else set(_core.keys_in_text(self.text))
+            if plain(key) not in in_text:  # the value came from an earlier change alone
+                del made[key]
+        return replace(self, changes=made)
 
     def with_section(self, name: str, content: Changes) -> CaseSource:
         """This source, with a section added to its text."""
@@ -68,7 +78,8 @@ class CaseSource:
                                           "call without it, or start from a case without [" + name
                                           + "]", "bad-override")])
         text = self.text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
-        varied = {plain(key) for key in content.get("over", content)}
+        over = content.get("over", content)
+        varied = {plain(key) for key in over} if isinstance(over, Mapping) else set()
         changes = {k: v for k, v in self.changes.items() if plain(k) not in varied}
         return replace(self, text=text, in_file=False, changes=changes)
 

@@ -8,10 +8,17 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Optional, TypeVar
 
 from . import _core, toml
 from .errors import InputError
+
+if TYPE_CHECKING:
+    #: Values by their keys; None takes a value from the case.
+    Changes = Mapping[str, Optional[toml.Value]]
+    Texts = Mapping[str, Optional[str]]
+
+Found = TypeVar("Found")
 
 __all__ = ["checked_threads", "cited", "merged", "plain"]
 
@@ -22,21 +29,22 @@ def checked_threads(threads: int) -> int:
     return threads
 
 
-def merged(old: Mapping[str, str], new: Mapping[str, Any]) -> dict[str, str]:
-    """Changes of which the last counts. "balls.1.x" and "balls.x" name the same value."""
+def merged(old: Texts, new: Changes) -> dict[str, Optional[str]]:
+    """Changes of which the last counts; None takes a value from the case. "balls.1.x" and "balls.x" name
+    the same value."""
     made = dict(old)
     for key, value in new.items():
         for other in [one for one in made if plain(one) == plain(key)]:
             del made[other]
-        made[key] = toml.change_text(value)
+        made[key] = None if value is None else toml.change_text(value)
     return made
 
 
 def plain(key: str) -> str:
-    return re.sub(r"^balls\.0*1\.", "balls.", key)
+    return re.sub(r"^(balls|parts)\.0*1\.", r"\1.", key)
 
 
-def cited(file: Path, shown_file: str, work: Callable[[], Any]) -> Any:
+def cited(file: Path, shown_file: str, work: Callable[[], Found]) -> Found:
     """What `work` returns. Its faults cite `shown_file` in place of `file`."""
     try:
         return work()

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import json
 import warnings
-from typing import Any
+from typing import Any, TypedDict, Union
 
 from . import _core
 from .errors import InputError, Interrupted, RunError
@@ -39,12 +39,28 @@ def command(words: list[str], *, progress: Progress = False,
     return json.loads(text) if text else None
 
 
-def describe(name: str) -> Any:
+class CatalogueName(TypedDict):
+    """A line of `mahlwerk list`."""
+
+    room: str  # "mills"
+    name: str
+    title: str
+    unverified: bool  # whether a value has a weak source
+
+
+def describe(name: str) -> Union[dict[str, Any], list[dict[str, Any]]]:
     """Every value of a catalogue entry with its source, as `mahlwerk describe`, or the keys of a
-    section or kind with unit, range, default and meaning."""
+    section or kind with unit, range, default and meaning.
+
+    >>> mahlwerk.describe("retsch-mm400")["title"]
+    """
     return command(["describe"], name=name)
 
 
-def catalogue(category: str = "") -> Any:
-    """The names in the catalogue: "mills", "jars", "materials", "media", or all."""
-    return command(["list"], category=category)
+def catalogue(category: str = "", word: str = "") -> list[CatalogueName]:
+    """The names in the catalogue: "mills", "jars", "materials", "media", or all; with `word` those that
+    have it in their name or title.
+
+    >>> [one["name"] for one in mahlwerk.catalogue("mills", "retsch")]
+    """
+    return command(["list"], category=category, word=word)

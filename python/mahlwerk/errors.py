@@ -4,10 +4,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Optional, Union
 
 if TYPE_CHECKING:
     from ._core import Fault
+    from .campaign import Campaign
+    from .result import Result
+    from .searches import WearEvolution
+
+    Kept = Union[Result, Campaign, WearEvolution]
 
 __all__ = ["MahlwerkError", "InputError", "RunError", "Interrupted"]
 
@@ -21,7 +26,7 @@ class InputError(MahlwerkError, ValueError):
     which is a heading on the documentation's page of errors. `result` holds the result of a run whose
     files could not be written, or is None."""
 
-    def __init__(self, faults: list[Fault], result: Any = None):
+    def __init__(self, faults: list[Fault], result: Optional[Kept] = None):
         super().__init__(faults)
         self.faults = faults
         self.result = result
@@ -35,7 +40,7 @@ class InputError(MahlwerkError, ValueError):
 class RunError(MahlwerkError, RuntimeError):
     """Physics stopped a run. `result` holds what was computed until then, or is None."""
 
-    def __init__(self, what: str, result: Any = None):
+    def __init__(self, what: str, result: Optional[Kept] = None):
         super().__init__(what)
         self.result = result
 
@@ -44,6 +49,6 @@ class Interrupted(KeyboardInterrupt):
     """Ctrl-C ended the work. `result` holds what was computed until then, or is None. In an
     interactive session it is `sys.last_value.result`."""
 
-    def __init__(self, what: str, result: Any = None):
+    def __init__(self, what: str, result: Optional[Kept] = None):
         super().__init__(what)
         self.result = result

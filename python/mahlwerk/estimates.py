@@ -4,17 +4,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, NamedTuple, Optional, Union
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 from . import toml
 from .case import Case
-from .case_source import Changes
 from .changes import checked_threads
 from .commands import command
 from .pages import table_html
 from .progress import Progress
+from .public import Public
 from .quantities import Notice, notices_of
+
+if TYPE_CHECKING:
+    from .toml import Value
 
 __all__ = ["Band", "Cause", "Estimate", "estimate"]
 
@@ -40,10 +43,10 @@ class Band(NamedTuple):
         return self.value
 
 
-class Estimate:
+class Estimate(Public):
     """Power, hits, their energy and the dose, by name: `estimate["dissipated_power"].low`."""
 
-    def __init__(self, data: dict[str, Any], changes: Changes):
+    def __init__(self, data: dict[str, Any], changes: Mapping[str, Value]):
         self.data = data  #: as `mahlwerk estimate --json` prints it
         self._changes = changes
 
@@ -60,6 +63,9 @@ class Estimate:
 
     def __getitem__(self, name: str) -> Band:
         return self.bands[name]
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.bands)
 
     @property
     def notices(self) -> list[Notice]:
@@ -83,7 +89,7 @@ class Estimate:
 
 def estimate(mill: str, *, balls: Union[str, Iterable[str]], jar: Optional[str] = None,
              material: Optional[str] = None, frequency: Optional[str] = None, speed: Optional[str] = None,
-             powder: Optional[str] = None, time: Optional[str] = None, set: Optional[Changes] = None,
+             powder: Optional[str] = None, time: Optional[str] = None, set: Optional[Mapping[str, Value]] = None,
              threads: int = 0, progress: Progress = False) -> Estimate:
     """Estimates power, hits and dose of a mill of the catalogue, each with its band, as `mahlwerk estimate`.
 

@@ -10,11 +10,11 @@ import math
 import sys
 import time
 from collections.abc import Callable
-from typing import Any, Union
+from typing import Any, Optional, Union
 
 __all__ = ["Progress", "shown"]
 
-Progress = Union[bool, None, Callable[[float, str], Any]]
+Progress = Union[bool, None, Callable[[float, str], object]]
 
 
 def in_notebook() -> bool:
@@ -77,7 +77,7 @@ class shown:
     and on terminals, True always, False never; a function is called instead."""
 
     def __init__(self, progress: Progress):
-        self.show: Any = None
+        self.show: Optional[Callable[[float, str], object]] = None
         if callable(progress):
             self.show = progress
         elif progress is not False and in_notebook():
@@ -85,7 +85,7 @@ class shown:
         elif sys.stderr is not None and (progress or (progress is None and sys.stderr.isatty())):
             self.show = Terminal()
 
-    def __enter__(self) -> Any:
+    def __enter__(self) -> Optional[Callable[[float, str], object]]:
         return self.show
 
     def __exit__(self, *_: object) -> None:

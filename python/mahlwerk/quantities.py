@@ -5,11 +5,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple, Optional
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
 from . import _core
+from .public import Public
+
+if TYPE_CHECKING:
+    from uncertainties import UFloat
 
 __all__ = ["Influence", "Notice", "Quantity"]
+
+NORMAL95 = 1.959963984540054  # two-sided 95 % quantile of the normal distribution
 
 
 class Notice(NamedTuple):
@@ -39,14 +46,18 @@ class Influence(NamedTuple):
     at_ends: dict[str, tuple[float, float]]  #: values of the key quantities there, in SI units
 
 
-class Quantity:
-    """A number of a result. `float(quantity)` is its value."""
+class Quantity(Public):
+    """A number of a result. `float(quantity)` is its value; `quantity.ufloat()` computes with its error.
 
-    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time", "label", "range")
+    >>> power = result["dissipated_power"]
+    >>> power.value, power.interval, power.standard_error
+    """
+
+    __slots__ = ("name", "value", "ci95", "unit", "about", "ci95_time", "label", "range", "replicates")
 
     def __init__(self, name: str, value: Optional[float], ci95: Optional[float], unit: str,
                  about: str, ci95_time: Optional[float] = None, label: str = "",
-                 range: tuple[float, float] = (-math.inf, math.inf)):
+                 range: tuple[float, float] = (-math.inf, math.inf), replicates: int = 0):
         self.name = name
         self.value = nan_if_none(value)  #: mean over replicates; NaN if the run does not give one
         self.ci95 = nan_if_none(ci95)  #: half-width of the 95 % confidence interval over replicates
@@ -55,18 +66,42 @@ class Quantity:
         self.ci95_time = nan_if_none(ci95_time)  #: the same from the scatter over time
         self.label = label or name.replace("_", " ")  #: its name in tables and on axes
         self.range = range  #: the least and the largest value that it can have
+        self.replicates = replicates  #: number of replicates behind `ci95`; 0 if not known
 
     @classmethod
-    def of(cls, name: str, told: dict[str, Any]) -> Quantity:
+    def of(cls, name: str, told: dict[str, Any], replicates: int = 0) -> Quantity:
         """The quantity as summary.json tells it."""
         return cls(name, told["value"], told.get("ci95"), told["unit"], told["about"],
                    told.get("ci95_time"), told.get("label", ""),
-                   (told.get("least", -math.inf), told.get("most", math.inf)))
+                   (told.get("least", -math.inf), told.get("most", math.inf)), replicates)
 
     @property
     def half_width(self) -> float:
         """Half-width to show: over replicates, else over time, else NaN."""
         return self.ci95 if math.isfinite(self.ci95) else self.ci95_time
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Ends of the 95 % interval, cut at the range of the quantity; NaN without half-width."""
+        if math.isnan(self.half_width):
+            return math.nan, math.nan
+        return (max(self.value - self.half_width, self.range[0]), min(self.value + self.half_width, self.range[1]))
+
+    @property
+    def standard_error(self) -> float:
+        """Standard error of the value: the half-width over the 95 % quantile of Student's t for the replicates
+        (sta.2), of the normal distribution where the half-width is from the scatter over time. NaN without
+        half-width."""
+        over_replicates = math.isfinite(self.ci95) and self.replicates > 1
+        return self.half_width / (_core.student95(self.replicates - 1) if over_replicates else NORMAL95)
+
+    def ufloat(self) -> UFloat:
+        """The quantity as a number of the package uncertainties, for arithmetic with its standard error:
+        `2 * result["dissipated_power"].ufloat()`. Quantities of one result depend on each other:
+        `Result.ufloats` keeps that. Raises ValueError without half-width; ImportError without the package."""
+        if math.isnan(self.standard_error):
+            raise ValueError(f"{self.name} has no half-width: it needs a value and at least two replicates")
+        return uncertainties().ufloat(self.value, self.standard_error, self.name)
 
     def __float__(self) -> float:
         return self.value
@@ -77,7 +112,8 @@ class Quantity:
 
     def of_value(self, value: float) -> Quantity:
         """The same quantity with another value, which is known exactly."""
-        return Quantity(self.name, value, 0.0, self.unit, self.about, None, self.label, self.range)
+        return Quantity(self.name, value, 0.0, self.unit, self.about, None, self.label, self.range,
+                        self.replicates)
 
     def __str__(self) -> str:
         return self.text()
@@ -90,6 +126,16 @@ class Quantity:
             same(getattr(self, part), getattr(other, part)) for part in self.__slots__)
 
     __hash__ = None  # type: ignore[assignment]
+
+
+def uncertainties() -> ModuleType:
+    """The package, which is optional."""
+    try:
+        import uncertainties as package
+    except ImportError:
+        raise ImportError("numbers with errors need the package uncertainties: install python3-uncertainties, or "
+                          "use `standard_error`") from None
+    return package
 
 
 def nan_if_none(value: Optional[float]) -> float:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _core
 
@@ -31,7 +31,7 @@ def array_of_records(buffer: _core.RecordBuffer) -> np.ndarray:
     return np.frombuffer(buffer, kind)  # type: ignore[call-overload]
 
 
-def observer(function: Callable[[Any, int], Any]) -> Callable[[_core.RecordBuffer, int], Any]:
+def observer(function: Callable[[np.ndarray, int], object]) -> Callable[[_core.RecordBuffer, int], object]:
     """`function(records, replicate)` as the compiled module calls it."""
     if not callable(function):
         raise TypeError(f"an observer is a function of records and replicate, not {function!r}")

@@ -8,7 +8,7 @@ import html
 import json
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -17,13 +17,16 @@ from . import _core
 from .errors import InputError
 from .files import named_folder
 from .pages import Page, table_html
-from .quantities import Influence, Notice, Quantity, nan_if_none, notices_of
+from .public import Public
+from .quantities import Influence, Notice, Quantity, nan_if_none, notices_of, uncertainties
 from .records import array_of_records
-from .tables import frame_of, of_columns, read_csv
+from .tables import dataset_of, frame_of, of_columns, read_csv
 
 if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
+    import xarray as xr
+    from uncertainties import UFloat
 
     from .case import Case
     from .citation import Citation
@@ -32,14 +35,14 @@ if TYPE_CHECKING:
 __all__ = ["Result"]
 
 
-class Result:
+class Result(Public):
     """What a run gave: quantities, tables, collision records, plots.
 
     `Result(folder)` opens a result folder; `Case.run` returns one.
 
     >>> result = case.run()
     >>> result["collision_rate"].value, result["collision_rate"].ci95
-    >>> result.frame("spectrum").plot("energy_low_J", "rate_lost_per_s", logx=True)
+    >>> result.frame("spectrum")[["energy_low_J", "rate_lost_per_s"]]
     """
 
     def __init__(self, folder: Union[str, os.PathLike[str]]):
@@ -77,7 +80,8 @@ class Result:
     @cached_property
     def quantities(self) -> dict[str, Quantity]:
         """Every quantity by its name in summary.json."""
-        return {name: Quantity.of(name, told)
+        replicates = int(self.summary.get("replicates", {}).get("value") or 0)
+        return {name: Quantity.of(name, told, replicates)
                 for name, told in self.summary.items() if not name.startswith("_")}
 
     @property
@@ -193,6 +197,40 @@ class Result:
         return pd.DataFrame([[getattr(q, part) for part in parts] for q in self.quantities.values()],
                             columns=parts).set_index("name")
 
+    def dataset(self, name: str, **choice: Union[str, float]) -> xr.Dataset:
+        """A table as an xarray dataset over its bins: the middles of a map, a spectrum or a series are its
+        coordinates. `choice` selects rows by words: `result.dataset("wall_map", part="side")`. Raises
+        ValueError for a choice that is missing; ImportError without xarray."""
+        return dataset_of(self.table(name), choice)
+
+    def ufloats(self, *names: str) -> tuple[UFloat, ...]:
+        """These quantities as numbers of the package uncertainties that depend on each other as their values in
+        the replicates do, so that what they have in common cancels:
+
+        >>> power, drawn = result.ufloats("dissipated_power", "drawn_power")
+        >>> power / drawn
+
+        Raises ValueError for a quantity without a value in each of at least two replicates; ImportError
+        without the package.
+        """
+        import numpy as np
+
+        table = self.table("replicates")
+        columns = [_core.column_name(name, self[name].unit) for name in names]
+        if any(one not in (table.dtype.names or ()) for one in columns) or len(table) < 2:
+            raise ValueError(f"{', '.join(names)}: not each has values in at least two replicates")
+        values = np.array([table[one] for one in columns], float)
+        if not np.isfinite(values).all():
+            raise ValueError(f"{', '.join(names)}: not each has a value in every replicate")
+        errors = np.array([self[name].standard_error for name in names])
+        with np.errstate(invalid="ignore"):  # a quantity that is the same in each replicate
+            correlation = np.nan_to_num(np.atleast_2d(np.corrcoef(values)))
+        return uncertainties().correlated_values([self[name].value for name in names],
+                                                 correlation * np.outer(errors, errors), tags=names)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.quantities)
+
     def collisions(self, replicate: int = 1) -> np.ndarray:
         """The collision records of a replicate as a structured array; its fields are described by
         `mahlwerk.record_columns()`. Records in memory are not copied. Needs collisions=True of
@@ -281,7 +319,7 @@ class Result:
         return (f"<b>{html.escape(self.title)}</b>{told}<details><summary>all quantities</summary>"
                 f"{table_html(('quantity', 'value', 'meaning'), rows)}</details>{self.page()._repr_html_()}")
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[Callable[..., Result], tuple[object]]:
         count = self._ran.replicates_with_records if self._ran is not None else 0
         if self.folder is not None and (count == 0 or (self.folder / "collisions.h5").is_file()):
             return Result, (self.folder,)
@@ -293,7 +331,7 @@ class Result:
         return restored, (state,)
 
 
-class FolderTables(Mapping):
+class FolderTables(Mapping[str, "np.ndarray"]):
     """The tables of a result folder, each read when it is first used."""
 
     def __init__(self, folder: Path):
@@ -305,8 +343,11 @@ class FolderTables(Mapping):
             self._read[name] = read_csv(self._files[name])
         return self._read[name]
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[str]:
         return iter(self._files)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._files)
 
     def __len__(self) -> int:
         return len(self._files)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import _core
 from .errors import InputError
 from .pages import Page
+from .public import Public
 from .quantities import Notice, nan_if_none, notices_of
 from .result import Result
 from .tables import frame_of, read_csv
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 __all__ = ["Comparison", "Fit", "Match", "Optimum", "WearEvolution"]
 
 
-class Found:
+class Found(Public):
     """A folder with numbers as JSON, a table and a page."""
 
     numbers, rows, html = "", "", ""

@@ -7,10 +7,14 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import toml
 from .commands import command
+from .public import Public
+
+if TYPE_CHECKING:
+    from .toml import Value
 
 __all__ = ["Prediction", "Surrogate"]
 
@@ -26,12 +30,12 @@ class Prediction(NamedTuple):
     hold_out_error: float
 
 
-class Surrogate:
+class Surrogate(Public):
     """Mean and interval of quantities over the swept keys of a campaign. `Surrogate(file)` opens a file that
     `mahlwerk surrogate` or `Campaign.surrogate` wrote.
 
     >>> mill = campaign.surrogate("mill.json")
-    >>> mill({"mill.speed": "450 rpm", "mill.ratio": -2.2})["dissipated_power"].value
+    >>> mill({"mill.frequency": "10.5 Hz"})["dissipated_power"].value
     """
 
     def __init__(self, file: Union[str, os.PathLike[str]]):
@@ -44,7 +48,7 @@ class Surrogate:
         """The range of each key, as in the campaign: {"mill.speed": ("200 rpm", "800 rpm")}."""
         return {key: (one["from"], one["to"]) for key, one in self.data["keys"].items()}
 
-    def __call__(self, setting: Mapping[str, Any], quantities: Iterable[str] = ()) -> dict[str, Prediction]:
+    def __call__(self, setting: Mapping[str, Value], quantities: Iterable[str] = ()) -> dict[str, Prediction]:
         """The quantities (default: all of the file) at a setting, which gives every key. Raises InputError outside
         the range of the campaign: a surrogate does not extrapolate."""
         if not setting:

@@ -5,15 +5,16 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
 
 if TYPE_CHECKING:
     import numpy as np
     import pandas as pd
+    import xarray as xr
 
-__all__ = ["array_of", "frame_of", "of_columns", "read_csv"]
+__all__ = ["array_of", "dataset_of", "frame_of", "of_columns", "on_grid", "read_csv"]
 
 
 def frame_of(array: np.ndarray) -> pd.DataFrame:
@@ -23,6 +24,62 @@ def frame_of(array: np.ndarray) -> pd.DataFrame:
     except ImportError:
         raise ImportError("a frame needs pandas: install python3-pandas, or use the arrays") from None
     return pd.DataFrame(columns_of(array), copy=False)
+
+
+def dataset_of(array: np.ndarray, choice: Mapping[str, Union[str, float]]) -> xr.Dataset:
+    """A table as an xarray dataset over its axes (axes_of); `choice` selects rows by the values of columns."""
+    for name, wanted in choice.items():
+        if name not in (array.dtype.names or ()):
+            raise ValueError(f"the table has no column {name!r}")
+        known, array = array[name], array[array[name] == wanted]
+        if not len(array):
+            raise ValueError(f"no row has {name} = {wanted!r}; there are {', '.join(map(str, sorted(set(known))))}")
+    columns = {name: values for name, values in columns_of(array).items() if name not in choice}
+    for name, values in columns.items():
+        if values.dtype.kind == "U" and len(set(values)) > 1:
+            raise ValueError(f"choose one {name}: {', '.join(sorted(set(values)))}")
+    axes, data = axes_of({name: values for name, values in columns.items() if values.dtype.kind != "U"})
+    return on_grid(axes, {name: (values, {}) for name, values in data.items()}, {**choice})
+
+
+def axes_of(columns: dict[str, np.ndarray]) -> tuple[dict[str, np.ndarray], dict[str, np.ndarray]]:
+    """The axes of a table and its other columns: the middles of bins, "x_low_m" and "x_high_m"; the coordinates
+    "x_m" and "y_m"; else the first column."""
+    lows = [name for name in columns if "_low_" in name and name.replace("_low_", "_high_") in columns]
+    if lows:
+        axes = {name.replace("_low_", "_"): (columns[name] + columns[name.replace("_low_", "_high_")]) / 2
+                for name in lows}
+        used = {*lows, *(name.replace("_low_", "_high_") for name in lows)}
+    else:
+        used = {"x_m", "y_m"} & set(columns) or {next(iter(columns))}
+        axes = {name: columns[name] for name in sorted(used)}
+    return axes, {name: values for name, values in columns.items() if name not in used}
+
+
+def on_grid(axes: Mapping[str, np.ndarray], data: Mapping[str, tuple[np.ndarray, dict[str, str]]],
+            attributes: Mapping[str, object]) -> xr.Dataset:
+    """Columns over the grid of their axes; over "point" if two rows have the same place or the grid would have
+    more than four times as many cells as there are rows. Cells without a row are NaN."""
+    import numpy as np
+
+    try:
+        import xarray as xr
+    except ImportError:
+        raise ImportError("a dataset needs xarray: install python3-xarray, or use frames") from None
+    places = {name: np.unique(values, return_inverse=True) for name, values in axes.items()}
+    shape = tuple(len(known) for known, _ in places.values())
+    rows = len(next(iter(axes.values())))
+    cells = np.ravel_multi_index([index for _, index in places.values()], shape) if rows else np.empty(0, int)
+    if len(np.unique(cells)) < rows or np.prod(shape) > 4 * rows:
+        return xr.Dataset({name: ("point", values, about) for name, (values, about) in data.items()},
+                          {name: ("point", values) for name, values in axes.items()}, attributes)
+    grids = {}
+    for name, (values, about) in data.items():
+        words = values.dtype.kind == "U"
+        grid = np.full(int(np.prod(shape)), "" if words else np.nan, values.dtype if words else float)
+        grid[cells] = values
+        grids[name] = (list(axes), grid.reshape(shape), about)
+    return xr.Dataset(grids, {name: known for name, (known, _) in places.items()}, attributes)
 
 
 def columns_of(array: np.ndarray) -> dict[str, np.ndarray]:

@@ -9,7 +9,13 @@ import math
 import numbers
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    #: A value of a case: "30 Hz", 3, True, a list of values or a dict of them.
+    Value = Union[str, bool, int, float, np.generic, np.ndarray, Sequence["Value"], Mapping[str, "Value"]]
 
 __all__ = ["case_text", "value_text"]
 

@@ -28,6 +28,7 @@ def arguments(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="mahlwerk papers")
     parser.add_argument("paper", nargs="?", default="", metavar="PAPER")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
+    parser.add_argument("--unset", action="append", default=[], metavar="KEY")
     parser.add_argument("--seed")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--leave-out", action="append", default=[], metavar="CAMPAIGN")
@@ -40,8 +41,9 @@ def arguments(words: list[str]) -> argparse.Namespace:
     return parser.parse_args(words)
 
 
-def changes(given: argparse.Namespace) -> dict[str, str]:
-    made = dict(one.split("=", 1) for one in given.set)
+def changes(given: argparse.Namespace) -> dict[str, Optional[str]]:
+    made: dict[str, Optional[str]] = dict.fromkeys(given.unset)
+    made.update(one.split("=", 1) for one in given.set)
     if given.seed is not None:
         made["seed"] = given.seed
     return made

@@ -34,7 +34,7 @@ OURS = ("paper.html", "paper.json", "claims.csv", "claims.md")  # none of them s
 class Settings:
     """How a paper is run."""
 
-    changes: Mapping[str, str] = field(default_factory=dict)  #: of the settings of every campaign
+    changes: Mapping[str, Optional[str]] = field(default_factory=dict)  #: of the settings of every campaign
     force: bool = False  #: runs everything again
     threads: int = 0  #: 0: all cores
     progress: Any = None
@@ -101,7 +101,7 @@ class PaperJob:
         return result
 
 
-def result_of(paper: Paper, campaigns: Mapping[str, Campaign], changes: Mapping[str, str]) -> PaperResult:
+def result_of(paper: Paper, campaigns: Mapping[str, Campaign], changes: Mapping[str, Optional[str]]) -> PaperResult:
     """The figures, tables and verdicts of a paper from campaigns that have run."""
     points = {name: points_of(campaign) for name, campaign in campaigns.items()}
     for name in points:
@@ -112,7 +112,7 @@ def result_of(paper: Paper, campaigns: Mapping[str, Campaign], changes: Mapping[
         made_figures(paper, points),
         [(table, table.content.made(points[table.content.campaign])) for table in paper.tables],
         {name: seconds_of(campaign) for name, campaign in campaigns.items()},
-        [f"{key} = {value}" for key, value in changes.items()], lines, boxes, json.loads(notices))
+        [f"{key} = {value}" if value is not None else f"without {key}" for key, value in changes.items()], lines, boxes, json.loads(notices))
 
 
 def seconds_of(campaign: Campaign) -> float:

@@ -50,4 +50,17 @@ fs::path data_folder(std::string_view part) {
             "no-data"});
 }
 
+std::string document(std::string_view name) {
+  const fs::path file = name.substr(0, name.find('#'));
+  try {
+    const fs::path sources = data_folder("examples").parent_path();
+    for (const fs::path& root : {sources.parent_path() / "doc" / "mahlwerk", sources}) {
+      std::error_code failed;
+      if (fs::exists(root / file, failed)) return (root / fs::path(name)).string();
+    }
+  } catch (const InputError&) {  // a message names the document without data, too
+  }
+  return std::string(name);
+}
+
 }  // namespace mahlwerk

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 // Where the data that Mahlwerk reads are: catalogue, papers, validation, examples.
@@ -14,6 +15,10 @@ namespace mahlwerk {
 /// environment variable MAHLWERK_CATALOGUE goes first. Throws InputError if the folder does not
 /// exist.
 std::filesystem::path data_folder(std::string_view part);
+
+/// The path of a document that messages name, "docs/errors.md#unknown-key": that of the
+/// installation, beside the data, or of the sources; else as given.
+std::string document(std::string_view name);
 
 /// Sets the folder of the data, for programs that are not installed beside it: a Python module, a
 /// user's own program. Call it before other threads start.

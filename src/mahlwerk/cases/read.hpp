@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
@@ -24,7 +25,11 @@ enum class ValueSource { command, sweep, optimise, match, fit, uncertainty };
 struct Override {
   std::string key, value;
   ValueSource source = ValueSource::command;
+  bool unset = false;  ///< --unset: takes the key, or a whole section, from the case; no `value`
 };
+
+/// Whether one of them gives the key a value.
+bool gives_value(const std::vector<Override>& overrides, std::string_view key);
 
 /// A case file that is parsed once, for many runs with different overrides.
 class CaseFile {

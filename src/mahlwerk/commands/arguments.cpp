@@ -7,7 +7,9 @@
 namespace mahlwerk::commands {
 
 std::vector<cases::Override> Changes::overrides() const {
-  std::vector<cases::Override> all = set;
+  std::vector<cases::Override> all;
+  for (const std::string& key : unset) all.push_back({.key = key, .value = "", .unset = true});
+  all.insert(all.end(), set.begin(), set.end());
   if (seed) all.push_back({"seed", std::to_string(*seed)});
   return all;
 }
@@ -30,6 +32,9 @@ Options options_of(Changes& changes) {
   return {
       {"--set", &changes.set,
        "set one value of the case: --set mill.frequency=\"12 Hz\"; may be repeated", "KEY=VALUE"},
+      {"--unset", &changes.unset,
+       "take one value, or a whole section, from the case: --unset powder.mass; may be repeated",
+       "KEY"},
       {"--seed", &changes.seed, "seed of the random numbers; replaces that of the case"}};
 }
 

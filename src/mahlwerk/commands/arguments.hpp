@@ -16,12 +16,13 @@
 // Arguments that several commands share, and their options.
 namespace mahlwerk::commands {
 
-/// Changes of the case: --set, --seed.
+/// Changes of the case: --set, --unset, --seed.
 struct Changes {
   std::vector<cases::Override> set;
+  std::vector<std::string> unset;
   std::optional<std::uint64_t> seed;
 
-  std::vector<cases::Override> overrides() const;  ///< both
+  std::vector<cases::Override> overrides() const;  ///< all; --set counts after --unset
 };
 
 /// What commands that run cases are given: --out, --force, --jobs, --quiet, --json.

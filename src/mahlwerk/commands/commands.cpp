@@ -8,7 +8,7 @@ Command run_command(), bond_test_command(), estimate_command(), measure_command(
     compare_command(), fit_command(), optimise_command(), match_command(), surrogate_command(),
     ask_command(), papers_command(), report_command(), cite_command(), export_command(),
     check_command(), new_command(), list_command(), describe_command(), completion_command(),
-    manual_command();
+    manual_command(), help_command();
 
 std::vector<Command> all_commands() {
   return {run_command(),       estimate_command(),  measure_command(),  sweep_command(),
@@ -16,7 +16,7 @@ std::vector<Command> all_commands() {
           bond_test_command(), surrogate_command(), ask_command(),      papers_command(),
           report_command(),    cite_command(),      export_command(),   check_command(),
           new_command(),       list_command(),      describe_command(), completion_command(),
-          manual_command()};
+          manual_command(),    help_command()};
 }
 
 }  // namespace mahlwerk::commands

@@ -9,7 +9,8 @@
 
 #include "mahlwerk/cases/catalogue.hpp"
 
-// Locations: the catalogue, the case files that a target names, the default result folder.
+// Locations: the catalogue, the case files that a target names, the default result
+// folder.
 namespace mahlwerk::commands {
 
 /// The version of this build, and its catalogue (base/data_folder.hpp).

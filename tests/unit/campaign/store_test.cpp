@@ -35,7 +35,7 @@ CampaignPlan planned(std::vector<RunHash> runs, const std::string& unit = " rpm"
   p.title = "A \"campaign\"; DROP TABLE runs";
   p.version = "1";
   p.case_file = "/somewhere/case.toml";
-  p.overrides = {{"run.time", "3 s"}};
+  p.overrides = {{"run.time", "3 s"}, {.key = "powder", .value = "", .unset = true}};
   p.keys = {"mill.speed", "balls.material"};
   p.runs = std::move(runs);
   p.values = [unit](std::size_t i) {
@@ -71,6 +71,9 @@ TEST_F(StoreTest, what_is_kept_is_there_again) {
   EXPECT_EQ(store.title(), "A \"campaign\"; DROP TABLE runs");
   EXPECT_EQ(store.case_file(), "/somewhere/case.toml");
   EXPECT_EQ(store.overrides().at(0).value, "3 s");
+  EXPECT_FALSE(store.overrides().at(0).unset);
+  EXPECT_EQ(store.overrides().at(1).key, "powder");
+  EXPECT_TRUE(store.overrides().at(1).unset);
   const RunCounts counts = store.counts();
   EXPECT_EQ(counts.points, 3U);
   EXPECT_EQ(counts.waiting, 1U);

@@ -23,10 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 using Overrides = std::vector<cases::Override>;
 
-bool gives(const Overrides& set, const std::string& key) {
-  return std::ranges::find(set, key, &cases::Override::key) != set.end();
-}
-
 LabQuantity quantity_of(const Measurement& m) {
   return {m.name(), m.unit(), m.what == MeasuredQuantity::rebound_height ? m.fall : 0};
 }
@@ -35,7 +31,7 @@ LabQuantity quantity_of(const Measurement& m) {
 std::vector<Fault> job_faults(const CalibrationJob& job, const Overrides& set) {
   std::vector<Fault> found;
   for (const auto& [key, range] : job.base().fit)
-    if (!cases::is_key_of_run(key) && !gives(set, key))
+    if (!cases::is_key_of_run(key) && !cases::gives_value(set, key))
       found.push_back({cases::location_of(job.base(), "fit." + key),
                        fmt::format("[fit] has {} of the powder beside keys of the mill", key),
                        "calibrate the mill first: remove it, or give it by --set; then fit the "
@@ -52,8 +48,9 @@ std::vector<Fault> job_faults(const CalibrationJob& job, const Overrides& set) {
       break;
     }
   for (const FreeParameter& parameter : job.goal.parameters)
-    if (std::ranges::any_of(job.data.conditions,
-                            [&](const Overrides& one) { return gives(one, parameter.name); }))
+    if (std::ranges::any_of(job.data.conditions, [&](const Overrides& one) {
+          return cases::gives_value(one, parameter.name);
+        }))
       found.push_back({job.data_file,
                        fmt::format("the column {} sets a parameter of [fit]", parameter.name),
                        "remove the column or the key of [fit]", "nothing-to-fit"});
@@ -156,7 +153,7 @@ TrialRuns::Measure CalibrationJob::measure() const {
 
 bool calibrates(const fs::path& file, const Overrides& set) {
   return std::ranges::any_of(cases::fit_ranges(file), [&](const auto& range) {
-    return cases::is_key_of_run(range.first) && !gives(set, range.first);
+    return cases::is_key_of_run(range.first) && !cases::gives_value(set, range.first);
   });
 }
 

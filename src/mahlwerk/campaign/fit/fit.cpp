@@ -101,7 +101,7 @@ std::vector<Fault> fit_faults(const cases::Case& mill_case, const Measurements& 
   if (mill_case.kinetics) kinetics_faults(*mill_case.kinetics, data, file, found);
   for (const FreeParameter& parameter : parameters)
     if (std::ranges::any_of(data.conditions, [&](const std::vector<cases::Override>& set) {
-          return std::ranges::find(set, parameter.name, &cases::Override::key) != set.end();
+          return cases::gives_value(set, parameter.name);
         }))
       found.push_back({file, fmt::format("the column {} sets a parameter of [fit]", parameter.name),
                        "remove the column or the key of [fit]", "nothing-to-fit"});

@@ -21,7 +21,7 @@ std::vector<std::string> open_keys(const fs::path& file, const Overrides& set,
                                    Overrides& anywhere) {
   std::vector<std::string> held;
   for (const auto& [key, range] : cases::fit_ranges(file))
-    if (std::ranges::find(set, key, &cases::Override::key) != set.end())
+    if (cases::gives_value(set, key))
       held.push_back(key);
     else
       anywhere.push_back({key, range[1]});  // so that the case can be read

@@ -124,7 +124,7 @@ TrialRuns::TrialRuns(const std::filesystem::path& file, const cases::Catalogue& 
 void TrialRuns::take_ranges_of_fit(const std::filesystem::path& file) {
   std::vector<cases::Override> anywhere = set_;
   for (const auto& [key, ends] : cases::fit_ranges(file)) {
-    if (std::ranges::find(set_, key, &cases::Override::key) != set_.end()) continue;
+    if (cases::gives_value(set_, key)) continue;
     anywhere.push_back({key, ends[1], source_});
     if (cases::is_key_of_run(key))
       ranges_.push_back({.key = key, .values = {ends[0], ends[1]}, .range = true});

@@ -219,8 +219,10 @@ void Store::plan(const CampaignPlan& planned) {
       .bind(2, database_.query_text("SELECT strftime('%Y-%m-%dT%H:%M:%fZ', 'now')"))
       .run();
   Statement set = database_.prepare("INSERT INTO overrides(key, value) VALUES(?, ?)");
-  for (const cases::Override& one : planned.overrides)
-    set.bind(1, one.key).bind(2, one.value).run();
+  for (const cases::Override& one : planned.overrides) {
+    set.bind(1, one.key);
+    (one.unset ? set.bind_null(2) : set.bind(2, one.value)).run();
+  }
   std::string marks;
   for (std::size_t k = 0; k < swept.size(); ++k) marks += ", ?";
   Statement point = database_.prepare(fmt::format("INSERT INTO points VALUES(?, ?{})", marks));

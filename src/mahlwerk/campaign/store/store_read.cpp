@@ -86,7 +86,8 @@ std::vector<cases::Override> Store::overrides() const {
   const std::lock_guard lock(mutex_);
   std::vector<cases::Override> list;
   Statement asked = database_.prepare("SELECT key, value FROM overrides ORDER BY position");
-  while (asked.step()) list.push_back({asked.text(0), asked.text(1)});
+  while (asked.step())
+    list.push_back({.key = asked.text(0), .value = asked.text(1), .unset = asked.is_null(1)});
   return list;
 }
 

@@ -151,8 +151,8 @@ void CampaignFolder::plan(Plan plan) {
       runs_[i] = read_run(i);
     } catch (const InputError& e) {
       std::string text(settings_.version);
-      for (const auto& [key, value, swept] : settings(i))
-        text += fmt::format("\n{}={}", key, value);
+      for (const cases::Override& one : settings(i))
+        text += fmt::format("\n{}={}", one.key, one.value);
       runs_[i].hash = fingerprint(text);
       ++faulty;
       if (i == 0) first = e;

@@ -220,6 +220,36 @@ const Node* value_at(const Node& root, std::string_view key) {
   return table != nullptr && parts.size() == 1 ? table->find(parts.front()) : nullptr;
 }
 
+bool remove_value(Node& root, std::string_view key) {
+  std::vector<std::string_view> parts = key_parts(key);
+  Node* table = &root;
+  if (parts.size() > 1) {
+    table = root.find(parts.front());
+    if (table == nullptr) return false;
+    parts.erase(parts.begin());
+    std::string ignored;
+    table = descend(table, parts, ignored);
+  }
+  if (table == nullptr || parts.size() != 1) return false;
+  return std::erase_if(table->members,
+                       [&](const Member& one) { return one.key == parts.front(); }) > 0;
+}
+
+std::vector<std::string> keys_in(const Node& root) {
+  std::vector<std::string> keys;
+  const auto add = [&](const std::string& before, const Node& value) {
+    for (const std::string& below : keys_in(value))
+      keys.push_back(fmt::format("{}.{}", before, below));
+  };
+  for (const auto& [key, value] : root.members) {
+    keys.push_back(key);
+    add(key, value);
+    for (std::size_t i = 0; i < value.items.size(); ++i)
+      add(i == 0 ? key : fmt::format("{}.{}", key, i + 1), value.items[i]);
+  }
+  return keys;
+}
+
 std::string set_value(Node& root, std::string_view key, Node value) {
   std::vector<std::string_view> parts = key_parts(key);
   if (std::ranges::any_of(parts, &std::string_view::empty))

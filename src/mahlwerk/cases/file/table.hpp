@@ -62,4 +62,10 @@ const Node* value_at(const Node& root, std::string_view key);
 /// set), to `value`. Returns an error message, or an empty text.
 std::string set_value(Node& root, std::string_view key, Node value);
 
+/// Removes the value under the dotted `key`, or a whole section. False if there is none.
+bool remove_value(Node& root, std::string_view key);
+
+/// The dotted keys of all values and sections, "mill", "mill.speed"; "balls.2.diameter" of lists.
+std::vector<std::string> keys_in(const Node& root);
+
 }  // namespace mahlwerk::cases

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/cases/file/formula.hpp"
 #include "mahlwerk/cases/sections/fields.hpp"
 
@@ -36,7 +37,7 @@ std::pair<std::string, std::string> section_of(ValueSource source) {
 }
 
 Node CaseTree::given(const Override& one) const {
-  const auto& [key, value, source] = one;
+  const auto& [key, value, source, unset] = one;
   if (source == ValueSource::command)
     return value_from_text(value, "--set " + key, Precedence::command);
   if (source == ValueSource::sweep)
@@ -54,11 +55,25 @@ Node CaseTree::given(const Override& one) const {
 void CaseTree::apply(const std::vector<Override>& overrides, ValueSource source) {
   for (const Override& one : overrides) {
     if (one.source != source) continue;
+    if (one.unset) {
+      remove(one.key);
+      continue;
+    }
     Node value = given(one);
     const std::string where = value.where, trouble = set_value(root_, one.key, std::move(value));
     if (!trouble.empty())
       findings.faults.push_back({where, trouble, remedy_for(one.key), std::string(no_such_key)});
   }
+}
+
+void CaseTree::remove(const std::string& key) {
+  if (remove_value(root_, key)) return;
+  const std::string near = nearest_word(key, keys_in(root_));
+  findings.faults.push_back({"--unset " + key, fmt::format("the case file gives no {}", key),
+                             near.empty()
+                                 ? "leave it out: what the file does not give needs no --unset"
+                                 : fmt::format("did you mean {}?", near),
+                             std::string(no_such_key)});
 }
 
 void CaseTree::fill_from_sweep(const Sweep& sweep,

@@ -41,6 +41,7 @@ class CaseTree {
 
  private:
   Node given(const Override& one) const;
+  void remove(const std::string& key);
   Quantity derived(const Sweep& sweep, std::string_view key, std::size_t depth) const;
 
   Node root_;

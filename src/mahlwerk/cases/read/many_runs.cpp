@@ -12,7 +12,7 @@ namespace {
 /// A key that [sweep] varies cannot have a value from --set.
 void refuse_both(const std::vector<Override>& overrides, const Sweep& sweep, Findings& findings) {
   for (const Override& one : overrides)
-    if (one.source == ValueSource::command &&
+    if (one.source == ValueSource::command && !one.unset &&
         std::ranges::find(sweep.keys, one.key, &SweptKey::key) != sweep.keys.end())
       findings.faults.push_back(
           {fmt::format("--set {}", one.key), fmt::format("[sweep] varies {}", one.key),
@@ -44,10 +44,11 @@ void read_draws(CaseTree& tree, const std::vector<Override>& overrides, Case& c)
     return;
   c.uncertainty = read_uncertainty(table, tree.findings);
   for (const Override& one : overrides)
-    refuse_drawn(
-        *c.uncertainty, one.key,
-        one.source == ValueSource::command ? "--set " + one.key : section_of(one.source).first,
-        tree.findings);
+    if (!one.unset)
+      refuse_drawn(
+          *c.uncertainty, one.key,
+          one.source == ValueSource::command ? "--set " + one.key : section_of(one.source).first,
+          tree.findings);
   for (const SweptKey& swept : c.sweep.keys)
     refuse_drawn(*c.uncertainty, swept.key, fmt::format("[sweep] \"{}\"", swept.key),
                  tree.findings);

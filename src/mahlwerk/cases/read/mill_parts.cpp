@@ -60,7 +60,7 @@ void overlay(Node& table, const Node& given) {
 void CaseTree::add_parts_of_mill(const std::vector<Override>& overrides) {
   const auto last = [&](std::string_view key) -> std::optional<Node> {
     const auto one = std::ranges::find(overrides.rbegin(), overrides.rend(), key, &Override::key);
-    if (one != overrides.rend()) return given(*one);
+    if (one != overrides.rend()) return one->unset ? std::nullopt : std::optional(given(*one));
     const Node* written = value_at(root_, key);
     return written == nullptr ? std::nullopt : std::optional(*written);
   };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mahlwerk/cases/read.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -47,6 +48,11 @@ std::vector<Override> with_draw(std::vector<Override> overrides, const Uncertain
 }
 
 }  // namespace
+
+bool gives_value(const std::vector<Override>& overrides, std::string_view key) {
+  return std::ranges::any_of(overrides,
+                             [&](const Override& one) { return one.key == key && !one.unset; });
+}
 
 Case CaseFile::read(const Catalogue& catalogue, const std::vector<Override>& overrides) const {
   Case made = read_tree(*root_, file_, catalogue, overrides);

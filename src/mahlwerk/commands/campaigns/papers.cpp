@@ -78,6 +78,7 @@ std::vector<std::string> words_of(const PapersArguments& given) {
   };
   for (const cases::Override& one : given.changes.set)
     add("--set", fmt::format("{}={}", one.key, one.value));
+  for (const std::string& key : given.changes.unset) add("--unset", key);
   if (given.changes.seed) add("--seed", std::to_string(*given.changes.seed));
   if (given.running.out) add("--out", given.running.out->string());
   if (given.running.threads > 0) add("--jobs", std::to_string(given.running.threads));

@@ -138,8 +138,9 @@ int status_of_shards(const Running& running, const ShardsProgress& progress,
     json_to_stdout(said);
     return success;
   }
-  to_stdout(fmt::format("{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n",
-                        progress.title, progress.points, progress.done, progress.failed, waiting));
+  title_to_stdout(progress.title);
+  to_stdout(fmt::format("\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n",
+                        progress.points, progress.done, progress.failed, waiting));
   print_shards(progress);
   to_stdout(fmt::format("\n{}\n", next_step(progress, place)));
   if (changed)
@@ -164,9 +165,10 @@ int campaign_status(const Running& running, const fs::path& place) {
     return success;
   }
   const bool at_work = campaign::CampaignLock::held(place / "campaign.lock");
+  title_to_stdout(store.title());
   to_stdout(fmt::format(
-      "{}\n\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", store.title(),
-      counts.points, counts.done, counts.failed, counts.waiting,
+      "\n  points   {}\n  done     {}\n  failed   {}\n  waiting  {}\n\n{}\n", counts.points,
+      counts.done, counts.failed, counts.waiting,
       counts.points == 0
           ? "no runs are planned yet: a process is reading the case, or was ended while reading it"
       : at_work            ? "a process is running it"

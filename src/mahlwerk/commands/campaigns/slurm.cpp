@@ -131,7 +131,8 @@ std::string slurm_script(const SweepArguments& given, const fs::path& case_file,
   refuse_control(place.string(), place.string());
   std::string set;
   for (const cases::Override& one : given.changes.overrides())
-    set += " --set " + shell_word(one.key + "=" + one.value);
+    set += one.unset ? " --unset " + shell_word(one.key)
+                     : " --set " + shell_word(one.key + "=" + one.value);
   if (!given.part.results.empty()) set += " --results " + given.part.results;
   if (given.part.films) set += " --films";
   if (given.part.checkpoint) set += fmt::format(" --checkpoint {:.6g}", *given.part.checkpoint);

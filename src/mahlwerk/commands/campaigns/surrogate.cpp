@@ -92,10 +92,10 @@ int surrogate(const SurrogateArguments& given) {
   const campaign::CampaignSurrogate made =
       campaign::surrogate_of(store, given.folder, names, version());
   write_surrogate(*given.out, campaign::surrogate_text(made), given.force);
-  if (given.json)
-    json_to_stdout(surrogate_json(made));
-  else if (!given.quiet)
-    to_stdout(surrogate_words(made) + fmt::format("\nsurrogate:  {}\n", given.out->string()));
+  if (given.json) json_to_stdout(surrogate_json(made));
+  if (given.json || given.quiet) return success;
+  to_stdout(surrogate_words(made) + '\n');
+  places_to_stdout({{"surrogate", *given.out}});
   return success;
 }
 

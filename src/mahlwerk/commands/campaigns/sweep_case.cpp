@@ -45,11 +45,14 @@ campaign::Shard shard_of(const std::string& text) {
 /// Prints the summary of a finished campaign.
 void print_summary(const campaign::CampaignFolder& folder, const campaign::RunCounts& counts,
                    const campaign::Campaign& campaign, const campaign::WorkSummary& worked) {
-  to_stdout(fmt::format("{}\n\n{}", campaign.title, table_with_warnings(campaign)));
+  title_to_stdout(campaign.title);
+  to_stdout('\n' + table_with_warnings(campaign));
   const fs::path& place = folder.path();
-  fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\nstore:    {}\n\n", place.string(),
-             (place / "campaign.html").string(), (place / "campaign.csv").string(),
-             (place / "campaign.sqlite").string());
+  places_to_stdout({{"results", place},
+                    {"report", place / "campaign.html"},
+                    {"numbers", place / "campaign.csv"},
+                    {"store", place / "campaign.sqlite"}});
+  to_stdout("\n");
   if (worked.already_done > 0) fmt::print("{} already done\n", counted(worked.already_done, "run"));
   fmt::print("{} in {:.3g} s", counted(worked.done, "run"), worked.seconds);
   if (counts.failed > 0) fmt::print(", {} failed", counts.failed);
@@ -123,10 +126,9 @@ campaign::CampaignSettings settings_of(const Running& running, const CampaignPar
     if (films) folder.write("film.json", report::film_json(outcome));
   };
   const auto show = [&](const campaign::WorkProgress& p) {
-    line->show(fmt::format(
-        "{:3.0f} %  {} of {} runs done{}  {}", 100 * p.share, p.done, p.of,
-        p.failed > 0 ? fmt::format(", {} failed", p.failed) : "",
-        p.share > 0 ? fmt::format("{:.0f} s left", p.seconds * (1 - p.share) / p.share) : ""));
+    line->show(fmt::format("{:3.0f} %  {} of {} runs done{}  {}", 100 * p.share, p.done, p.of,
+                           p.failed > 0 ? fmt::format(", {} failed", p.failed) : "",
+                           line->left(p.share)));
   };
   std::optional<bool> folders;
   if (!part.results.empty()) folders = part.results == "all";

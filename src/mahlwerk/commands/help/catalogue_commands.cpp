@@ -9,6 +9,8 @@
 #include <string>
 
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/spelling.hpp"
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/reference/catalogue_json.hpp"
 #include "mahlwerk/commands/reference/key_pages.hpp"
@@ -25,8 +27,11 @@ std::vector<std::string> requested_categories(const std::string& target) {
   const auto& all = cases::Catalogue::categories;
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
+  const std::string near =
+      nearest_word(target, {"mills", "jars", "materials", "media", "keys", "units", "quantities"});
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
-                         "use one of mills, jars, materials, media, keys, units or quantities",
+                         (near.empty() ? "" : "did you mean '" + near + "'? ") +
+                             "use one of mills, jars, materials, media, keys, units or quantities",
                          "unknown-name"});
 }
 
@@ -64,7 +69,7 @@ std::vector<cases::CatalogueEntry> entries_named(const std::string& name) {
 
 /// What `list` and `describe` are given.
 struct CatalogueArguments {
-  std::string name;
+  std::string name, word;
   bool json = false;
 };
 
@@ -77,42 +82,78 @@ bool is_weak(const cases::CatalogueEntry& entry) {
          });
 }
 
-int list(const CatalogueArguments& given) {
-  if (given.name == "keys") {
-    given.json ? json_to_stdout(keys_as_json(all_sections()))
-               : to_stdout(key_index() +
-                           "\nmahlwerk describe NAME shows the keys of a section or kind.\n");
-    return success;
-  }
-  if (given.name == "units") {
-    given.json ? json_to_stdout(units_as_json()) : to_stdout(unit_table());
-    return success;
-  }
-  if (given.name == "quantities") {
-    given.json ? json_to_stdout(results::quantity_list())
-               : to_stdout(results::quantity_index() +
-                           "\nmahlwerk describe NAME says what a quantity is.\n");
-    return success;
-  }
+[[noreturn]] void report_no_match(const CatalogueArguments& given) {
+  throw InputError(Fault{fmt::format("list {} {}", given.name, given.word),
+                         fmt::format("nothing there has the word '{}'", given.word),
+                         fmt::format("mahlwerk list {} lists all", given.name), "unknown-name"});
+}
+
+/// The keys that have the word in their name or their meaning, one a line.
+std::string keys_with(std::string_view word) {
+  std::string text;
+  for (const cases::KeySection* s : all_sections())
+    for (const cases::KeyInfo& key : s->keys)
+      if (contains_word(key.key + '\n' + key.about, word))
+        text += fmt::format("  {:<34} {:<8} {}{}\n", key.key, key.unit.empty() ? "-" : key.unit,
+                            key_meaning(key, true),
+                            s->kind.empty() ? "" : fmt::format(" ({})", s->kind));
+  return text;
+}
+
+/// keys, units and quantities; empty if the category is none of them.
+std::string index_of(const CatalogueArguments& given) {
+  if (given.name == "keys")
+    return (given.word.empty() ? key_index() : keys_with(given.word)) +
+           "\nmahlwerk describe NAME shows the keys of a section or kind.\n";
+  if (given.name == "units") return unit_table();
+  if (given.name == "quantities")
+    return results::quantity_index(given.word) +
+           "\nmahlwerk describe NAME says what a quantity is.\n";
+  return "";
+}
+
+/// The same as JSON, always whole; null if the category is none of them.
+Json index_as_json(const std::string& category) {
+  if (category == "keys") return keys_as_json(all_sections());
+  if (category == "units") return units_as_json();
+  return category == "quantities" ? results::quantity_list() : Json();
+}
+
+int list_catalogue(const CatalogueArguments& given) {
   const cases::Catalogue all = catalogue();
   Json json = Json::array();
+  bool found = false;
   for (const std::string& category : requested_categories(given.name)) {
-    if (!given.json) fmt::print("{}\n", category);
+    std::string text;
     for (const std::string& name : all.names(category)) {
       const cases::CatalogueEntry entry = all.find(category, name);
+      if (!contains_word(name + '\n' + entry.title, given.word)) continue;
       const bool weak = is_weak(entry);
-      if (given.json)
-        json.push_back(Json::object(
-            {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
-      else
-        to_stdout(fmt::format("  {:<26} {}{}\n", name, entry.title,
-                              weak ? "  (contains unverified values)" : ""));
+      json.push_back(Json::object(
+          {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));
+      text += fmt::format("  {:<26} {}{}\n", name, entry.title,
+                          weak ? "  (contains unverified values)" : "");
     }
+    found = found || !text.empty();
+    if (!given.json && !text.empty()) to_stdout(fmt::format("{}\n{}", category, text));
   }
+  if (!found) report_no_match(given);
   if (given.json)
     json_to_stdout(json);
   else
     fmt::print("\nmahlwerk describe NAME shows every value with its unit and source.\n");
+  return success;
+}
+
+int list(const CatalogueArguments& given) {
+  const std::string index = index_of(given);
+  if (index.empty()) return list_catalogue(given);
+  if (!given.word.empty() && (given.json || given.name == "units"))
+    throw InputError(
+        Fault{fmt::format("list {}", given.name), "this list is not searched for a word",
+              "leave out " + given.word + (given.json ? ", or --json" : ""), "bad-command-line"});
+  if (index.starts_with("\n")) report_no_match(given);
+  given.json ? json_to_stdout(index_as_json(given.name)) : to_stdout(index);
   return success;
 }
 
@@ -139,7 +180,7 @@ std::string part_lines(const cases::CataloguePart& part) {
 }
 
 void print(const cases::CatalogueEntry& entry) {
-  to_stdout(fmt::format("{}  ({}/{})\n", entry.title, entry.category, entry.name));
+  title_to_stdout(fmt::format("{}  ({}/{})", entry.title, entry.category, entry.name));
   if (!entry.kind.empty()) to_stdout(fmt::format("kind: {}\n", entry.kind));
   to_stdout(fmt::format("{}\n\n", entry.about));
   for (const auto& [key, value] : entry.values)
@@ -210,6 +251,11 @@ Command list_command() {
         .target = &given->name,
         .about = "mills, jars, materials or media (default: all four), keys, units or quantities",
         .completions = "mills jars materials media keys units quantities"},
+       {.name = "WORD",
+        .target = &given->word,
+        .about =
+            "only what has this word in its name or description: mahlwerk list quantities power",
+        .completions = " "},
        json(given->json)},
       [given] { return list(*given); }};
 }

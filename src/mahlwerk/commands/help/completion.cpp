@@ -26,11 +26,11 @@ std::string branches(const std::string& path, const Command& command, std::strin
   std::string offers;
   bool files = false;
   for (const Command& part : command.subcommands) words.push_back(part.name);
-  words.push_back("--help");
+  words.insert(words.end(), {"--help", "--color"});
   for (const Option& option : command.options) {
     const std::string known = completions_of(option);
     if (!option.name.starts_with("-")) {
-      offers = known.empty() ? "" : known + " ";
+      if (!known.empty()) offers += known + " ";
       files = known.empty();
       continue;
     }
@@ -58,6 +58,8 @@ _mahlwerk() {
 constexpr std::string_view tail = R"(  esac
   case ${COMP_WORDS[COMP_CWORD - 1]} in
     --set) words="@KEYS@" files=''; compopt -o nospace 2>/dev/null ;;
+    --unset) words="@NAMES@" files='' ;;
+    --color) words="auto always never" files='' ;;
 @VALUES@  esac
   COMPREPLY=($(compgen -W "$words" -- "$cur"))
   [[ $files && $cur != -* ]] && COMPREPLY+=($(compgen -f -- "$cur"))
@@ -79,22 +81,27 @@ constexpr std::string_view zsh_tail =
 int completion(const std::string& shell) {
   const std::vector<Command> all = all_commands();
   std::string parts = " ";  // " sweep status, sweep export,"
-  std::string names, below, keys, values;
+  std::string names, below, keys, key_names, values;
   for (const Command& command : all) {
     for (const Command& part : command.subcommands)
       parts += fmt::format("{} {}, ", command.name, part.name);
     names += command.name + " ";
     below += branches(command.name, command, values);
   }
-  for (const cases::KeyInfo& key : cases::all_keys()) keys += key.key + "= ";
+  for (const cases::KeyInfo& key : cases::all_keys()) {
+    keys += key.key + "= ";
+    key_names += key.key + ' ';
+  }
   std::string script(head);
-  script += fmt::format("    '') words=\"{}--help --version\"{} ;;\n", names, launcher) + below;
+  script +=
+      fmt::format("    '') words=\"{}--help --version --color\"{} ;;\n", names, launcher) + below;
   script += tail;
   script.replace(script.find("@PARTS@"), 7, parts);
   script.replace(script.find("@KEYS@"), 6, keys);
+  script.replace(script.find("@NAMES@"), 7, key_names);
   script.replace(script.find("@VALUES@"), 8, values);
   if (shell == "zsh") script = fmt::format("{}{}{}", zsh_head, script, zsh_tail);
-  to_stdout(script);
+  verbatim_to_stdout(script);
   return success;
 }
 

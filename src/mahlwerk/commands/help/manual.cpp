@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "mahlwerk/base/error.hpp"
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/help/about.hpp"
+#include "mahlwerk/commands/help/find_command.hpp"
 #include "mahlwerk/commands/places.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
 
@@ -42,17 +42,6 @@ std::string tagged(const std::string& tag, std::string_view text) {
   return fmt::format(".TP\n{}\n{}\n", tag, roff(text));
 }
 
-/// The name of an option's value in the help; empty for a flag.
-std::string value_name(const Option& option) {
-  if (std::holds_alternative<bool*>(option.target)) return "";
-  if (!option.type.empty()) return option.type;
-  if (!option.values.empty()) return fmt::format("{}", fmt::join(option.values, "|"));
-  if (std::holds_alternative<std::optional<std::filesystem::path>*>(option.target)) return "PATH";
-  const bool number = std::holds_alternative<int*>(option.target) ||
-                      std::holds_alternative<std::optional<std::uint64_t>*>(option.target);
-  return number ? "NUMBER" : "TEXT";
-}
-
 std::string described(const Option& option) {
   if (!option.name.starts_with("-"))
     return tagged(fmt::format("\\fI{}\\fR", roff(option.name)), option.about);
@@ -64,11 +53,7 @@ std::string described(const Option& option) {
   tag += fmt::format("\\fB{}\\fR", roff(name));
   if (const std::string value = value_name(option); !value.empty())
     tag += fmt::format(" \\fI{}\\fR", roff(value));
-  std::string about = option.about;
-  if (option.range[1] > 0) about += fmt::format("; {} to {}", option.range[0], option.range[1]);
-  if (!option.needs.empty()) about += "; needs " + option.needs;
-  if (!option.excludes.empty()) about += "; not with " + option.excludes;
-  return tagged(tag, about);
+  return tagged(tag, meaning_of(option));
 }
 
 std::string synopsis(const std::string& path, const Command& command) {
@@ -113,7 +98,10 @@ std::string program_page(const std::vector<Command>& all) {
       ".SH SYNOPSIS\n\\fBmahlwerk\\fR \\fICOMMAND\\fR [\\fIOPTION\\fR ...] [\\fICASE\\fR]\n.br\n"
       "\\fBmahlwerk\\fR [\\fICOMMAND\\fR] \\fB\\-\\-help\\fR\n.br\n"
       "\\fBmahlwerk\\fR \\fB\\-\\-version\\fR\n.SH DESCRIPTION\n" +
-      roff(purpose()) + "\n.SH COMMANDS\n";
+      roff(purpose()) + "\n.SH OPTIONS\n";
+  for (const Explained& option : general_options())
+    text += tagged(fmt::format("\\fB{}\\fR", roff(option.word)), option.meaning);
+  text += ".SH COMMANDS\n";
   std::vector<std::string> pages;
   for (const Command& command : all) {
     text += tagged(fmt::format("\\fB{}\\fR", roff(command.name)), command.about);
@@ -142,15 +130,7 @@ std::string command_page(const Command& command) {
 
 int manual(const std::string& name) {
   const std::vector<Command> all = all_commands();
-  if (name.empty()) {
-    to_stdout(program_page(all));
-    return success;
-  }
-  const auto found = std::ranges::find(all, name, &Command::name);
-  if (found == all.end())
-    throw InputError(Fault{"manual", fmt::format("there is no command '{}'", name),
-                           "mahlwerk --help lists all commands", "bad-command-line"});
-  to_stdout(command_page(*found));
+  verbatim_to_stdout(name.empty() ? program_page(all) : command_page(find_command(all, {name})));
   return success;
 }
 
@@ -164,9 +144,7 @@ Command manual_command() {
       {{.name = "COMMAND",
         .target = name.get(),
         .about = "a command (default: the program)",
-        .completions =
-            "$(\"${COMP_WORDS[0]}\" --help 2>/dev/null | awk '/^Subcommands/ {on = 1} on && "
-            "/^  / {print $1}')"}},
+        .completions = std::string(command_completions())}},
       [name] { return manual(*name); }};
 }
 

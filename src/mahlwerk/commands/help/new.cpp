@@ -89,7 +89,7 @@ int new_case(const NewArguments& given) {
     throw;
   }
   if (file.empty()) {
-    to_stdout(text);
+    verbatim_to_stdout(text);
     return success;
   }
   results::write_whole(file, text);

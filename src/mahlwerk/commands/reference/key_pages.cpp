@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/unit_table.hpp"
 #include "mahlwerk/base/units.hpp"
+#include "mahlwerk/commands/reporting/terminal.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -17,7 +18,8 @@ using cases::KeyInfo;
 using cases::KeySection;
 using results::Json;
 
-constexpr std::size_t line_width = 110;
+constexpr std::size_t longest_line = 110;
+constexpr std::size_t below_key = 6;     ///< indent of a meaning below its key
 constexpr std::size_t engine_count = 3;  ///< event, soft, lammps
 
 /// "mill"; "top" for the keys outside sections.
@@ -34,8 +36,13 @@ std::string heading(const KeySection& section) {
                      section.kind);
 }
 
+/// As wide as the terminal, but not wider than reads well.
+std::size_t page_width() {
+  return std::min(longest_line, terminal_width(Stream::output));
+}
+
 std::string wrapped(const std::string& text, std::size_t indent) {
-  return wrapped_text(text, std::string(indent, ' '));
+  return wrapped_text(text, std::string(indent, ' '), page_width());
 }
 
 std::string default_column(const KeyInfo& key) {
@@ -132,14 +139,14 @@ Json as_json(const KeyInfo& key, const KeySection& section) {
 
 }  // namespace
 
-std::string wrapped_text(const std::string& text, const std::string& margin) {
+std::string wrapped_text(const std::string& text, const std::string& margin, std::size_t width) {
   std::string out;
   const std::size_t indent = margin.size();
   std::size_t column = indent, start = 0;
   while (start < text.size()) {
     const std::size_t end = std::min(text.find(' ', start), text.size());
     const std::string word = text.substr(start, end - start);
-    if (column > indent && column + 1 + word.size() > line_width) {
+    if (column > indent && column + 1 + word.size() > width) {
       out += '\n' + margin;
       column = indent;
     } else if (column > indent) {
@@ -247,7 +254,10 @@ std::string key_tables(const KeySection& section, std::string_view only) {
   page += '\n' + line({"key", "unit", "range", "default"}) + "meaning\n";
   for (const KeyInfo* key : keys) {
     const std::string row = line(cells(*key));
-    page += row + wrapped(key_meaning(*key), row.size()) + '\n' + words_of(*key, row.size());
+    const bool below = row.size() > page_width() / 2 + 1;  // no room for the meaning beside the key
+    const std::size_t indent = below ? below_key : row.size();
+    page += row + (below ? '\n' + std::string(indent, ' ') : "") +
+            wrapped(key_meaning(*key), indent) + '\n' + words_of(*key, indent);
   }
   return page;
 }

@@ -27,9 +27,10 @@ std::vector<std::string> kinds_of(std::string_view section);
 std::string key_meaning(const cases::KeyInfo& key, bool brief = false);
 /// The range of a number in few characters: "> 0", "0 to 1", "> 0 to 1"; else the type.
 std::string key_range(const cases::KeyInfo& key);
-/// Breaks a text into lines of at most 110 characters. The first begins in column `indent`, the
-/// others after `margin`.
-std::string wrapped_text(const std::string& text, const std::string& margin);
+/// Breaks a text into lines of at most `width` characters. The first begins in the column after
+/// `margin`, with which the others begin.
+std::string wrapped_text(const std::string& text, const std::string& margin,
+                         std::size_t width = 110);
 
 /// The section as tables of keys; with `only`, of this key alone.
 std::string key_tables(const cases::KeySection& section, std::string_view only = {});

@@ -9,6 +9,7 @@
 
 #include "mahlwerk/base/printable.hpp"
 #include "mahlwerk/commands/reporting/listener.hpp"
+#include "mahlwerk/commands/reporting/terminal.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -57,7 +58,27 @@ bool json_messages() {
 
 void to_stdout(std::string_view text) {
   if (listener() != nullptr) return;
-  fmt::print("{}", printable(text));
+  fmt::print("{}", page_for(Stream::output, printable(text)));
+}
+
+void verbatim_to_stdout(std::string_view text) {
+  if (listener() == nullptr) fmt::print("{}", printable(text));
+}
+
+void title_to_stdout(std::string_view text) {
+  if (listener() != nullptr) return;
+  const std::string line = wrapped_line(printable(text), terminal_width(Stream::output));
+  fmt::print("{}\n", styled(Style::heading, line, Stream::output));
+}
+
+void places_to_stdout(const Places& places) {
+  if (listener() != nullptr) return;
+  constexpr std::size_t least = 10;
+  std::size_t width = least;
+  for (const auto& [name, path] : places) width = std::max(width, name.size() + 2);
+  for (const auto& [name, path] : places)
+    fmt::print("{:<{}}{}\n", fmt::format("{}:", name), width,
+               linked(printable(path.string()), path.string(), Stream::output));
 }
 
 void json_to_stdout(const results::Json& json) {
@@ -73,7 +94,8 @@ void to_stderr(std::string_view text) {
 void print_warning(const Fault& warning) {
   if (listener() != nullptr) return listener()->warning(warning);
   to_stderr(errors_as_json ? Json::object({{"warning", fault_json(warning)}}).text() + '\n'
-                           : "warning: " + mahlwerk::describe({warning}) + '\n');
+                           : faults_for(Stream::errors, Style::warning,
+                                        "warning: " + mahlwerk::describe({warning}) + '\n'));
 }
 
 WriteErrorReporter::WriteErrorReporter() : listener_(listener()) {}
@@ -97,7 +119,7 @@ int report_end(int code, std::string_view words, const std::vector<Fault>& fault
     return code;
   }
   if (!errors_as_json) {
-    to_stderr(printable(words) + '\n');
+    to_stderr(faults_for(Stream::errors, Style::error, printable(words) + '\n'));
     return code;
   }
   Json list = Json::array();

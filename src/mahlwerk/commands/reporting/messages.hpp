@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "mahlwerk/base/error.hpp"
@@ -28,8 +30,18 @@ enum Exit : int {
   interrupted = 130
 };
 
-/// Prints text to stdout with control characters escaped: it may contain text of a case or user.
+/// Prints a page or a part of one to stdout, as the terminal shows it (terminal.hpp), with control
+/// characters escaped: it may contain text of a case or user.
 void to_stdout(std::string_view text);
+/// The same for texts that are copied or read by programs: they stay as they are.
+void verbatim_to_stdout(std::string_view text);
+/// Prints the title of a page, one line.
+void title_to_stdout(std::string_view text);
+
+/// Files and folders that a command wrote, and what they are: "report".
+using Places = std::vector<std::pair<std::string, std::filesystem::path>>;
+/// Prints them to stdout, one a line: "report:   results/x/report.html".
+void places_to_stdout(const Places& places);
 /// Prints the result of a command as JSON.
 void json_to_stdout(const results::Json& json);
 

@@ -3,7 +3,6 @@
 #include "mahlwerk/commands/reporting/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/commands/reporting/listener.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/commands/reporting/terminal.hpp"
 
 namespace mahlwerk::commands {
 namespace {
@@ -49,17 +49,6 @@ void on_signals(void (*handler)(int)) {
   if (std::signal(SIGHUP, handler) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
-bool is_terminal() {
-  const char* term = std::getenv("TERM");
-  return isatty(STDERR_FILENO) == 1 && term != nullptr && std::string_view(term) != "dumb";
-}
-
-/// Columns of the terminal at stderr; 80 if unknown.
-std::size_t terminal_width() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
 /// [s] between two lines without a terminal.
 std::chrono::duration<double> between_lines() {
   constexpr double usual = 30;
@@ -84,7 +73,10 @@ void catch_early_signals() {
 }
 
 ProgressLine::ProgressLine(bool quiet)
-    : listener_(listener()), on_(!quiet), terminal_(is_terminal()), every_(between_lines()) {
+    : listener_(listener()),
+      on_(!quiet),
+      terminal_(is_terminal(Stream::errors)),
+      every_(between_lines()) {
   if (!terminal_ && json_messages()) on_ = false;  // no progress lines between JSON messages
 }
 
@@ -97,12 +89,23 @@ void ProgressLine::show(const campaign::Progress& p) {
   using Seconds = std::chrono::duration<double>;
   const double gone = Seconds(std::chrono::steady_clock::now() - started_).count();
   const double share = p.total > 0 ? p.simulated / p.total : 0;
-  const double left = share > 0 ? std::max(0.0, gone * (1 - share) / share) : 0;
+  const std::string time = left(share);
   warn_if_endless(p);
   const bool known = p.residual > 0;  // LAMMPS tells none
-  show(fmt::format("{:3.0f} %  {:.4g} of {:.4g} s simulated  {:.0f} s left  {:.3g} collisions/s{}",
-                   100 * share, p.simulated, p.total, left, p.collisions / gone,
+  show(fmt::format("{:3.0f} %  {:.4g} of {:.4g} s simulated  {}{:.3g} collisions/s{}", 100 * share,
+                   p.simulated, p.total, time.empty() ? "" : time + "  ", p.collisions / gone,
                    known ? fmt::format("  energy residual {:.0e}", p.residual) : ""));
+}
+
+std::string ProgressLine::left(double share) {
+  constexpr double minute = 60, hour = 3600;
+  const double gone = std::chrono::duration<double>(Clock::now() - started_).count();
+  const double done = share - *(first_share_ = first_share_.value_or(share));
+  if (done <= 0) return "";
+  const double seconds = std::max(0.0, gone * (1 - share) / done);
+  if (!terminal_ || seconds < 2 * minute) return fmt::format("{:.0f} s left", seconds);
+  return seconds < 2 * hour ? fmt::format("{:.0f} min left", seconds / minute)
+                            : fmt::format("{:.1f} h left", seconds / hour);
 }
 
 /// Warns once if the run, at the rate of the last seconds, takes hours.
@@ -139,7 +142,7 @@ void ProgressLine::show(std::string line) {
     return to_stderr(line + '\n');
   }
   shown_ = true;
-  line.resize(std::min(line.size(), terminal_width() - 1));
+  line.resize(std::min(line.size(), terminal_width(Stream::errors) - 1));
   to_stderr("\r\033[K" + line);
 }
 

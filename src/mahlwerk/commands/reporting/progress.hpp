@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "mahlwerk/campaign/run/run.hpp"
@@ -31,6 +32,9 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   void show(const campaign::Progress& progress);
   void show(std::string line);
+  /// "200 s left" of work of which this share is done; in minutes and hours on a terminal. Empty if
+  /// the share has not grown since the first call.
+  std::string left(double share);
 
  private:
   void warn_if_endless(const campaign::Progress& progress);
@@ -40,6 +44,7 @@ class ProgressLine {
   bool on_, terminal_, shown_ = false;
   std::chrono::duration<double> every_{0};  // between two lines without a terminal
   Clock::time_point started_ = Clock::now(), last_ = started_;
+  std::optional<double> first_share_;   // of the first call of left(): what is resumed took no time
   Clock::time_point rated_ = started_;  // when the rate of the run was last looked at
   double simulated_ = 0;                // [s] then
   bool warned_ = false;

@@ -29,6 +29,7 @@
 #include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/commands/arguments.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
+#include "mahlwerk/commands/reporting/terminal.hpp"
 #include "mahlwerk/commands/runs/cheaper.hpp"
 #include "mahlwerk/lammps/notices.hpp"
 
@@ -176,7 +177,8 @@ void print_pairs(const cases::Case& mill_case) {
                        const contact::BounceRule& rule) {
     to_stdout(fmt::format("  {:<38} {}\n", one + " on " + other, in_words(rule)));
   };
-  fmt::print("\nbounces:\n");
+  to_stdout("\n");
+  title_to_stdout("bounces:");
   for (int i = 0; i < table.kinds(); ++i) {
     const std::string set = cases::set_name(mill_case, static_cast<std::size_t>(i));
     for (int j = i; j < table.kinds(); ++j)
@@ -210,7 +212,7 @@ void print(const CheckResult& c, const std::filesystem::path& file) {
         "a campaign of {} points, {} replicates each; quantities of the first point:\n\n", c.points,
         c.mill_case.run.replicates));
   for (const cases::DerivedQuantity& one : c.follows)
-    fmt::print("  {:<38} {:<14} {}\n", one.name, shown(one), one.about);
+    to_stdout(fmt::format("  {:<38} {:<14} {}\n", one.name, shown(one), one.about));
   print_pairs(c.mill_case);
   std::string assumed;
   for (const cases::Origin& origin : c.mill_case.origins)
@@ -220,7 +222,8 @@ void print(const CheckResult& c, const std::filesystem::path& file) {
   if (!assumed.empty())
     to_stdout(fmt::format("\nassumed, because the case does not give it:\n{}", assumed));
   for (const std::string& note : c.notes) to_stdout(fmt::format("\n{}\n", note));
-  if (!c.engine.empty()) to_stdout(fmt::format("\n{}\n", mahlwerk::describe(c.engine)));
+  if (!c.engine.empty())
+    fmt::print("\n{}\n", faults_for(Stream::output, Style::error, mahlwerk::describe(c.engine)));
 }
 
 results::Json as_json(const CheckResult& c, const std::filesystem::path& file) {

@@ -86,7 +86,8 @@ int cite(const CiteArguments& given) {
   if (given.json)
     json_to_stdout(json_of(cited));
   else
-    to_stdout(given.bibtex ? report::citation_bibtex(cited) : report::citation_text(cited));
+    given.bibtex ? verbatim_to_stdout(report::citation_bibtex(cited))
+                 : to_stdout(report::citation_text(cited));
   return success;
 }
 

@@ -75,12 +75,12 @@ void print_json(const report::Comparison& comparison, const fs::path& place) {
 
 void print_summary(const report::Comparison& comparison, const fs::path& place, double seconds,
                    bool written) {
-  to_stdout(fmt::format("{}\n\n{}\n", comparison.title, report::compare_table(comparison)));
+  title_to_stdout(comparison.title);
+  to_stdout(fmt::format("\n{}\n", report::compare_table(comparison)));
   if (!written) return;
-  fmt::print("results:  {}\n", place.string());
-  fmt::print("report:   {}\n", (place / "compare.html").string());
-  fmt::print("numbers:  {}\n\n", (place / "compare.csv").string());
-  fmt::print("computed in {} s\n", two_digits(seconds));
+  places_to_stdout(
+      {{"results", place}, {"report", place / "compare.html"}, {"numbers", place / "compare.csv"}});
+  fmt::print("\ncomputed in {} s\n", two_digits(seconds));
 }
 
 int compare(const CompareArguments& given) {

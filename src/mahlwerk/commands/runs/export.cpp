@@ -218,7 +218,7 @@ int export_run(const ExportArguments& given) {
   if (given.json)
     json_to_stdout(results::Json::object({{"record", file.string()}}));
   else
-    to_stdout(fmt::format("record:   {}\n", file.string()));
+    places_to_stdout({{"record", file}});
   return success;
 }
 

@@ -71,7 +71,7 @@ int report_page(const ReportArguments& given) {
   const fs::path page =
       fs::exists(place / "campaign.sqlite") ? campaign_page_in(place) : renewed_page_in(place);
   if (given.json) json_to_stdout(results::Json::object({{"report", page.string()}}));
-  if (!given.json) to_stdout(fmt::format("report:   {}\n", page.string()));
+  if (!given.json) places_to_stdout({{"report", page}});
   return success;
 }
 

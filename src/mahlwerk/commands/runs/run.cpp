@@ -51,7 +51,8 @@ std::string uncalibrated(const cases::Case& mill_case) {
 }
 
 void print_summary(const RunJob& job, const results::Outcome& outcome, bool written) {
-  to_stdout(fmt::format("{}\n\n{}\n", job.mill_case.title, report::key_table(outcome)));
+  title_to_stdout(job.mill_case.title);
+  to_stdout(fmt::format("\n{}\n", report::key_table(outcome)));
   to_stdout(report::states_table(outcome));
   to_stdout(fmt::format(
       "{}\n", report::table(outcome.summary.quantities, job.mill_case.observe.threshold)));
@@ -64,9 +65,10 @@ void print_summary(const RunJob& job, const results::Outcome& outcome, bool writ
   for (const Notice& one : outcome.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
   if (!written) return;
-  fmt::print("results:  {}\n", job.place.string());
-  fmt::print("report:   {}\n", (job.place / "report.html").string());
-  fmt::print("numbers:  {}\n\n", (job.place / "summary.json").string());
+  places_to_stdout({{"results", job.place},
+                    {"report", job.place / "report.html"},
+                    {"numbers", job.place / "summary.json"}});
+  to_stdout("\n");
 }
 
 /// The places of the results; the results themselves where they could not be written.

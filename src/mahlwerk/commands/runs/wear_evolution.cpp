@@ -69,11 +69,14 @@ void write_files(const campaign::WearEvolution& all, const fs::path& place) {
 }
 
 void print_evolution(const campaign::WearEvolution& all, const fs::path& place) {
-  to_stdout(fmt::format("{}\n\n{}\n", all.title, report::wear_evolution_text(all)));
+  title_to_stdout(all.title);
+  to_stdout(fmt::format("\n{}\n", report::wear_evolution_text(all)));
   for (const Notice& one : all.notices)
     to_stdout(fmt::format("{}{}\n\n", one.warns() ? "Warning: " : "", one.text));
-  fmt::print("results:  {}\nreport:   {}\nnumbers:  {}\n\n", place.string(),
-             (place / "wear_evolution.html").string(), (place / "wear_evolution.csv").string());
+  places_to_stdout({{"results", place},
+                    {"report", place / "wear_evolution.html"},
+                    {"numbers", place / "wear_evolution.csv"}});
+  to_stdout("\n");
 }
 
 /// Where a new stage goes, and what is kept after it.
@@ -85,9 +88,10 @@ campaign::WearOptions options_of(const Running& running, const RunJob& job, Prog
   const auto at = std::make_shared<std::pair<std::size_t, double>>();  // stage and time [s]
   options.begin = [at](std::size_t stage, double time) { *at = {stage, time}; };
   options.run.progress = [&line, at, evolve](const campaign::Progress& p) {
-    line.show(fmt::format("stage {}, {:3.0f} % of the time of operation; its run {:3.0f} %",
+    line.show(fmt::format("stage {}, {:3.0f} % of the time of operation; its run {:3.0f} %  {}",
                           at->first, 100 * at->second / evolve,
-                          p.total > 0 ? 100 * p.simulated / p.total : 0));
+                          p.total > 0 ? 100 * p.simulated / p.total : 0,
+                          line.left(at->second / evolve)));
   };
   options.done = [&job](std::size_t stage, const results::Outcome& outcome) {
     results::Folder folder(job.place / stage_name(stage), true);

@@ -37,9 +37,10 @@ campaign::Calibration find_calibration(const Running& running, CalibrationJob& j
     return campaign::run_settings(job, asked, options, store, version(), notices);
   };
   const auto show = [&](const campaign::CalibrationProgress& p) {
-    line.show(p.at_centre ? "running the calibrated case"
-                          : fmt::format("{} of at most {} settings, round {}", p.settings, p.of,
-                                        p.rounds + 1));
+    line.show(p.at_centre
+                  ? "running the calibrated case"
+                  : fmt::format("{} of at most {} settings, round {}  {}", p.settings, p.of,
+                                p.rounds + 1, line.left(static_cast<double>(p.settings) / p.of)));
   };
   campaign::Calibration found =
       campaign::calibrate(job, run, {.stop = &stop_wanted(), .progress = show});
@@ -77,10 +78,10 @@ int calibrate(const FitArguments& given, const fs::path& file) {
       const fs::path& place = folder.target();
       if (running.prints_text())
         print_found(found.title + "\n\n" + report::calibration_table(found),
-                    {{"results:", place},
-                     {"report:", place / "fit.html"},
-                     {"numbers:", place / "fit.json"},
-                     {"case:", place / "calibrated.toml"}},
+                    {{"results", place},
+                     {"report", place / "fit.html"},
+                     {"numbers", place / "fit.json"},
+                     {"case", place / "calibrated.toml"}},
                     unwritten.empty());
     };
     return print_result(print, unwritten, success);

@@ -61,8 +61,8 @@ campaign::Fit find(const Running& running, const campaign::FitJob& job,
        .stop = &stop_wanted(),
        .progress =
            [&](int n, int usual) {
-             line.show(
-                 fmt::format("fitting: {} of about {} evaluations of the powder model", n, usual));
+             line.show(fmt::format("fitting: {} of about {} evaluations of the powder model  {}", n,
+                                   usual, line.left(static_cast<double>(n) / usual)));
            },
        .kept = &kept});
 }
@@ -124,10 +124,10 @@ int fit_powder(const FitArguments& given, const campaign::FitJob& job, results::
       const fs::path& place = folder.target();
       if (running.prints_text())
         print_found(found.title + "\n\n" + report::fit_table(found),
-                    {{"results:", place},
-                     {"report:", place / "fit.html"},
-                     {"numbers:", place / "fit.json"},
-                     {"case:", place / "fitted.toml"}},
+                    {{"results", place},
+                     {"report", place / "fit.html"},
+                     {"numbers", place / "fit.json"},
+                     {"case", place / "fitted.toml"}},
                     unwritten.empty());
     };
     return print_result(print, unwritten, success);

@@ -92,10 +92,9 @@ campaign::SearchJob search_job(const MatchJob& job) {
 }
 
 void print_summary(const campaign::MatchResult& found, const fs::path& place, bool written) {
-  std::vector<NamedPath> paths{{"results:", place},
-                               {"report:", place / "match.html"},
-                               {"settings:", place / "settings.csv"}};
-  if (found.search.best) paths.emplace_back("case:", place / "best.toml");
+  Places paths{
+      {"results", place}, {"report", place / "match.html"}, {"settings", place / "settings.csv"}};
+  if (found.search.best) paths.emplace_back("case", place / "best.toml");
   print_found(
       fmt::format("A: {}\nB: {}\n\n{}", found.title_a, found.title_b, report::match_table(found)),
       paths, written);

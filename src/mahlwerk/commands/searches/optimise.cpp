@@ -28,10 +28,10 @@ void write(const results::Folder& folder, const campaign::Optimum& found) {
 }
 
 void print_summary(const campaign::Optimum& found, const fs::path& place, bool written) {
-  std::vector<NamedPath> paths{{"results:", place},
-                               {"report:", place / "optimise.html"},
-                               {"settings:", place / "settings.csv"}};
-  if (found.best) paths.emplace_back("case:", place / "best.toml");
+  Places paths{{"results", place},
+               {"report", place / "optimise.html"},
+               {"settings", place / "settings.csv"}};
+  if (found.best) paths.emplace_back("case", place / "best.toml");
   print_found(fmt::format("{}\n\n{}", found.title, report::optimum_table(found)), paths, written);
 }
 

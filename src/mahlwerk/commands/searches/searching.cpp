@@ -79,10 +79,9 @@ campaign::Optimum run_search(const Running& running, const campaign::SearchJob& 
   return found;
 }
 
-void print_found(const std::string& summary, const std::vector<NamedPath>& paths, bool written) {
+void print_found(const std::string& summary, const Places& places, bool written) {
   to_stdout(summary + '\n');
-  if (!written) return;
-  for (const auto& [name, path] : paths) fmt::print("{:10}{}\n", name, path.string());
+  if (written) places_to_stdout(places);
 }
 
 std::optional<campaign::OptimumCheck> check_best(const Running& running,

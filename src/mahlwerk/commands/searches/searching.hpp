@@ -12,6 +12,7 @@
 #include "mahlwerk/campaign/run/resumable_runs.hpp"
 #include "mahlwerk/campaign/search/search_job.hpp"
 #include "mahlwerk/commands/arguments.hpp"
+#include "mahlwerk/commands/reporting/messages.hpp"
 
 // Search for settings, shared by optimise and match.
 namespace mahlwerk::commands {
@@ -56,9 +57,7 @@ std::optional<campaign::OptimumCheck> check_best(const Running& running,
                                                  const campaign::Optimum& found,
                                                  const ResumableSearch& kept);
 
-/// A file or folder of a result, with its name in the summary.
-using NamedPath = std::pair<std::string_view, std::filesystem::path>;
 /// Prints the summary of a result and, if it was `written`, where.
-void print_found(const std::string& summary, const std::vector<NamedPath>& paths, bool written);
+void print_found(const std::string& summary, const Places& places, bool written);
 
 }  // namespace mahlwerk::commands

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "mahlwerk/base/text.hpp"
 #include "mahlwerk/results/quantities/measure.hpp"
 
 namespace mahlwerk::results {
@@ -55,13 +56,18 @@ Json quantity_record(std::string_view name) {
   return m == nullptr ? Json() : object_of(*m);
 }
 
-std::string quantity_index() {
-  std::string text;
+std::string quantity_index(std::string_view word) {
+  std::string text, shown;
+  std::string_view heading;
   for (const Measures* some : {&all_measures(), &measures_of_whole()})
     for (const Measure& m : *some) {
-      if (!m.traits.heading.empty())
-        text += fmt::format("{}{}\n", text.empty() ? "" : "\n", m.traits.heading);
-      text += fmt::format("  {:<46} {:<8} {}\n", m.name, m.unit, label_of(m.name));
+      if (!m.traits.heading.empty()) heading = m.traits.heading;
+      if (!contains_word(fmt::format("{}\n{}\n{}\n{}", m.name, label_of(m.name), m.about, heading),
+                         word))
+        continue;
+      if (heading != shown) text += fmt::format("{}{}\n", text.empty() ? "" : "\n", heading);
+      shown = heading;
+      text += fmt::format("  {:<46} {:<8} {}\n", m.name, m.unit, m.about);
     }
   return text;
 }

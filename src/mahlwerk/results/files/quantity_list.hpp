@@ -15,8 +15,10 @@ namespace mahlwerk::results {
 Json quantity_list();
 /// The object of one of them; null if there is none of that name.
 Json quantity_record(std::string_view name);
-/// The list as a table for the terminal, under the headings of results.
-std::string quantity_index();
+/// The list as a table for the terminal, under the headings of results: name, unit, sentence. With
+/// `word` those alone that have it in their name, their label, their sentence or their heading,
+/// regardless of case; empty if there is none.
+std::string quantity_index(std::string_view word = {});
 /// One quantity in words; empty if there is none of that name.
 std::string quantity_in_words(std::string_view name);
 
