@@ -7,7 +7,8 @@ from pages import HOME
 
 SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
-    "Commands as functions": ["run", "check", "cite", "sweep", "fit", "optimise", "match", "compare", "evolve_wear"],
+    "Commands as functions": ["run", "check", "cite", "sweep", "fit", "optimise", "match", "compare", "evolve_wear",
+                              "command"],
     "Estimates": ["estimate", "Estimate", "Band", "Cause"],
     "Results": ["Result", "Quantity", "Influence", "Notice", "Citation", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey", "WearEvolution"],

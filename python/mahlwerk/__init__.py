@@ -26,7 +26,7 @@ from .campaign import Campaign, SweptKey
 from .case import Case
 from .check import Check, Origin
 from .citation import Citation
-from .commands import catalogue, describe
+from .commands import catalogue, command, describe
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .estimates import Band, Cause, Estimate, estimate
 from .functions import check, cite, compare, evolve_wear, fit, match, optimise, run, sweep
@@ -46,7 +46,7 @@ Opened = Union[Result, Campaign, Fit, Optimum, Match, Comparison, WearEvolution]
 __all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Citation", "Comparison", "Estimate", "Fault", "Fit",
            "Influence", "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
            "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "WearEvolution", "catalogue", "check", "cite",
-           "compare", "describe", "estimate", "evolve_wear", "fit", "match", "open", "optimise", "record_columns", "run",
+           "command", "compare", "describe", "estimate", "evolve_wear", "fit", "match", "open", "optimise", "record_columns", "run",
            "sweep"]
 
 

@@ -75,11 +75,13 @@ def test_notebooks_complete_quantities_keys_and_tables(done):
 
 
 def test_public_signatures_name_their_types():
-    """`dict[str, Any]` is a document of JSON, whose content formats.md describes."""
+    """`dict[str, Any]`, and what command() returns, is a document of JSON, whose content formats.md describes."""
     for where, thing in documented():
         thing = thing.fget if isinstance(thing, property) else getattr(thing, "func", thing)
         if inspect.isfunction(thing):
             said = str(inspect.signature(thing)).replace("dict[str, Any]", "")
+            if thing is mahlwerk.command:
+                said = said.replace("-> 'Any'", "")
             assert not re.search(r"\bAny\b", said), f"{where}{said}"
 
 

@@ -21,7 +21,8 @@ inline bool contains_word(std::string_view text, std::string_view word) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   };
   const auto same = [&](char a, char b) { return lower(a) == lower(b); };
-  return !std::ranges::search(text, word, same).empty() || word.empty();
+  return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end() ||
+         word.empty();
 }
 
 }  // namespace mahlwerk

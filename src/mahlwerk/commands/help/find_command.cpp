@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "mahlwerk/base/error.hpp"
@@ -65,6 +66,7 @@ const Command& find_command(const std::vector<Command>& all,
     level = &found->subcommands;
     before += word + ' ';
   }
+  if (found == nullptr) throw std::invalid_argument("no command is named");
   return *found;
 }
 

@@ -82,7 +82,8 @@ std::string by_lines(std::string_view text, const Shown& shown) {
 }
 
 /// The first `count` bytes of `text` in a style, at most to the end of its first line.
-std::string with_styled_start(std::string text, std::size_t count, Style style, Stream stream) {
+std::string with_styled_start(const std::string& text, std::size_t count, Style style,
+                              Stream stream) {
   count = std::min({count, text.size(), text.find('\n')});
   return styled(style, std::string_view(text).substr(0, count), stream) + text.substr(count);
 }
@@ -159,12 +160,11 @@ std::string wrapped_line(std::string_view line, std::size_t width) {
 std::string page_for(Stream stream, std::string_view text) {
   if (terminal_width(stream) == unlimited && !has_color(stream)) return std::string(text);
   return by_lines(text, [&](std::string_view line, std::string_view next) {
-    std::string shown = wrapped_line(line, terminal_width(stream));
+    const std::string shown = wrapped_line(line, terminal_width(stream));
     if (line.starts_with(warning_label))
-      return with_styled_start(std::move(shown), warning_label.size(), Style::warning, stream);
+      return with_styled_start(shown, warning_label.size(), Style::warning, stream);
     const bool heads = !line.empty() && line.front() != ' ' && is_indented(next);
-    return heads ? with_styled_start(std::move(shown), line.find(cell_gap), Style::heading, stream)
-                 : shown;
+    return heads ? with_styled_start(shown, line.find(cell_gap), Style::heading, stream) : shown;
   });
 }
 
@@ -175,12 +175,12 @@ std::string faults_for(Stream stream, Style style, std::string_view text) {
       const std::string place = document(line.substr(document_label.size()));
       return std::string(document_label) + linked(place, place, stream);
     }
-    std::string shown = wrapped_line(line, terminal_width(stream));
+    const std::string shown = wrapped_line(line, terminal_width(stream));
     if (line.starts_with(remedy_label))
-      return with_styled_start(std::move(shown), remedy_label.size(), Style::heading, stream);
+      return with_styled_start(shown, remedy_label.size(), Style::heading, stream);
     const std::size_t place = line.find(": ");
     const bool begins = !line.starts_with(" ") && place != std::string_view::npos;
-    return begins ? with_styled_start(std::move(shown), place + 1, style, stream) : shown;
+    return begins ? with_styled_start(shown, place + 1, style, stream) : shown;
   });
 }
 
