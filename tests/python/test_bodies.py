@@ -31,6 +31,23 @@ def test_drum_of_cylpebs_runs_and_its_books_close(tmp_path):
     assert (records["ball"] != records["other"]).all()
 
 
+def test_body_that_starts_outside_is_bad_input(tmp_path):
+    """Its centre is inside, a sphere of it is not."""
+    rods = [{"shape": "rod", "diameter": "4 mm", "length": "40 mm", "density": "7800 kg/m3",
+             "positions": [[f"{x} mm", "0 mm", "0 mm"] for x in (-54, -10, 10, 54)]}]
+    with pytest.raises(mahlwerk.InputError, match="starts outside the jar"):
+        mahlwerk.Case(copy.deepcopy(DRUM) | {"balls": rods}).run(out=tmp_path / "out")
+
+
+def test_convex_body_whose_edges_are_pressed_into_the_wall_stops(tmp_path):
+    """An edge of 0.1 mm on contacts that are too soft for it: it must not sink through the floor."""
+    cube = [{"shape": "cube", "surface": "convex", "edge": "10 mm", "rounding": "0.1 mm", "density": "7800 kg/m3",
+             "positions": [["0 mm", "0 mm", "-15 mm"]], "velocities": [["0 m/s", "0 m/s", "-2 m/s"]]}]
+    with pytest.raises(mahlwerk.RunError, match="pressed in completely"):
+        mahlwerk.Case(copy.deepcopy(DRUM) | {"balls": cube, "mill": {"kind": "still"}},
+                      changes={"run.settle": "0 s", "run.time": "20 ms", "contact.softening": 0.01}).run(out=tmp_path / "out")
+
+
 def test_frames_have_the_spheres_of_each_body(tmp_path):
     drum().run(out=tmp_path / "out")
     lines = (tmp_path / "out" / "frames-1.xyz").read_text().splitlines()

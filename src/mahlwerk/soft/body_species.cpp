@@ -116,6 +116,13 @@ std::vector<scene::Ball> BodySpeciesTable::spheres(const std::vector<scene::Ball
                [](const BodySpecies& s, std::size_t k) { return std::pair(s.radii[k], s.mass); });
 }
 
+std::vector<scene::Ball> BodySpeciesTable::heaviest_contacts(
+    const std::vector<scene::Ball>& balls) const {
+  return parts(balls, [](const BodySpecies& s, std::size_t k) {
+    return std::pair(s.is_rounded() ? s.rounding : s.radii[k], s.mass);
+  });
+}
+
 std::vector<scene::Ball> BodySpeciesTable::lightest_contacts(
     const std::vector<scene::Ball>& balls) const {
   // As many contacts share a face without a shorter step: the limits have a margin for a ball

@@ -64,6 +64,9 @@ class BodySpeciesTable {
   std::vector<scene::Ball> spheres(const std::vector<scene::Ball>& balls) const;
   /// The same, each with the mass of its lightest contact: what limits the time step (bod.13).
   std::vector<scene::Ball> lightest_contacts(const std::vector<scene::Ball>& balls) const;
+  /// The same, each with the mass of its heaviest contact, one in line with the centre of mass, and
+  /// the radius of its sphere or rounding: what limits the overlap.
+  std::vector<scene::Ball> heaviest_contacts(const std::vector<scene::Ball>& balls) const;
 
  private:
   /// `part(species, sphere)`: radius and mass of each sphere.

@@ -21,6 +21,12 @@ RunError unstable_run_error(double time, std::size_t ball, const char* why, cons
       show_rounded(shorter * time_step, "s", 2)));
 }
 
+InputError outside_error(std::size_t ball) {
+  return InputError(
+      Fault{"balls", fmt::format("ball {}, or a part of it, starts outside the jar", ball + 1),
+            "give positions at which no ball overlaps another ball or the jar", "outside-jar"});
+}
+
 InputError overlap_error(std::size_t ball, const std::string& with, double overlap,
                          const char* length) {
   return InputError(Fault{"balls",

@@ -18,6 +18,8 @@ constexpr const char* not_finite_message = "its position or velocity is not a fi
 /// velocity [m/s] in the jar frame. `time_step` [s]: the one that was too long.
 RunError unstable_run_error(double time, std::size_t ball, const char* why, const Vec3& position,
                             const Vec3& velocity, double time_step);
+/// The error of an initial state in which `ball`, counted from 0, or a part of it is outside.
+InputError outside_error(std::size_t ball);
 /// The error of an initial state in which `ball`, counted from 0, overlaps `with` by `overlap`
 /// times `length`, a phrase for the smaller radius of the two.
 InputError overlap_error(std::size_t ball, const std::string& with, double overlap,

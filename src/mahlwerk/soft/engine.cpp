@@ -45,6 +45,35 @@ std::vector<std::exception_ptr> advance_together(std::span<scene::Engine* const>
   return failures;
 }
 
+namespace {
+
+/// Calls `f` with the effective values and the smaller radius of each pair of species, and of each
+/// species and face of the jar.
+template <class F>
+void for_each_pair(const SpeciesPairs& pairs, int faces, const F& f) {
+  const auto species = static_cast<std::int32_t>(pairs.all_species().size());
+  for (std::int32_t a = 0; a < species; ++a) {
+    for (std::int32_t b = 0; b < species; ++b)
+      f(pairs.ball_pair_index(a, b), std::min(pairs.species(a).radius, pairs.species(b).radius));
+    for (int face = 0; face < faces; ++face)
+      f(pairs.wall_pair_index(a, face), pairs.species(a).radius);
+  }
+}
+
+/// Largest overlap over radius of bodies that collide at `speed` [m/s].
+double largest_overlap(const SpeciesPairs& pairs, int faces, const contact::AnyLaw& law,
+                       double speed) {
+  double most = 0;
+  for_each_pair(pairs, faces, [&](std::int32_t pair, double radius) {
+    const contact::EffectivePair& t = pairs[pair].effective;
+    most = std::max(
+        most, std::visit([&](const auto& l) { return l.largest_overlap(t, speed); }, law) / radius);
+  });
+  return most;
+}
+
+}  // namespace
+
 double TimeSteps::recommended(double fraction, double steps_per_collision) const {
   return std::min({fraction * rayleigh, contact / steps_per_collision, dashpot / 5});
 }
@@ -56,29 +85,22 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
   const BodySpeciesTable bodies(balls, shapes);
   const std::vector<scene::Ball> contacts = bodies.lightest_contacts(balls);
   const SpeciesPairs species_pairs(contacts, pairs, law);
-  TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, 0};
-  const auto include_pair = [&](std::int32_t pair, double radius) {
+  TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never,
+                  largest_overlap(SpeciesPairs(bodies.heaviest_contacts(balls), pairs, law),
+                                  pairs.faces(), law, speed)};
+  for_each_pair(species_pairs, pairs.faces(), [&](std::int32_t pair, double) {
     const contact::EffectivePair& t = species_pairs[pair].effective;
     std::visit(
         [&](const auto& l) {
           found.contact = std::min(found.contact, l.shortest_time(t, speed));
           found.dashpot =
               std::min(found.dashpot, l.damper_time(t, species_pairs[pair].damping, speed));
-          found.overlap = std::max(found.overlap, l.largest_overlap(t, speed) / radius);
         },
         law);
     if (liquid)  // in which it stops bodies that are about to touch
       found.dashpot =
           std::min(found.dashpot, t.mass * liquid->roughness / liquid->resistance(t.radius));
-  };
-  const auto species = static_cast<std::int32_t>(species_pairs.all_species().size());
-  for (std::int32_t a = 0; a < species; ++a) {
-    for (std::int32_t b = 0; b < species; ++b)
-      include_pair(species_pairs.ball_pair_index(a, b),
-                   std::min(species_pairs.species(a).radius, species_pairs.species(b).radius));
-    for (int face = 0; face < pairs.faces(); ++face)
-      include_pair(species_pairs.wall_pair_index(a, face), species_pairs.species(a).radius);
-  }
+  });
   for (std::size_t b = 0; b < balls.size(); ++b) {
     const scene::Ball& ball = balls[b];
     const double radius =

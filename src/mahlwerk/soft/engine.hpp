@@ -44,7 +44,8 @@ struct TimeSteps {
   double contact = 0;  ///< duration of the shortest collision (dem.29)
   double dashpot = 0;  ///< shortest time in which a contact's dashpot alone stops a ball (dem.33)
   double limit = 0;    ///< longer steps are unstable (dem.31)
-  double overlap = 0;  ///< [1] largest overlap over radius
+  /// [1] Largest overlap over radius; of bodies over that of their spheres, or over their rounding.
+  double overlap = 0;
   /// The recommended step [s]: `fraction` of rayleigh, at most contact / `steps_per_collision` and
   /// dashpot / 5 (dem.30).
   double recommended(double fraction, double steps_per_collision) const;

@@ -160,5 +160,47 @@ TEST(SoftSettings, contacts_in_which_balls_would_sink_are_refused) {
             "contacts-too-soft");
 }
 
+TEST(SoftSettings, overlap_of_bodies_is_that_of_hits_in_line_with_their_centres) {
+  const std::string drum = R"(title = "cylpebs"
+[mill]
+kind = "tumbling"
+speed = "75 %"
+[jar]
+kind = "cylinder"
+diameter = "120 mm"
+height = "40 mm"
+youngs_modulus = "200 GPa"
+poisson_ratio = 0.3
+[[balls]]
+shape = "cylpebs"
+surface = "convex"
+rounding = "1 mm"
+diameter = "15 mm"
+length = "15 mm"
+density = "7800 kg/m3"
+youngs_modulus = "200 GPa"
+poisson_ratio = 0.3
+count = 5
+[contact]
+restitution = 0.5
+friction = 0.4
+softening = 0.0001
+[run]
+engine = "soft"
+time = "1 s"
+)";
+  const cases::Case mill_case = read_sample(drum);
+  const SoftSettings s = soft_settings(mill_case);
+  // Hertz: E* sqrt(R*) d^(5/2) 8/15 = m v^2/2, of a corner on the wall.
+  const double modulus = 1e-4 * 200e9 / (2 * (1 - 0.3 * 0.3)), radius = 1e-3;
+  const double energy = 0.5 * mill_case.balls[0].mass() * s.speed * s.speed;
+  const double depth = std::pow(energy * 15 / (8 * modulus * std::sqrt(radius)), 0.4);
+  EXPECT_NEAR(s.steps.overlap * radius / depth, 1, 1e-9);
+  EXPECT_GT(s.steps.overlap, 1);
+  EXPECT_EQ(codes(mill_case), "") << "most hits are less deep";
+  ASSERT_EQ(overlap_warnings(mill_case).size(), 1U);
+  EXPECT_EQ(overlap_warnings(mill_case)[0].code, "deep-overlap");
+}
+
 }  // namespace
 }  // namespace mahlwerk::campaign::soft_settings_test

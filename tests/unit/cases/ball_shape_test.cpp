@@ -54,6 +54,12 @@ std::string engine_code(const std::vector<Override>& given) {
   return found.size() == 1 ? found[0].code : std::to_string(found.size()) + " faults";
 }
 
+/// The sample with a clump of these members.
+std::string clump_of(const std::string& members) {
+  return with(with(with(mill, "shape", "shape = \"clump\""), "diameter = \"12", ""), "length",
+              "members = " + members);
+}
+
 TEST(BallShape, mass_and_volume_are_those_of_the_body) {
   const Case c = read_sample(mill);
   const double volume = std::numbers::pi / 4 * 0.012 * 0.012 * 0.014;
@@ -99,6 +105,23 @@ TEST(BallShape, convex_surface_is_read_and_written) {
   EXPECT_EQ(code_of({{"balls.shape", "ellipsoid"}, {"balls.surface", "convex"}}), "too-much");
 }
 
+TEST(BallShape, numbers_of_spheres_that_cannot_be_are_one_fault_with_a_remedy) {
+  EXPECT_EQ(code_of({{"balls.spheres", "1"}}), "out-of-range") << "said once";
+  const auto found = faults_of(mill, {{"balls.diameter", "0.1 mm"}, {"balls.length", "19 mm"}});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].what.starts_with("this shape needs at least")) << found[0].what;
+  const auto bare = faults_of(clump_of(R"([[0, 0, 0, "5 mm"], ["6 mm", 0, 0, "4 mm"]])"));
+  ASSERT_FALSE(bare.empty());
+  EXPECT_TRUE(bare[0].remedy.ends_with("each sphere of a clump")) << bare[0].remedy;
+}
+
+TEST(BallShape, convex_body_is_one_row_and_is_drawn_as_spheres) {
+  const Override convex{"balls.surface", "convex"};
+  const Case spheres = read_sample(mill), body = read_sample(mill, {convex});
+  EXPECT_EQ(body.balls[0].body.count(), 1);
+  EXPECT_EQ(frame_bytes(body), frame_bytes(spheres));
+}
+
 TEST(BallShape, convex_surface_needs_a_jar_that_no_wall_bulges_into) {
   EXPECT_EQ(engine_code({{"balls.surface", "convex"}}), "0 faults");
   const Override convex{"balls.surface", "convex"};
@@ -110,12 +133,6 @@ TEST(BallShape, convex_surface_needs_a_jar_that_no_wall_bulges_into) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, "not-with-bodies");
   EXPECT_TRUE(engine_faults(read_sample(lifters)).empty());
-}
-
-/// The sample with a clump of these members.
-std::string clump_of(const std::string& members) {
-  return with(with(with(mill, "shape", "shape = \"clump\""), "diameter = \"12", ""), "length",
-              "members = " + members);
 }
 
 TEST(BallShape, clump_has_mass_and_inertia_of_the_union_of_its_members) {

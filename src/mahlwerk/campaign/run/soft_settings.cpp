@@ -221,6 +221,14 @@ Notices overlap_warnings(const cases::Case& mill_case) {
   constexpr double deep = results::soft_overlap;
   const SoftSettings s = soft_settings(mill_case);
   Notices notes;
+  if (cases::has_bodies(mill_case) && s.steps.overlap > sinking)
+    return {warning(
+        "deep-overlap",
+        fmt::format("Balls which collide at {} in line with their centres of mass would overlap by "
+                    "{} of the radius of their smallest spheres, or of their rounding. A convex "
+                    "body that is pressed in by its rounding stops the run. {}",
+                    show_rounded(s.speed, "m/s", 2), two_digits(s.steps.overlap),
+                    results::overlap_advice(mill_case)))};
   if (s.steps.overlap > deep)
     notes.push_back(
         warning("soft-contacts",
@@ -241,7 +249,7 @@ std::vector<Fault> replicate_faults(const cases::Case& mill_case) {
   if (found.empty()) found = device_faults(mill_case);
   if (!cases::in_time_steps(mill_case.run.engine) || !found.empty()) return found;
   const SoftSettings s = soft_settings(mill_case);
-  if (s.steps.overlap > sinking)
+  if (s.steps.overlap > sinking && !cases::has_bodies(mill_case))  // overlap_warnings()
     found.push_back({cases::location_of(mill_case, "contact.softening"),
                      fmt::format("contacts are so soft that balls, which may collide at {}, "
                                  "would overlap by {} of their radius",

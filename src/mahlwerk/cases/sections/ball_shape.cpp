@@ -71,9 +71,11 @@ void refuse_keys_of_others(KeyVisitor& v, const BallShape& body) {
              "remove it, or write surface = \"convex\"");
 }
 
-constexpr NumberSpec member_centre("members", "m", any_number, "");
+constexpr NumberSpec member_centre("members", "m", any_number,
+                                   "x, y, z and radius of each sphere of a clump");
 constexpr NumberSpec member_radius =
-    NumberSpec("members", "m", positive, "").plausible_within("", "0.5 m");
+    NumberSpec("members", "m", positive, "x, y, z and radius of each sphere of a clump")
+        .plausible_within("", "0.5 m");
 
 std::string members_text(const std::vector<geometry::MemberSphere>& members) {
   std::string rows;
@@ -215,10 +217,18 @@ bool read_spheres(SectionReader& in, BallShape& body) {
     in.record_default("spheres", std::to_string(body.spheres),
                       "neighbours are a radius of theirs apart");
   }
-  if (body.spheres >= body.fewest_spheres() && body.spheres <= most_spheres) return true;
+  if (in.gives("spheres") && body.spheres < 2) return false;  // a fault already
+  const std::int64_t fewest = body.fewest_spheres();
+  if (body.spheres >= fewest && body.spheres <= most_spheres) return true;
   const Node* at = in.find("spheres") != nullptr ? in.find("spheres") : in.find("shape");
-  in.fault(*at, fmt::format("{} spheres do not make this shape", body.spheres),
-           fmt::format("give {} to {}", body.fewest_spheres(), most_spheres), "out-of-range");
+  if (fewest > most_spheres)
+    in.fault(
+        *at,
+        fmt::format("this shape needs at least {} spheres, more than {}", fewest, most_spheres),
+        "give lengths that differ less, or surface = \"convex\"", "out-of-range");
+  else
+    in.fault(*at, fmt::format("{} spheres do not make this shape", body.spheres),
+             fmt::format("give {} to {}", fewest, most_spheres), "out-of-range");
   return false;
 }
 
@@ -245,6 +255,7 @@ bool describe_body(KeyVisitor& v, BallShape& body, double& diameter) {
                .default_text = "as many as lie a radius of theirs apart"},
               body.spheres);
   if (in == nullptr) return true;
+  if (body.is_convex()) body.spheres = 1;  // that holds it, for work and memory
   const bool sound = makes_a_solid(*in, body) && (body.is_convex() || read_spheres(*in, body));
   diameter = sound ? 2 * body.solid().equivalent_radius() : invalid_value;
   return true;

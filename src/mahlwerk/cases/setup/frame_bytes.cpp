@@ -64,7 +64,12 @@ bool jar_mesh_is_static(const Case& c) {
 
 double frame_bytes(const Case& c) {
   double balls = 0;  // of bodies, their spheres
-  for (const BallSet& set : c.balls) balls += static_cast<double>(set.count * set.body.count());
+  for (const BallSet& set : c.balls) {
+    const BallShape& body = set.body;
+    const auto drawn =
+        body.is_convex() ? std::ssize(body.solid().spheres) : std::ptrdiff_t{body.count()};
+    balls += static_cast<double>(set.count) * static_cast<double>(drawn);
+  }
   const bool forces = c.run.engine == EngineName::soft || c.run.engine == EngineName::automatic;
   double bytes = 0;
   if (c.observe.frames_format != FramesFormat::vtk) bytes += 530 + (forces ? 270 : 210) * balls;

@@ -52,7 +52,10 @@ void ManyBodySolver::rebuild() {
   used_skin_ = 0;
   set_reference_positions();
   for (const BallError& w : errors)
-    if (w.why != nullptr) stop(w.row, w.why);
+    if (w.why != nullptr) {
+      if (step_ == 0) throw outside_error(static_cast<std::size_t>(id_[w.row]));
+      stop(w.row, w.why);
+    }
 }
 
 /// Stores the positions from which displacements are measured.

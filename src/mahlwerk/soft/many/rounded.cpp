@@ -96,7 +96,11 @@ ManyBodySolver::TouchingSpheres ManyBodySolver::sphere_at_wall(std::int32_t i, i
     const double radius = rows_[static_cast<std::size_t>(i)].radius;
     return {.radius_i = radius, .curvature_i = 1 / radius};
   }
-  return {.arm_i = wall_arm(i, face), .radius_i = of->rounding, .curvature_i = 1 / of->rounding};
+  TouchingSpheres t{
+      .arm_i = wall_arm(i, face), .radius_i = of->rounding, .curvature_i = 1 / of->rounding};
+  const Vec3 at = rows_[static_cast<std::size_t>(i)].position() + t.arm_i;
+  t.meeting = !(jar_->gap(face, at, wall_axes_, geometry::never).distance > 0);  // ends the run
+  return t;
 }
 
 Vec3 ManyBodySolver::wall_arm(std::int32_t i, int face) const {
