@@ -38,7 +38,7 @@ def expanded(part):
 def not_in_nightly_list(presets, build):
     """Tests with the label slow that the nightly list of docs/developers/tests.md does not name."""
     text = (pathlib.Path(presets).parent / "docs/developers/tests.md").read_text()
-    named = re.findall(r"`(\w+\.\w*)`", text.split("### The nightly list")[1].split("###")[0])
+    named = re.findall(r"`(\w+\.\w*)`", text.split("## The nightly list")[1].split("\n## ")[0])
     shown = subprocess.run(["ctest", "--show-only=json-v1", "--test-dir", build], capture_output=True,
                            text=True, check=True)
     slow = [test["name"] for test in json.loads(shown.stdout)["tests"] for key in test.get("properties", ())

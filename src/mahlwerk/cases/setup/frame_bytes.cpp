@@ -67,7 +67,7 @@ double frame_bytes(const Case& c) {
   for (const BallSet& set : c.balls) {
     const BallShape& body = set.body;
     const auto drawn =
-        body.is_convex() ? std::ssize(body.solid().spheres) : std::ptrdiff_t{body.count()};
+        body.is_convex() ? static_cast<std::int64_t>(body.solid().spheres.size()) : body.count();
     balls += static_cast<double>(set.count) * static_cast<double>(drawn);
   }
   const bool forces = c.run.engine == EngineName::soft || c.run.engine == EngineName::automatic;
