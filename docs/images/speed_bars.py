@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draws docs/images/speed.svg, bars of the table "Against whom" of docs/performance.md.
 
-    docs/images/speed_bars.py
+    docs/images/speed_bars.py [--check]     --check: writes nothing, ends with 1 if the picture is another
 """
 import html
 import pathlib
 import re
+import sys
 
 DOCS = pathlib.Path(__file__).resolve().parents[1]
 LEFT, PER_UNIT, ROW = 330, 18, 26  # px
@@ -36,7 +37,7 @@ def bars() -> list[tuple[str, str, float, float]]:
     return found
 
 
-def main() -> None:
+def picture() -> str:
     rows = bars()
     height = ROW * len(rows) + 46
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 700 {height}" font-family="sans-serif" font-size="13">',
@@ -55,8 +56,18 @@ def main() -> None:
     bottom = 8 + ROW * len(rows)
     lines += [f'<line class="one" x1="{LEFT + PER_UNIT}" x2="{LEFT + PER_UNIT}" y1="2" y2="{bottom}"/>',
               f'<text x="{LEFT}" y="{bottom + 18}" font-size="12">ratio of speeds on one core; the line is 1</text>', "</svg>"]
-    (DOCS / "images" / "speed.svg").write_text("\n".join(lines) + "\n")
+    return "\n".join(lines) + "\n"
+
+
+def main() -> int:
+    file = DOCS / "images" / "speed.svg"
+    if sys.argv[1:] != ["--check"]:
+        file.write_text(picture())
+    elif file.read_text() != picture():
+        print(f"{file}: not that of the table in docs/performance.md; docs/images/speed_bars.py draws it")
+        return 1
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

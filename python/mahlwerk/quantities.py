@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional
 
@@ -12,6 +13,7 @@ from . import _core
 from .public import Public
 
 if TYPE_CHECKING:
+    import numpy as np
     from uncertainties import UFloat
 
 __all__ = ["Influence", "Notice", "Quantity"]
@@ -136,6 +138,22 @@ def uncertainties() -> ModuleType:
         raise ImportError("numbers with errors need the package uncertainties: install python3-uncertainties, or "
                           "use `standard_error`") from None
     return package
+
+
+def correlated(quantities: Sequence[Quantity], values: Sequence[np.ndarray]) -> tuple[UFloat, ...]:
+    """Numbers with errors that depend on each other as the `values` of the quantities in the replicates do.
+    Raises ValueError if one of these is missing; ImportError without the package uncertainties."""
+    import numpy as np
+
+    names = [one.name for one in quantities]
+    rows = np.array(values, float)
+    if not np.isfinite(rows).all():
+        raise ValueError(f"{', '.join(names)}: not each has a value in every replicate")
+    errors = np.array([one.standard_error for one in quantities])
+    with np.errstate(invalid="ignore"):  # a quantity that is the same in each replicate
+        correlation = np.nan_to_num(np.atleast_2d(np.corrcoef(rows)))
+    return uncertainties().correlated_values([one.value for one in quantities],
+                                             correlation * np.outer(errors, errors), tags=names)
 
 
 def nan_if_none(value: Optional[float]) -> float:

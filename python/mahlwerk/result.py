@@ -8,7 +8,7 @@ import html
 import json
 import math
 import os
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -18,9 +18,9 @@ from .errors import InputError
 from .files import named_folder
 from .pages import Page, table_html
 from .public import Public
-from .quantities import Influence, Notice, Quantity, nan_if_none, notices_of, uncertainties
+from .quantities import Influence, Notice, Quantity, correlated, nan_if_none, notices_of
 from .records import array_of_records
-from .tables import dataset_of, frame_of, of_columns, read_csv
+from .tables import FolderTables, dataset_of, frame_of, of_columns
 
 if TYPE_CHECKING:
     import numpy as np
@@ -213,20 +213,11 @@ class Result(Public):
         Raises ValueError for a quantity without a value in each of at least two replicates; ImportError
         without the package.
         """
-        import numpy as np
-
         table = self.table("replicates")
-        columns = [_core.column_name(name, self[name].unit) for name in names]
-        if any(one not in (table.dtype.names or ()) for one in columns) or len(table) < 2:
+        columns = {name: _core.column_name(name, self[name].unit) for name in names}
+        if any(one not in (table.dtype.names or ()) for one in columns.values()) or len(table) < 2:
             raise ValueError(f"{', '.join(names)}: not each has values in at least two replicates")
-        values = np.array([table[one] for one in columns], float)
-        if not np.isfinite(values).all():
-            raise ValueError(f"{', '.join(names)}: not each has a value in every replicate")
-        errors = np.array([self[name].standard_error for name in names])
-        with np.errstate(invalid="ignore"):  # a quantity that is the same in each replicate
-            correlation = np.nan_to_num(np.atleast_2d(np.corrcoef(values)))
-        return uncertainties().correlated_values([self[name].value for name in names],
-                                                 correlation * np.outer(errors, errors), tags=names)
+        return correlated([self[name] for name in names], [table[one] for one in columns.values()])
 
     def _ipython_key_completions_(self) -> list[str]:
         return list(self.quantities)
@@ -329,28 +320,6 @@ class Result(Public):
             "report": self.report,
             "records": [self.collisions(i + 1).copy() for i in range(count)]}
         return restored, (state,)
-
-
-class FolderTables(Mapping[str, "np.ndarray"]):
-    """The tables of a result folder, each read when it is first used."""
-
-    def __init__(self, folder: Path):
-        self._files = {file.stem: file for file in sorted(folder.glob("*.csv"))}
-        self._read: dict[str, np.ndarray] = {}
-
-    def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self._read:
-            self._read[name] = read_csv(self._files[name])
-        return self._read[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._files)
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return list(self._files)
-
-    def __len__(self) -> int:
-        return len(self._files)
 
 
 def summary_in(folder: Path) -> dict[str, Any]:

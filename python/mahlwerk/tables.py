@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-__all__ = ["array_of", "dataset_of", "frame_of", "of_columns", "on_grid", "read_csv"]
+__all__ = ["FolderTables", "array_of", "dataset_of", "frame_of", "of_columns", "on_grid", "read_csv"]
 
 
 def frame_of(array: np.ndarray) -> pd.DataFrame:
@@ -134,3 +134,25 @@ def column(cells: Sequence[Any]) -> np.ndarray:
         return np.array([float("nan") if cell in ("", None) else float(cell) for cell in cells])
     except ValueError:
         return np.array(["" if cell is None else str(cell) for cell in cells])
+
+
+class FolderTables(Mapping[str, "np.ndarray"]):
+    """The tables of a result folder, each read when it is first used."""
+
+    def __init__(self, folder: Path):
+        self._files = {file.stem: file for file in sorted(folder.glob("*.csv"))}
+        self._read: dict[str, np.ndarray] = {}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self._read:
+            self._read[name] = read_csv(self._files[name])
+        return self._read[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._files)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self._files)
+
+    def __len__(self) -> int:
+        return len(self._files)

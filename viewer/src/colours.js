@@ -74,3 +74,9 @@ export function themeOf(element) {
   }
   return theme;
 }
+
+/// What the colour of a ball shows.
+export const colours = [
+  { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
+  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
+];

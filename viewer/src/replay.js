@@ -4,22 +4,14 @@
 // The replay as a component: plays data inside an element, and takes newer data while it plays.
 
 import { annotate } from "./annotations.js";
-import { printTheme, speedScaleTop, themeOf } from "./colours.js";
+import { colours, printTheme, speedScaleTop, themeOf } from "./colours.js";
 import { apologize, build } from "./controls.js";
+import { listenTo } from "./input.js";
 import { frameOf, timeOf, viewsOf } from "./motion.js";
 import { wordsOf } from "./picked.js";
 import { film, savePicture, videoFault } from "./save.js";
 import { Stage } from "./stage.js";
 import { captionOf, clockOf, factorsOf } from "./words.js";
-
-const colours = [
-  { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
-  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
-];
-const orbitKeys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-
-const next = (options, key) =>
-  options[(options.findIndex((option) => option.key === key) + 1) % options.length].key;
 
 export class Replay {
   constructor(root, data) {
@@ -105,45 +97,12 @@ export class Replay {
 
   listen() {
     const { scene } = this.elements;
-    this.stage.controls.addEventListener("change", () => this.want());
-    // The wheel zooms only while the picture has the focus; otherwise it scrolls the page.
-    this.stage.controls.enableZoom = false;
-    let pressed = null;
-    scene.addEventListener("pointerdown", (event) => {
-      scene.focus({ preventScroll: true });
-      pressed = event.button === 0 ? [event.offsetX, event.offsetY] : null;
-    });
-    scene.addEventListener("pointerup", ({ offsetX, offsetY }) => {
-      if (pressed && Math.hypot(offsetX - pressed[0], offsetY - pressed[1]) < 4)
-        this.pick(this.stage.ballAt((2 * offsetX) / scene.clientWidth - 1,
-          1 - (2 * offsetY) / scene.clientHeight));
-    });
-    scene.addEventListener("focus", () => (this.stage.controls.enableZoom = true));
-    scene.addEventListener("blur", () => (this.stage.controls.enableZoom = false));
+    listenTo(this);
     scene.addEventListener("webglcontextrestored", () => this.want());
-    this.root.addEventListener("keydown", (event) => this.key(event));
     new ResizeObserver(() => this.fit()).observe(scene);
     new IntersectionObserver(([{ isIntersecting }]) => this.appear(isIntersecting)).observe(scene);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.repaint());
     addEventListener("beforeprint", () => this.print());
-  }
-
-  key(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const name = event.target.localName;
-    const orbit = orbitKeys[event.key];
-    if (orbit && event.shiftKey) this.orbit(...orbit);
-    else if (event.key === " " && !["button", "select"].includes(name) &&
-             event.target.type !== "checkbox") this.play(!this.state.playing);
-    else if (orbit?.[0] && name !== "select") this.step(orbit[0]);
-    else if (event.key === "v" && name !== "select") this.view(next(this.views, this.state.view));
-    else if (event.key === "c" && name !== "select")
-      this.change({ colour: next(colours, this.state.colour) });
-    else if (event.key === "b" && name !== "select") this.pick(this.nextBall());
-    else if (event.key === "Escape" && this.state.picked !== null) this.pick(null);
-    else if (event.key === "+" || event.key === "-") this.nearer(event.key === "+" ? 0.87 : 1.15);
-    else return;
-    event.preventDefault();
   }
 
   change(some) {

@@ -85,9 +85,11 @@ TimeSteps time_steps(const std::vector<scene::Ball>& balls, const contact::AnyLa
   const BodySpeciesTable bodies(balls, shapes);
   const std::vector<scene::Ball> contacts = bodies.lightest_contacts(balls);
   const SpeciesPairs species_pairs(contacts, pairs, law);
-  TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never,
-                  largest_overlap(SpeciesPairs(bodies.heaviest_contacts(balls), pairs, law),
-                                  pairs.faces(), law, speed)};
+  const double overlap =
+      bodies.empty() ? largest_overlap(species_pairs, pairs.faces(), law, speed)
+                     : largest_overlap(SpeciesPairs(bodies.heaviest_contacts(balls), pairs, law),
+                                       pairs.faces(), law, speed);
+  TimeSteps found{geometry::never, geometry::never, geometry::never, geometry::never, overlap};
   for_each_pair(species_pairs, pairs.faces(), [&](std::int32_t pair, double) {
     const contact::EffectivePair& t = species_pairs[pair].effective;
     std::visit(

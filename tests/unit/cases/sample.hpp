@@ -44,6 +44,23 @@ class Folder {
   std::filesystem::path path_;
 };
 
+/// The beginning of a case, which lacks [contact] and [run].
+inline const std::string vial_with_two_balls = R"(
+title = "vial"
+[mill]
+kind = "vibration"
+frequency = "19 Hz"
+amplitude = "25 mm"
+[jar]
+kind = "cylinder"
+diameter = "20 mm"
+height = "20 mm"
+[[balls]]
+count = 2
+diameter = "5 mm"
+density = "7850 kg/m3"
+)";
+
 inline std::string entry_value(const std::string& key, const std::string& value) {
   return "[" + key + "]\nvalue = \"" + value + "\"\nsource = \"test sheet\"\n";
 }

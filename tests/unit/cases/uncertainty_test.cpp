@@ -11,21 +11,7 @@ namespace {
 
 using sample::catalogue;
 
-const std::string mill = R"(
-title = "vial"
-[mill]
-kind = "vibration"
-frequency = "19 Hz"
-amplitude = "25 mm"
-[jar]
-kind = "cylinder"
-diameter = "20 mm"
-height = "20 mm"
-[[balls]]
-count = 2
-diameter = "5 mm"
-density = "7850 kg/m3"
-[contact]
+const std::string mill = sample::vial_with_two_balls + R"([contact]
 restitution = 0.9
 friction = 0.3
 [run]

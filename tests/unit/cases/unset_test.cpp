@@ -17,21 +17,7 @@ namespace {
 
 using sample::catalogue;
 
-const std::string text = R"(
-title = "vial"
-[mill]
-kind = "vibration"
-frequency = "19 Hz"
-amplitude = "25 mm"
-[jar]
-kind = "cylinder"
-diameter = "20 mm"
-height = "20 mm"
-[[balls]]
-count = 2
-diameter = "5 mm"
-density = "7850 kg/m3"
-[[balls]]
+const std::string text = sample::vial_with_two_balls + R"([[balls]]
 count = 3
 diameter = "4 mm"
 density = "7850 kg/m3"

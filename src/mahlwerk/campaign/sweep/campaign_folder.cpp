@@ -152,7 +152,8 @@ void CampaignFolder::plan(Plan plan) {
     } catch (const InputError& e) {
       std::string text(settings_.version);
       for (const cases::Override& one : settings(i))
-        text += fmt::format("\n{}={}", one.key, one.value);
+        text +=
+            one.unset ? fmt::format("\n-{}", one.key) : fmt::format("\n{}={}", one.key, one.value);
       runs_[i].hash = fingerprint(text);
       ++faulty;
       if (i == 0) first = e;

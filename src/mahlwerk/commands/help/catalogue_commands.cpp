@@ -21,17 +21,21 @@
 namespace mahlwerk::commands {
 namespace {
 
+/// What `list` lists besides the categories of the catalogue.
+constexpr std::string_view indices[] = {"keys", "units", "quantities"};
+
 using results::Json;
 
 std::vector<std::string> requested_categories(const std::string& target) {
   const auto& all = cases::Catalogue::categories;
   if (target.empty()) return {std::begin(all), std::end(all)};
   if (std::find(std::begin(all), std::end(all), target) != std::end(all)) return {target};
-  const std::string near =
-      nearest_word(target, {"mills", "jars", "materials", "media", "keys", "units", "quantities"});
+  std::vector<std::string> lists(std::begin(all), std::end(all));
+  lists.insert(lists.end(), std::begin(indices), std::end(indices));
+  const std::string near = nearest_word(target, lists);
   throw InputError(Fault{"list", "there is no category '" + target + "' in the catalogue",
                          (near.empty() ? "" : "did you mean '" + near + "'? ") +
-                             "use one of mills, jars, materials, media, keys, units or quantities",
+                             fmt::format("use one of {}", fmt::join(lists, ", ")),
                          "unknown-name"});
 }
 
@@ -250,7 +254,8 @@ Command list_command() {
       {{.name = "CATEGORY",
         .target = &given->name,
         .about = "mills, jars, materials or media (default: all four), keys, units or quantities",
-        .completions = "mills jars materials media keys units quantities"},
+        .completions = fmt::format("{} {}", fmt::join(cases::Catalogue::categories, " "),
+                                   fmt::join(indices, " "))},
        {.name = "WORD",
         .target = &given->word,
         .about =
