@@ -25,6 +25,8 @@ def check_pages(site: pathlib.Path) -> list[str]:
     for door in ("install.html", "tutorial/index.html", "cases.html"):
         if f'href="{door}"' not in first:
             faults.append(f"the first page has no link to {door}")
+    if '<div id="page"></div>' not in first:
+        faults.append("the first page has no place for the page for browsers (tools/make_site)")
     for page in site.rglob("*.html"):
         text = page.read_text()
         if "math notranslate" in text and not re.search(r'src="[./]*_static/mathjax/MathJax\.js', text):
