@@ -21,8 +21,9 @@ RunError unstable_run_error(double time, std::size_t ball, const char* why, cons
       show_rounded(shorter * time_step, "s", 2)));
 }
 
-InputError outside_error(std::size_t ball) {
-  return InputError(
+void refuse_start_outside(std::int64_t step, std::size_t ball, std::string_view why) {
+  if (step > 0 || why != outside_message) return;
+  throw InputError(
       Fault{"balls", fmt::format("ball {}, or a part of it, starts outside the jar", ball + 1),
             "give positions at which no ball overlaps another ball or the jar", "outside-jar"});
 }

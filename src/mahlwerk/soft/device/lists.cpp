@@ -32,7 +32,7 @@ void DeviceSolver::rebuild_lists(std::int64_t step) {
   set_grids(all);
   sort_into_cells();
   find_pairs();
-  check("it is outside the jar");
+  check(outside_message);
   find_incoming();
   reference_step_ = step;
   lists_due_ = false;

@@ -283,6 +283,7 @@ scene::Collision DeviceSolver::collision(const EndedContact& e) const {
 }
 
 void DeviceSolver::stop(std::size_t ball, const char* why) const {
+  refuse_start_outside(step_, ball, why);
   const HostBalls all = read_balls();
   const auto row = static_cast<std::size_t>(
       std::ranges::find(all.id, static_cast<std::int32_t>(ball)) - all.id.begin());

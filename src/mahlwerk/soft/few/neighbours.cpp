@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "mahlwerk/soft/diagnostics.hpp"
 #include "mahlwerk/soft/few/solver.hpp"
 
 // Neighbour list with a skin: pairs that can touch before a ball has moved half the skin have a
@@ -56,7 +57,7 @@ void FewBodySolver::update_slacks() {
 void FewBodySolver::find_wall_pairs(std::size_t b) {
   const Vec3 x = particles_.position(b);
   if (!std::isfinite(squared(x)) || !std::isfinite(squared(particles_.velocity(b))))
-    stop(b, "its position or velocity is not a finite number");
+    stop(b, not_finite_message);
   const auto faces = static_cast<std::size_t>(jar_->faces());
   const std::span<double> gaps(gaps_.data() + b * faces, faces);
   const double radius = initial_balls_[b].radius;
@@ -65,7 +66,7 @@ void FewBodySolver::find_wall_pairs(std::size_t b) {
   for (int face = 0; face < jar_->faces(); ++face) {
     const double gap = gaps[static_cast<std::size_t>(face)] -= radius;
     if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, radius)) continue;
-    if (!(gap > -radius)) stop(b, "it is outside the jar");
+    if (!(gap > -radius)) stop(b, outside_message);
     found_pairs_.push_back({static_cast<std::int32_t>(b), -1, face});
   }
 }

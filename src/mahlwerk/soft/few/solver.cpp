@@ -218,6 +218,7 @@ void FewBodySolver::end_block() {
 }
 
 void FewBodySolver::stop(std::size_t ball, const char* why) const {
+  refuse_start_outside(particles_.step, ball, why);
   throw unstable_run_error(time_of(particles_.step), ball, why, particles_.position(ball),
                            particles_.velocity(ball), settings_.time_step);
 }

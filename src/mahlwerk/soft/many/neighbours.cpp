@@ -52,10 +52,7 @@ void ManyBodySolver::rebuild() {
   used_skin_ = 0;
   set_reference_positions();
   for (const BallError& w : errors)
-    if (w.why != nullptr) {
-      if (step_ == 0) throw outside_error(static_cast<std::size_t>(id_[w.row]));
-      stop(w.row, w.why);
-    }
+    if (w.why != nullptr) stop(w.row, w.why);
 }
 
 /// Stores the positions from which displacements are measured.
@@ -245,7 +242,7 @@ ManyBodySolver::BallError ManyBodySolver::find_wall_pairs(Chunk& chunk) {
     for (int face = 0; face < jar_->faces(); ++face) {
       const double gap = all[static_cast<std::size_t>(face)] - ball.radius;
       if (gap > skin_ + pull_off_distance_ || !jar_->can_touch(face, touching_radius)) continue;
-      if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), "it is outside the jar"};
+      if (!(gap > -ball.radius)) return {static_cast<std::size_t>(i), outside_message};
       if (std::ranges::binary_search(touching, std::pair(i, face))) continue;
       found.push_back({i, ~face});
       gaps.push_back(gap);

@@ -316,9 +316,10 @@ void ManyBodySolver::collect_records() {
 }
 
 void ManyBodySolver::stop(std::size_t row, const char* why) const {
-  throw unstable_run_error(time_of(step_), static_cast<std::size_t>(id_[row]), why,
-                           rows_[row].position(), velocity_of_row(row, body_kick_change()),
-                           settings_.time_step);
+  const auto ball = static_cast<std::size_t>(id_[row]);
+  refuse_start_outside(step_, ball, why);
+  throw unstable_run_error(time_of(step_), ball, why, rows_[row].position(),
+                           velocity_of_row(row, body_kick_change()), settings_.time_step);
 }
 
 }  // namespace mahlwerk::soft
