@@ -5,8 +5,9 @@
 # (-ffp-contract=off), so that a card has the bits of the host.
 find_program(MAHLWERK_CLANG NAMES clang++ clang++-19 clang++-16 clang++-15 clang++-14)
 mark_as_advanced(MAHLWERK_CLANG)
+option(MAHLWERK_DEVICE_CODE "compile the code for graphics cards, where there is clang" ON)
 add_custom_target(device_code)
-if(NOT MAHLWERK_CLANG)
+if(NOT MAHLWERK_CLANG OR NOT MAHLWERK_DEVICE_CODE)
   return()
 endif()
 
