@@ -24,11 +24,11 @@ function drawTime(pen, width, { time, factor, theme }) {
   write(pen, factor, width - margin, margin + 31, { align: "right", colour: theme.soft });
 }
 
-function drawSpeedLegend(pen, height, { theme, speed }) {
+function drawSpeedLegend(pen, height, { theme, speed, words }) {
   const [long, thick, y] = [150, 9, height - margin - 26];
   const fill = pen.createLinearGradient(margin, 0, margin + long, 0);
   speedGradient.forEach((colour, i) => fill.addColorStop(i / (speedGradient.length - 1), colour));
-  write(pen, "Speed relative to jar centre (m/s)", margin, y - 8, { colour: theme.soft });
+  write(pen, words.colours.speed.scale, margin, y - 8, { colour: theme.soft });
   pen.fillStyle = fill;
   pen.beginPath();
   pen.roundRect(margin, y, long, thick, thick / 2);
@@ -52,7 +52,7 @@ function drawSpeciesLegend(pen, height, { theme, speciesNames }) {
 
 /// Direction of gravity: an arrow in the plane of the picture; a dot if gravity points out of the
 /// picture, a cross if it points into it.
-function drawWeight(pen, width, height, { theme, weight }) {
+function drawWeight(pen, width, height, { theme, weight, words }) {
   const [x, y, long] = [width - margin - 22, height - margin - 22, 20];
   const [dx, dy] = [weight.x, -weight.y];
   const size = Math.hypot(dx, dy);
@@ -68,7 +68,7 @@ function drawWeight(pen, width, height, { theme, weight }) {
       }
     pen.stroke();
     if (weight.z > 0) pen.fillRect(x - 1.5, y - 1.5, 3, 3);
-    write(pen, "g", x - 16, y + 4, { colour: theme.soft });
+    write(pen, words.weight, x - 16, y + 4, { colour: theme.soft });
     return;
   }
   const [tipX, tipY] = [x + dx * long, y + dy * long];
@@ -81,7 +81,7 @@ function drawWeight(pen, width, height, { theme, weight }) {
   pen.lineTo(tipX - 8 * ux - 4 * uy, tipY - 8 * uy + 4 * ux);
   pen.lineTo(tipX - 8 * ux + 4 * uy, tipY - 8 * uy - 4 * ux);
   pen.fill();
-  write(pen, "g", x - 12 * Math.abs(uy) - 4, y + 4 - 12 * Math.abs(ux), { colour: theme.soft });
+  write(pen, words.weight, x - 12 * Math.abs(uy) - 4, y + 4 - 12 * Math.abs(ux), { colour: theme.soft });
 }
 
 /// A bar of 1, 2 or 5 times a power of ten, at most 110 pixels long; it holds at the middle of the picture.
@@ -105,7 +105,7 @@ function drawScale(pen, width, height, { theme, pixelsOfMetre }) {
 
 /// Draws on `pen`; the unit is a CSS pixel, the picture has `width` times `height` pixels. `what`:
 /// theme, title (or none), time and factor as text, colour, speed scale, speciesNames, weight, pixelsOfMetre, and
-/// `picked`, words on the picked ball or none.
+/// `picked`, words on the picked ball or none, and `words`, those of the replay.
 export function annotate(pen, width, height, what) {
   if (what.title)
     write(pen, what.title, margin, margin + 14, { size: 14, weight: 600, colour: what.theme.ink });

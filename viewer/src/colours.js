@@ -76,7 +76,4 @@ export function themeOf(element) {
 }
 
 /// What the colour of a ball shows.
-export const colours = [
-  { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
-  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
-];
+export const coloursOf = (text) => ["speed", "species"].map((key) => ({ key, ...text.colours[key] }));

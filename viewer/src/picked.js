@@ -6,7 +6,7 @@
 import { Vector3 } from "three";
 import { isInJar } from "./data.js";
 import { between, frameOfView, poseAt } from "./motion.js";
-import { grouped, short } from "./words.js";
+import { short } from "./words.js";
 
 /// Colour of the picked ball and of its path.
 export const pickedColour = 0xff5a1f;
@@ -35,12 +35,11 @@ export function pathOf(data, view, ball, reach) {
   return points;
 }
 
-/// "Ball 12, steel: 0.82 m/s".
-export function wordsOf(data, ball, frame) {
+/// "Ball 12, steel: 0.82 m/s", in the words `text`.
+export function wordsOf(data, ball, frame, text) {
   const { low, high, part } = between(data, frame);
   const speed = (f) => data.speeds[data.count * f + ball];
   const now = data.speedScale * (speed(low) + part * (speed(high) - speed(low)));
-  const kind = data.speciesNames[data.species[ball]];
-  return `${data.bodies.length > 0 ? "Sphere" : "Ball"} ${grouped(ball + 1)}` +
-    `${kind ? `, ${kind}` : ""}: ${short(now)} m/s`;
+  return text.picked({ number: ball + 1, body: data.bodies.length > 0,
+    kind: data.speciesNames[data.species[ball]], speed: short(now) });
 }

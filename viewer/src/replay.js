@@ -4,24 +4,26 @@
 // The replay as a component: plays data inside an element, and takes newer data while it plays.
 
 import { annotate } from "./annotations.js";
-import { colours, printTheme, speedScaleTop, themeOf } from "./colours.js";
+import { coloursOf, printTheme, speedScaleTop, themeOf } from "./colours.js";
 import { apologize, build } from "./controls.js";
+import { faultIn } from "./data.js";
 import { listenTo } from "./input.js";
 import { frameOf, timeOf, viewsOf } from "./motion.js";
 import { wordsOf } from "./picked.js";
 import { film, savePicture, videoFault } from "./save.js";
 import { Stage } from "./stage.js";
+import { en } from "./text/en.js";
 import { captionOf, clockOf, factorsOf } from "./words.js";
 
 export class Replay {
-  constructor(root, data) {
-    this.root = root;
+  constructor(root, data, text) {
+    Object.assign(this, { root, text });
     this.take(data);
     this.seen = true;
     this.state = { frame: 0, playing: false, factor: this.factors.usual, loop: true,
       view: this.views[0].key, colour: "speed", picked: null, recording: null, said: "" };
-    this.elements = build(root, { ...this.offer(), colours, videoFault: videoFault() },
-      this.actions());
+    this.elements = build(root, { ...this.offer(), videoFault: videoFault(text) },
+      this.actions(), text);
     this.theme = themeOf(root);
     const context = this.elements.scene.getContext("webgl2",
       { antialias: true, preserveDrawingBuffer: true, powerPreference: "high-performance" });
@@ -36,7 +38,8 @@ export class Replay {
 
   take(data) {
     this.data = data;
-    this.views = viewsOf(data);
+    this.views = viewsOf(data, this.text);
+    this.colours = coloursOf(this.text);
     this.clock = clockOf(data.times);
     this.speed = speedScaleTop(data);
     this.factors = factorsOf(this.duration());
@@ -45,7 +48,7 @@ export class Replay {
   /// What the controls offer for the current data.
   offer() {
     const { title, frames } = this.data;
-    return { title, frames, views: this.views, factors: this.factors.offered };
+    return { title, frames, views: this.views, colours: this.colours, factors: this.factors.offered };
   }
 
   /// Shows other data, at the same time, in the same view and from the same direction where the new
@@ -197,7 +200,7 @@ export class Replay {
   /// Updates the elements to the state and requests a picture.
   show() {
     const view = this.views.find(({ key }) => key === this.state.view);
-    this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock) });
+    this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock, this.text) });
     this.want();
   }
 
@@ -249,9 +252,9 @@ export class Replay {
   annotations(theme, title) {
     const { state, data, speed, weight } = this;
     return { theme, title, time: this.clock(timeOf(data, state.frame)),
-      factor: `${state.factor}x real time`, colour: state.colour, speed, weight,
+      factor: this.text.realTime(state.factor), words: this.text, colour: state.colour, speed, weight,
       speciesNames: data.speciesNames, pixelsOfMetre: this.stage.pixelsOfMetre(this.size.height),
-      picked: state.picked === null ? null : wordsOf(data, state.picked, state.frame) };
+      picked: state.picked === null ? null : wordsOf(data, state.picked, state.frame, this.text) };
   }
 
   /// Picture and annotations on one canvas, at the current size of the picture.
@@ -295,17 +298,17 @@ export class Replay {
   /// Plays once from the beginning and saves it as a video.
   record() {
     const canvas = this.compose(document.createElement("canvas"), this.theme);
-    const failed = (why) => this.change({ said: `The video could not be recorded: ${why}.` });
+    const failed = (why) => this.change({ said: this.text.videoFailed(why) });
     this.play(false);
     this.state.frame = 0;
     try {
-      this.state.recording = { canvas, film: film(canvas, this.data.title, failed) };
+      this.state.recording = { canvas, film: film(canvas, this.data.title, this.text, failed) };
     } catch (error) {
       failed(error.message);
       return;
     }
     const seconds = Math.ceil(this.duration() / this.state.factor);
-    this.state.said = `Recording: the replay plays once, ${seconds} s. Keep this page visible.`;
+    this.state.said = this.text.recording(seconds);
     this.play(true);
   }
 
@@ -316,18 +319,15 @@ export class Replay {
 }
 
 /// Mounts a replay of the data that the function `data` returns below `root`. If it cannot be shown,
-/// `root` shows the reason instead, and the result is null.
-export function mount(root, data) {
+/// `root` shows the reason instead, and the result is null. `text`: the words, an object of the shape of text/en.js.
+export function mount(root, data, text = en) {
   try {
-    return new Replay(root, data());
+    return new Replay(root, data(), text);
   } catch (error) {
     const plain = error.name === "NoWebGL";
     root.dataset.state = plain ? "no-webgl" : "failed";
     root.dataset.error = error.message;
-    apologize(root, plain
-      ? "The replay needs WebGL 2, which this browser does not support or has disabled. All " +
-        "numbers of this report are complete without the replay."
-      : error.message);
+    apologize(root, plain ? text.noWebGL : faultIn(text, error));
     return null;
   }
 }
