@@ -97,14 +97,22 @@ function saveGroup(videoFault, actions, text) {
   return { group: both, video };
 }
 
+/// The switch of the marks of hits; hidden where the data have none.
+function hitsSwitch(actions, text) {
+  const input = element("input", { type: "checkbox", onchange: () => actions.hits(input.checked) });
+  const label = element("label", { className: "loop", title: text.hitsAbout }, [input, text.hits]);
+  return { input, label };
+}
+
 /// Builds the component below `root`. `options`: title, frames, views, colours, factors, videoFault
 /// (reason why video is not available, or null). `actions`: toggle, scrub, step, view, colour,
-/// look, pace, loop, png, video. `text`: the words.
+/// hits, look, pace, loop, png, video. `text`: the words.
 export function build(root, options, actions, text) {
   const picture = pictureOf(text.picture(options.title));
   const playing = playRow(actions, text);
   const view = choice(text.view, options.views, actions.view);
   const colour = choice(text.colour, options.colours, actions.colour);
+  const hits = hitsSwitch(actions, text);
   const pace = paceGroup(actions, text);
   const camera = group(text.camera, element("div", { className: "choice" },
     Object.entries(text.directions).map(([key, { name, about }]) => textButton(name, about, () => actions.look(key)))));
@@ -115,20 +123,22 @@ export function build(root, options, actions, text) {
     element("div", { className: "picture" }, [picture.scene, picture.written, picture.print]),
     element("div", { className: "panel" }, [
       playing.row,
-      element("div", { className: "row" }, [view.group, colour.group, camera]),
-      element("div", { className: "row" }, [pace.group, save.group]),
+      element("div", { className: "row" }, [view.group, colour.group, hits.label]),
+      element("div", { className: "row" }, [pace.group, camera, save.group]),
       said,
       element("figcaption", {}, [caption, keysHint(text.keys)]),
     ]),
   ]);
   root.append(figure);
 
-  /// Adapts the controls to other data: title, frames, views, factors.
-  function offer({ title, frames, views, factors }) {
+  /// Adapts the controls to other data: title, frames, views, colours, factors, hasHits.
+  function offer({ title, frames, views, colours, factors, hasHits }) {
     picture.scene.setAttribute("aria-label", text.picture(title));
     figure.setAttribute("aria-label", text.replay(title));
     playing.offer(frames);
     view.offer(views);
+    colour.offer(colours);
+    hits.label.hidden = !hasHits;
     pace.offer(factors);
   }
   offer(options);
@@ -140,6 +150,7 @@ export function build(root, options, actions, text) {
     playing.play.setAttribute("aria-label", playing.play.title);
     view.show(state.view);
     colour.show(state.colour);
+    hits.input.checked = state.hits;
     pace.pace.value = state.factor;
     pace.loop.checked = state.loop;
     save.video.textContent = state.recording ? text.stop : text.saveVideo;

@@ -77,6 +77,24 @@ function readBody(body, spheres, i) {
     radius: positive(body.radius, `${at}.radius`) };
 }
 
+/// Masses of the balls [kg] from the densities of their kinds, or null if one is not known.
+function massesOf(densities, radius, species) {
+  if (!Array.isArray(densities)) return null;
+  const masses = radius.map((r, i) => (4 / 3) * Math.PI * r ** 3 * (densities[species[i]] ?? Number.NaN));
+  return masses.every((mass) => mass > 0) ? masses : null;
+}
+
+/// The strongest hits, or null.
+function readHits(hits, balls) {
+  if (!hits) return null;
+  const H = hits.count;
+  if (!Number.isInteger(H) || H < 0) throw fault("count", H);
+  const array = (Kind, name, length) => decoded(Kind, hits[name], length, `hits.${name}`);
+  return { count: H, frames: array(Float32Array, "frames", H), places: array(Int16Array, "places", 3 * H),
+    energies: array(Float32Array, "energies", H), balls: array(Uint16Array, "balls", 2 * H),
+    ofBalls: hits.of_balls == null ? null : array(Uint32Array, "of_balls", balls) };
+}
+
 function readTimes(times) {
   if (!Array.isArray(times) || times.length === 0) throw fault("noTimes");
   if (times.some((t, f) => !Number.isFinite(t) || (f > 0 && t <= times[f - 1])))
@@ -109,19 +127,24 @@ export function readObject(json) {
   if (!Number.isInteger(N) || N < 0) throw fault("count", N);
   if (!Array.isArray(json.meshes)) throw fault("missing", "meshes");
   const array = (Kind, name, length) => decoded(Kind, json[name], length, name);
+  const [radius, species] = [array(Float32Array, "radius", N), array(Uint8Array, "species", N)];
   return {
     title: String(json.title ?? ""),
     times,
     frames: F,
     count: N,
     of: json.of ?? N,
-    radius: array(Float32Array, "radius", N),
-    species: array(Uint8Array, "species", N),
+    radius,
+    species,
+    masses: massesOf(json.densities, radius, species),
     speciesNames: json.species_names ?? [],
     positionScale: positive(json.position_scale, "position_scale"),
     positions: array(Int16Array, "positions", 3 * F * N),
     speedScale: positive(json.speed_scale, "speed_scale"),
     speeds: array(Uint16Array, "speeds", F * N),
+    spinScale: json.spins == null ? 0 : positive(json.spin_scale, "spin_scale"),
+    spins: json.spins == null ? null : array(Uint16Array, "spins", F * N),
+    hits: readHits(json.hits, N),
     jarCentre: array(Float32Array, "jar_centre", 3 * F),
     jarTurn: array(Float32Array, "jar_turn", 4 * F),
     carrierTurn: array(Float32Array, "carrier_turn", 4 * F),

@@ -33,7 +33,8 @@ function key(replay, event) {
   else if (orbit?.[0] && name !== "select") replay.step(orbit[0]);
   else if (event.key === "v" && name !== "select") replay.view(next(replay.views, state.view));
   else if (event.key === "c" && name !== "select")
-    replay.change({ colour: next(replay.colours, state.colour) });
+    replay.change({ colour: next(replay.shown.colours, state.colour) });
+  else if (event.key === "h" && name !== "select") replay.change({ hits: !state.hits });
   else if (event.key === "b" && name !== "select") replay.pick(replay.nextBall());
   else if (event.key === "Escape" && state.picked !== null) replay.pick(null);
   else if (event.key === "+" || event.key === "-") replay.nearer(event.key === "+" ? 0.87 : 1.15);

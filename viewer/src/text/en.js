@@ -22,10 +22,10 @@ export const en = {
   replay: (title) => `Replay: ${title}`,
   picture: (title) => `Balls in the moving jar: ${title}. Drag to rotate, shift and drag to pan, ` +
     "wheel or two fingers to zoom. Keys: space plays or pauses, arrows step, v changes the " +
-    "view, c changes the colours, plus and minus zoom, shift and arrows rotate.",
+    "view, c changes the colours, h shows or hides hits, plus and minus zoom, shift and arrows rotate.",
   /// A text, then pairs of a key to press and what follows.
   keys: [" Drag rotates, ", "space", " plays, ", "\u2190", " ", "\u2192", " step, ", "v", " view, ", "c",
-    " colour. A click picks a ball, ", "b", " the next one."],
+    " colour, ", "h", " hits. A click picks a ball, ", "b", " the next one."],
 
   play: "Play",
   pause: "Pause",
@@ -52,9 +52,17 @@ export const en = {
   colour: "Colour",
   colours: {
     speed: { name: "Speed", about: "Speed relative to the jar's centre",
-      scale: "Speed relative to jar centre (m/s)" },
+      scale: (unit) => `Speed relative to jar centre (${unit})` },
+    spin: { name: "Spin", about: "Angular speed of the ball about its own centre",
+      scale: (unit) => `Spin (${unit})` },
+    energy: { name: "Energy", about: "Kinetic energy of translation, by the speed relative to the jar's centre; without " +
+      "the energy of the spin", scale: (unit) => `Kinetic energy of translation (${unit})` },
     species: { name: "Kind", about: "One colour for each kind of ball" },
   },
+
+  hits: "Hits",
+  hitsAbout: "Flash the strongest hits. A larger and redder ring has more impact energy (normal motion)",
+  hitsScale: "Hits, impact energy",
 
   camera: "Camera",
   directions: {
@@ -79,8 +87,9 @@ export const en = {
   caption: (data, from, to, view) => `${ballsShown(data)}, ${data.frames > 1
     ? `${grouped(data.frames)} frames from ${from} to ${to}` : `one frame at ${from}`}, ${view}.`,
   /// Of the picked ball. `body`: it is a sphere of a body.
-  picked: ({ number, body, kind, speed }) =>
-    `${body ? "Sphere" : "Ball"} ${grouped(number)}${kind ? `, ${kind}` : ""}: ${speed} m/s`,
+  picked: ({ number, body, kind }) => `${body ? "Sphere" : "Ball"} ${grouped(number)}${kind ? `, ${kind}` : ""}`,
+  /// Of the picked ball, above the threshold of the case, in the time of the replay.
+  hitsOf: (count, span) => `${grouped(count)} ${count === 1 ? "hit" : "hits"} in ${span}`,
   weight: "g",
 
   noWebGL: "The replay needs WebGL 2, which this browser does not support or has disabled. All numbers of this report " +
