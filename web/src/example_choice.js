@@ -4,8 +4,7 @@
 // The choice of an example, with a sentence on what to try.
 
 import { element, freshId } from "./dom.js";
-import { text } from "./text/en.js";
-import { examples as names } from "./text/en_names.js";
+import { text } from "./text/text.js";
 
 export class ExampleChoice {
   /// `cases`: texts of the examples by name. `choose(name)` is called when the reader picks one.
@@ -13,7 +12,7 @@ export class ExampleChoice {
     this.cases = cases;
     const id = freshId("example");
     this.select = element("select", { id, onchange: () => choose(this.select.value) }, Object.keys(cases).map((name) =>
-      element("option", { value: name, textContent: names[name]?.name ?? name })));
+      element("option", { value: name, textContent: text.exampleCases[name]?.name ?? name })));
     this.own = element("option", { value: "", textContent: text.ownCase, hidden: true });
     this.select.append(this.own);
     this.hint = element("p", { className: "note hint" });
@@ -26,7 +25,7 @@ export class ExampleChoice {
     this.name = name;
     this.own.hidden = name !== "";
     this.select.value = name;
-    this.hint.textContent = names[name]?.hint ?? "";
+    this.hint.textContent = text.exampleCases[name]?.hint ?? "";
     this.hint.hidden = !this.hint.textContent;
   }
 }

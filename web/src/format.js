@@ -14,6 +14,11 @@ const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 export const powerOfTen = (power) => (power < 0 ? "10⁻" : "10") +
   String(Math.abs(power)).replace(/\d/g, (digit) => superscripts[digit]);
 
+let words = { to: "to", infinite: "infinite" };
+
+/// Takes the words between numbers from the language of the page.
+export const useWords = (given) => (words = given);
+
 const decade = (size) => Math.floor(Math.log10(size));
 
 /// `number` with so many decimals; a tie goes to the even digit.
@@ -79,7 +84,7 @@ function withinRange(value, half, least, most, { factor }) {
   const decimals = Math.min(places(value / scale, half / scale), 9);
   const shown = (end) => end === least || end === most
     ? String(Number((end / scale).toPrecision(6))) : fixedTo(end / scale, decimals);
-  const text = `${shown(value)} (${shown(Math.max(low, least))} to ${shown(Math.min(high, most))})`;
+  const text = `${shown(value)} (${shown(Math.max(low, least))} ${words.to} ${shown(Math.min(high, most))})`;
   return { value: shown(value), text: plain ? text : `[${text}] × ${powerOfTen(power)}` };
 }
 
@@ -88,7 +93,7 @@ function withinRange(value, half, least, most, { factor }) {
 export function parts({ value, ci95 = null, unit = "1", least = -Infinity, most = Infinity }) {
   if (value === null || value === undefined || Number.isNaN(value))
     return { value: "-", interval: "", unit: "", number: "-" };
-  if (!Number.isFinite(value)) return { value: "infinite", interval: "", unit: "", number: "infinite" };
+  if (!Number.isFinite(value)) return { value: words.infinite, interval: "", unit: "", number: words.infinite };
   const half = Number.isFinite(ci95) ? ci95 : NaN;
   const m = multiple(half > Math.abs(value) ? half : Math.abs(value), unit);
   const sign = signs[m.unit] ?? m.unit;

@@ -5,7 +5,7 @@
 
 import { button, choice, element } from "./dom.js";
 import { isDark, onTheme, toggleTheme } from "./theme.js";
-import { text } from "./text/en.js";
+import { languages, text } from "./text/text.js";
 import { Tabs } from "./tabs.js";
 
 const logo = () => element("img", { src: "icon.svg", alt: "", width: 30, height: 30 });
@@ -16,15 +16,19 @@ function header(actions) {
   onTheme(label);
   label();
   const said = element("span", { className: "said", role: "status" });
+  const language = choice(text.languageChoice, Object.values(languages).map(({ language: key, shortName, languageName }) =>
+    ({ key, name: shortName, about: languageName })), text.language, actions.language);
+  language.id = "language";
+  for (const each of language.children) each.lang = each.dataset.key;
   const share = button(text.share, () => actions.share(said), { title: text.shareAbout, id: "share" });
   return element("header", {}, element("div", { className: "inner" }, logo(),
     element("div", { className: "name" }, element("h1", { textContent: text.name }),
       element("p", { textContent: text.tagline })),
-    said, element("div", { className: "buttons" }, share, theme)));
+    said, element("div", { className: "buttons" }, language, share, theme)));
 }
 
 function footer() {
-  return element("footer", {}, element("p", {}, text.footer, " ",
+  return element("footer", {}, element("p", {}, text.footer, " ", text.englishParts, " ",
     element("a", { href: "LICENSES.txt", textContent: text.licences }), " ",
     element("span", { id: "version" })));
 }

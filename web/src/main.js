@@ -13,10 +13,13 @@ import { caseOf } from "./case/share.js";
 import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";
 import { Page } from "./page.js";
+import { useWords } from "./format.js";
 import { EngineWorker } from "./run/engine_worker.js";
-import { text } from "./text/en.js";
+import { text } from "./text/text.js";
 import "./theme.js";
 import cases from "example-cases";
+
+useWords(text.numbers);
 
 async function linked() {
   try {
@@ -35,7 +38,8 @@ async function begin(page, { toml, bad }) {
     return;
   }
   const [first] = Object.keys(cases);
-  await page.runExample(first);
+  const { name } = history.state ?? {}; // before a reload
+  await page.runExample(Object.hasOwn(cases, name) ? name : first);
   if (bad) page.say(text.badLink);
 }
 

@@ -17,7 +17,7 @@ import { Pool } from "./run/engine_worker.js";
 import { OpenedRun, caseAmong, filesOf, filmOf, studyAmong } from "./run/opened_run.js";
 import { Run } from "./run/run.js";
 import { RunBar } from "./run/run_bar.js";
-import { text } from "./text/en.js";
+import { chooseLanguage, text } from "./text/text.js";
 
 export class Page {
   /// `inspector`: the worker that checks and merges. `cases`: texts of the examples.
@@ -26,7 +26,8 @@ export class Page {
     this.pool = new Pool();
     this.runs = 0; // that were started
     this.store = new CaseStore(inspector);
-    this.parts = layOut({ share: (said) => this.share(said) });
+    this.parts = layOut({ share: (said) => this.share(said),
+      language: (name) => (this.keep(), chooseLanguage(name)) });
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });

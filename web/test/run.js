@@ -18,6 +18,7 @@ import { runTests } from "./check.js";
 import { serve } from "./server.js";
 import { caseTests } from "./test_case.js";
 import { estimateTests } from "./test_estimate.js";
+import { languageTests } from "./test_languages.js";
 import { memoryTest } from "./test_memory.js";
 import { nativeTests } from "./test_native.js";
 import { diskTests, outsideTests } from "./test_outside.js";
@@ -34,6 +35,7 @@ if (temporary)
   execFileSync("node", [join(web, "build.js"), site, "--engine", values.engine], { stdio: "inherit" });
 const begun = Date.now();
 textTests();
+languageTests();
 const native = values.native ? resolve(values.native) : null;
 const server = await serve(site);
 const { engine } = values;

@@ -48,8 +48,8 @@ const cutOff = () => {
   const beyond = shown("#replay button, .counter, .run-bar button, .field :is(input, select), .quantities :is(th, td)")
     .filter((each) => right(each) > innerWidth - 8 ||
       right(each) > right(each.closest("fieldset, .details, figure, .run-bar, main")) + 0.5);
-  const name = document.querySelector("header h1");
-  if (right(name) > document.querySelector("header .buttons").getBoundingClientRect().left) beyond.push(name);
+  const name = document.querySelector("header h1"), buttons = document.querySelector("header .buttons").getBoundingClientRect();
+  if (right(name) > buttons.left && name.getBoundingClientRect().bottom > buttons.top) beyond.push(name);
   return beyond.map((each) => `${each.localName} ${each.textContent || each.className}`);
 };
 

@@ -4,7 +4,7 @@
 // The case as text, with line numbers, colours and faults at their lines.
 
 import { button, element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 const rules = [
   ["comment", /^#[^]*/],

@@ -4,7 +4,7 @@
 // The form of an estimate: a mill of the catalogue, jar, balls and powder in a few words.
 
 import { element, freshId } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { aboutWord, driveOf, fits, jarsOf, millCalled } from "./estimate_words.js";
 
 const first = { mill: "Retsch MM 400", jar: "25 ml", material: "zirconia-ytzp", balls: "2x10mm", drive: "30 Hz",

@@ -4,7 +4,7 @@
 // The form: fields for the values of the case. They follow the text, and change it value by value.
 
 import { button, element, freshId } from "../dom.js";
-import { text } from "../text/en.js";
+import { keyName, text } from "../text/text.js";
 import { fieldsOf, kindOf, millOf } from "./field_list.js";
 import { kindsOf, withJar, withKind, withMill } from "./mill_choice.js";
 import { QuantityField } from "./quantity_field.js";
@@ -111,7 +111,7 @@ export class Form {
     const options = field.kind === "material"
       ? this.catalogue.materials.map(({ name, title }) => ({ value: name, name: title }))
       : field.words.map((word, i) => ({ value: word, name: text.word(word), title: field.meanings[i] }));
-    return new SelectField(text.label(field.label), [{ options }], change,
+    return new SelectField(keyName(field.address, field.label), [{ options }], change,
       { about: field.about });
   }
 

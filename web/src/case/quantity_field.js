@@ -6,22 +6,23 @@
 import { element, freshId } from "../dom.js";
 import { convert, join, unitsFor } from "./quantity.js";
 import { numberAt, placeOf, rangeOf, sliderSteps } from "./ranges.js";
-import { text } from "../text/en.js";
+import { keyName, text } from "../text/text.js";
 
 export class QuantityField {
   /// `change(value)`: called with the new value of the case, a number or a text with a unit.
   constructor(field, change) {
     this.change = change;
     const id = freshId("field");
+    const label = keyName(field.address, field.label);
     const hint = field.about ? `${id}-about` : null;
     this.number = element("input", { id, type: "number", step: "any", inputMode: "decimal",
       required: true, "aria-describedby": hint, oninput: () => this.typed() });
-    this.unit = element("select", { "aria-label": text.unitOf(text.label(field.label)),
+    this.unit = element("select", { "aria-label": text.unitOf(label),
       onchange: () => this.convert() });
     this.slider = element("input", { type: "range", min: 0, max: sliderSteps, step: 1,
-      "aria-label": text.sliderOf(text.label(field.label)), oninput: () => this.slid() });
+      "aria-label": text.sliderOf(label), oninput: () => this.slid() });
     this.root = element("div", { className: "field", title: field.about },
-      element("label", { for: id, textContent: text.label(field.label) }),
+      element("label", { for: id, textContent: label }),
       element("div", { className: "number" }, this.number, this.unit), this.slider,
       hint && element("span", { id: hint, className: "for-readers", textContent: field.about }));
     this.root.dataset.address = field.address;

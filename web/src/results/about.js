@@ -4,7 +4,7 @@
 // "About these numbers": notices, assumed and unverified values, and how to repeat the run.
 
 import { button, element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { noticeList } from "./notices.js";
 
 function originsTable(origins, label) {

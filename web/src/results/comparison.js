@@ -6,9 +6,9 @@
 import { button, element } from "../dom.js";
 import { quantityText } from "../format.js";
 import { differences } from "../case/toml_text.js";
-import { text } from "../text/en.js";
+import { quantityName, text } from "../text/text.js";
 import { verdictOf } from "./verdict.js";
-import { labelOf, shortList } from "./quantities.js";
+import { shortList } from "./quantities.js";
 
 function changeOf(a, b) {
   if (a.value === 0) return "";
@@ -73,7 +73,7 @@ export class Comparison {
       element("tbody", {}, keys.map((key) => {
         const verdict = verdictOf(a[key], b[key]);
         return element("tr", { className: verdict },
-          element("th", { scope: "row", textContent: labelOf(a[key]) }),
+          element("th", { scope: "row", textContent: quantityName(key, a[key]) }),
           element("td", { className: "figure", textContent: quantityText(a[key]) }),
           element("td", { className: "figure", textContent: quantityText(b[key]) }),
           element("td", { className: "figure", textContent: changeOf(a[key], b[key]) }),

@@ -5,7 +5,7 @@
 
 import { element } from "../dom.js";
 import { grouped, parts } from "../format.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 const blank = { value: "–", interval: "", unit: "" };
 

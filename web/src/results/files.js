@@ -4,7 +4,7 @@
 // Files of a finished result, and the way to open others.
 
 import { button, download, element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 const types = { json: "application/json", html: "text/html", csv: "text/csv", toml: "application/toml" };
 const order = ["report.html", "summary.json", "case.resolved.toml"];

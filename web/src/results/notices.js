@@ -4,7 +4,7 @@
 // What the program says about a result or a case: why it ended early, what may be wrong, and notes.
 
 import { button, element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 const severities = ["invalid", "warning", "note"];
 const endings = ["no-result", "stopped", "interrupted"]; // codes; these come first

@@ -5,7 +5,7 @@
 
 import { element } from "../dom.js";
 import { Chart } from "../plot/chart.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { isDark, onTheme } from "../theme.js";
 
 function colours() {

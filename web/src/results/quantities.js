@@ -5,7 +5,7 @@
 
 import { element } from "../dom.js";
 import { quantityText } from "../format.js";
-import { text } from "../text/en.js";
+import { groupName, quantityName, text } from "../text/text.js";
 
 /// Keys of the quantities of a summary that have a number; the key numbers first.
 export function keysIn(summary) {
@@ -18,9 +18,6 @@ export function keysIn(summary) {
 /// The key numbers of a summary that have a number.
 export const shortList = (summary) =>
   summary._key_quantities.filter((key) => Number.isFinite(summary[key]?.value));
-
-/// "Mean normal energy".
-export const labelOf = ({ label }) => label.charAt(0).toUpperCase() + label.slice(1);
 
 /// A dose without a milling time is named, not left out.
 const withoutTime = (summary, key) =>
@@ -48,14 +45,14 @@ export class Quantities {
   group({ heading, quantities }) {
     const keys = quantities.filter((key) => Number.isFinite(this.summary[key].value));
     const group = element("details", { open: this.folded.get(heading) ?? false, hidden: keys.length === 0 },
-      element("summary", { textContent: heading }), this.table(keys));
+      element("summary", { textContent: groupName(heading) }), this.table(keys));
     group.addEventListener("toggle", () => this.folded.set(heading, group.open));
     return group;
   }
 
   table(keys) {
     const rows = keys.map((key) => element("tr", {},
-      element("th", { scope: "row", textContent: labelOf(this.summary[key]) }),
+      element("th", { scope: "row", textContent: quantityName(key, this.summary[key]) }),
       element("td", { className: "figure", textContent: withoutTime(this.summary, key)
         ? text.noMillingTime : quantityText(this.summary[key]) }),
       element("td", { className: "about", textContent: this.summary[key].about })));

@@ -4,7 +4,7 @@
 // The report of the program: every plot, map and panel of a result, as `mahlwerk run` writes them.
 
 import { element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 /// A report has scripts of its own. It is shown in a page with another policy, in a frame that may run scripts, but has
 /// no access to this page, to its storage or to the network. The frame loads when it is seen.

@@ -3,7 +3,7 @@
 
 // Everything that is shown of a result, while it is computed and afterwards.
 
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { About } from "./about.js";
 import { Comparison } from "./comparison.js";
 import { Counters } from "./counters.js";

@@ -5,7 +5,7 @@
 
 import { columnOf } from "../csv.js";
 import { multipleOf } from "../format.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { line, pageChart } from "./page_chart.js";
 
 /// Mean from the start to each time; each value holds since the time before.

@@ -6,7 +6,7 @@
 import { choice } from "../dom.js";
 import { columnOf } from "../csv.js";
 import { multipleOf, scaledText } from "../format.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 import { pageChart } from "./page_chart.js";
 
 const kinds = { rate: "rate_normal_per_s", power: "power_normal_W" };

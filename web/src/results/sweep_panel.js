@@ -11,9 +11,9 @@ import { join } from "../case/quantity.js";
 import { rangeOf } from "../case/ranges.js";
 import { Sweep } from "../run/sweep.js";
 import { valuesBetween } from "../run/sweep_values.js";
-import { text } from "../text/en.js";
+import { keyName, quantityName, text } from "../text/text.js";
 import { line, pageChart } from "./page_chart.js";
-import { keysIn, labelOf } from "./quantities.js";
+import { keysIn } from "./quantities.js";
 
 const labelled = (label, input) => {
   input.id = freshId("sweep");
@@ -66,7 +66,7 @@ export class SweepPanel {
     if (plan !== this.plan) {
       const chosen = this.key.value;
       this.key.replaceChildren(...fields.map(({ address, label }) => element("option",
-        { value: address, textContent: `${text.label(label)} (${address})` })));
+        { value: address, textContent: `${keyName(address, label)} (${address})` })));
       if (fields.some(({ address }) => address === chosen)) this.key.value = chosen;
     }
     if (plan !== this.plan || !this.touched) this.suggest();
@@ -150,8 +150,8 @@ export class SweepPanel {
     const keys = keysIn(points[0].summary);
     if (this.quantity.options.length !== keys.length)
       this.quantity.replaceChildren(...keys.map((key) =>
-        element("option", { value: key, textContent: labelOf(points[0].summary[key]) })));
-    const key = this.quantity.value, label = labelOf(points[0].summary[key]);
+        element("option", { value: key, textContent: quantityName(key, points[0].summary[key]) })));
+    const key = this.quantity.value, label = quantityName(key, points[0].summary[key]);
     const values = points.map(({ summary }) => summary[key] ?? { value: null });
     const largest = Math.max(...values.map(({ value }) => Math.abs(value ?? 0)));
     const { factor, unit } = multipleOf(largest, values[0].unit ?? "1");

@@ -4,7 +4,7 @@
 // Run, pause and stop, with the progress.
 
 import { button, element } from "../dom.js";
-import { text } from "../text/en.js";
+import { text } from "../text/text.js";
 
 export class RunBar {
   /// `actions`: run, pause, stop.
