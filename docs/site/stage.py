@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Copies the Markdown files of the repository into one folder for Sphinx.
+"""Copies the Markdown files and notebooks of the repository into one folder for Sphinx.
 
-Links between pages follow the pages to their places. A link to another file of the repository leads to
+Notebooks are executed. Links between pages follow the pages to their places. A link to another file of the repository leads to
 a copy of it in `source/`, a link to a folder to a page that lists it. Annotations of tests are left out.
 """
+import base64
 import fnmatch
 import html
 import json
@@ -13,6 +14,7 @@ import pathlib
 import re
 import shutil
 
+import notebooks
 from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, sources
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
@@ -25,10 +27,13 @@ PICTURES = (".svg", ".png")
 class Stage:
     """The folder of sources of Sphinx, and the files that go into the site as they are."""
 
-    def __init__(self, place: pathlib.Path) -> None:
-        self.place, self.extra = place / "pages", place / "extra"
-        shutil.rmtree(place, ignore_errors=True)
+    def __init__(self, place: pathlib.Path, package: pathlib.Path) -> None:
+        self.place, self.extra, self.kept = place / "pages", place / "extra", place / "notebooks"
+        for old in place.glob("*"):
+            if old != self.kept:
+                shutil.rmtree(old)
         self.extra.mkdir(parents=True)
+        self.package = package  # folder of the Python package
         self.sources = sources()
         self.folders: set[str] = set()
         self.generated: list[str] = []  # pages that are made from the program, in their order
@@ -51,12 +56,39 @@ class Stage:
     def page(self, source: str, name: str) -> str:
         text = (HOME / source).read_text()
         if source.endswith(".ipynb"):
-            text = notebook(text) + "\n" + raw_link(relative(self.raw(source), name), "This notebook") + " as a file.\n"
+            text = self.notebook(source, name)
         text = "".join(part if code else self.prose(part, source, name) for code, part in parts(text))
         case = (HOME / source).parent / "case.toml"
         if source.startswith("examples/") and case.exists():
             text += f"\n## The case file\n\n```toml\n{case.read_text()}```\n"
         return text
+
+    def notebook(self, source: str, name: str) -> str:
+        """The cells of a notebook as Markdown, each with its outputs."""
+        cells = json.loads((HOME / source).read_text())["cells"]
+        why_not = notebooks.why_not(self.package)
+        outputs = [[]] * len(cells) if why_not else notebooks.outputs(HOME / source, self.package, self.kept)
+        made = []
+        for number, (cell, shown) in enumerate(zip(cells, outputs), 1):
+            text = "".join(cell["source"])
+            made.append(text if cell["cell_type"] == "markdown" else f"```python\n{text}\n```")
+            if why_not and number == 1:
+                made.append(f"The outputs of the cells are missing here, because {why_not} where this page was made.")
+            made += [self.output(one, f"{name}-{number}-{i}", name) for i, one in enumerate(shown, 1)]
+        made.append(raw_link(relative(self.raw(source), name), "This notebook") + " as a file.\n")
+        return "\n\n".join(made)
+
+    def output(self, shown: dict, file: str, name: str) -> str:
+        """What a cell prints or returns, or its picture, as a block of HTML."""
+        data = shown["data"]
+        if shown["kind"] in ("svg", "png"):
+            picture = self.extra / (file := f"{file}.{shown['kind']}")
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            picture.write_bytes(base64.b64decode(data))
+            data = f'<img src="{relative(file, name)}" alt="{html.escape(shown["words"])}">'
+        elif shown["kind"] == "text":
+            data = f"<pre>{html.escape(data)}</pre>"
+        return f'``````{{raw}} html\n<div class="output">{data}</div>\n``````'
 
     def prose(self, text: str, source: str, name: str) -> str:
         """A part of a page without fenced code."""
@@ -155,15 +187,6 @@ def parts(text: str) -> list[tuple[bool, str]]:
         else:
             made[-1][1].append(line)
     return [(code, "".join(lines)) for code, lines in made]
-
-
-def notebook(text: str) -> str:
-    """The cells of a notebook as Markdown; their outputs are left out."""
-    made = []
-    for cell in json.loads(text)["cells"]:
-        source = "".join(cell["source"])
-        made.append(source if cell["cell_type"] == "markdown" else f"```python\n{source}\n```")
-    return "\n\n".join(made) + "\n"
 
 
 def relative(target: str, page: str) -> str:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""The site builds without warnings, every link in it leads somewhere, its equations can be set, and it needs no other server.
+"""The site builds without warnings, the cells of notebooks work, every link in it leads somewhere, its equations can be set, and it needs no other server.
 
     site_test.py PROGRAM FOLDER [PACKAGE]
 
@@ -17,6 +17,7 @@ import typeset
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
+OUTPUT = re.compile(r'<div class="output"><(\w+)')
 
 
 def check_pages(site: pathlib.Path) -> list[str]:
@@ -40,17 +41,28 @@ def check_pages(site: pathlib.Path) -> list[str]:
     return faults
 
 
+def check_notebooks(site: pathlib.Path) -> list[str]:
+    """Each notebook was executed: what its cells print or return is in its page, and at least one picture."""
+    faults = []
+    for notebook in sorted((HOME / "examples/python").glob("*.ipynb")):
+        shown = OUTPUT.findall((site / "examples/python" / f"{notebook.stem}.html").read_text())
+        if len(shown) < 2 or "img" not in shown:
+            faults.append(f"the page of {notebook.name} shows {len(shown)} outputs, pictures among them: {shown.count('img')}")
+    return faults
+
+
 def main() -> int:
     program, folder, *package = sys.argv[1:]
     site, begin = pathlib.Path(folder) / "site", time.monotonic()
     command = [sys.executable, "-B", HOME / "tools" / "build_docs", site, "--program", program]
-    if package and list(pathlib.Path(package[0]).glob("mahlwerk/_core*.so")):
+    with_package = package and list(pathlib.Path(package[0]).glob("mahlwerk/_core*.so"))
+    if with_package:
         command += ["--package", package[0]]
     built = subprocess.run(command)
     if built.returncode:
         return built.returncode if built.returncode == SKIPPED else 1
     print(f"built in {time.monotonic() - begin:.0f} s")
-    faults = check_pages(site) + typeset.check(site)
+    faults = check_pages(site) + (check_notebooks(site) if with_package else []) + typeset.check(site)
     for fault in faults:
         print(fault)
     links = subprocess.run([sys.executable, "-B", pathlib.Path(__file__).with_name("links_test.py"), "site", site])
