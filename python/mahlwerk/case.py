@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     from .result import Result
     from .searches import Comparison, Fit, Match, Optimum, WearEvolution
 
+    #: A function of collision records and the number of the replicate.
+    Observer = Callable[[np.ndarray, int], object]
+
 __all__ = ["Case"]
 
 
@@ -91,8 +94,8 @@ class Case(CaseValues):
 
     def run(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
             collisions: Optional[bool] = None,
-            observers: Iterable[Callable[[np.ndarray, int], object]] = (),
-            progress: Progress = None) -> Result:
+            observers: Union[Observer, Iterable[Observer]] = (),
+            checkpoint: Optional[float] = None, resume: bool = False, progress: Progress = None) -> Result:
         """Runs the case, as `mahlwerk run`: the same bits on any number of threads.
 
         out         result folder to write, as the command line does; None: results are in memory
@@ -100,10 +103,14 @@ class Case(CaseValues):
         threads     0: all cores
         collisions  keeps every collision record in memory (136 bytes each); None: if the case has
                     [observe] collisions and there is no folder
-        observers   functions `f(records, replicate)` that get every counted collision in chunks, a
-                    numpy structured array of at least 8192 records but for the last; `replicate`
-                    counts from 1. Replicates may run side by side, so that calls for different
-                    replicates alternate. An exception ends the run
+        observers   one or several functions `f(records, replicate)` that get every counted collision in
+                    chunks, a numpy structured array of at least 8192 records but for the last;
+                    `replicate` counts from 1. Replicates may run side by side, so that calls for
+                    different replicates alternate. An exception ends the run
+        resume      goes on with a run into `out` that was interrupted, or begins it: the same call again
+                    and again reaches the end, with the bits of a run without a pause. A case built
+                    in Python stays beside the folder, as OUT.case.toml
+        checkpoint  seconds of computing between two saves of the state that `resume` needs; 60 with resume
         progress    None: in notebooks and on terminals; True, False; or a function
                     `f(share, line)`
 
@@ -112,10 +119,14 @@ class Case(CaseValues):
         """
         from .result import Result
 
+        if resume or checkpoint is not None:
+            if collisions or observers:
+                raise ValueError("a run with collisions in memory or observers cannot be resumed")
+            return self._run_with_checkpoints(out, force, threads, checkpoint or 60.0, resume, progress)
         if collisions is None:
             collisions = out is None and self._value("observe.collisions") == "true"
         folder = None if out is None else named_folder(out)
-        called = [observer(one) for one in observers]
+        called = [observer(one) for one in ([observers] if callable(observers) else observers)]
         with shown(progress) as show:
             ran, interrupted, unwritten = _core.run(
                 self._resolved, self._source.parts(), folder, force, checked_threads(threads),
@@ -128,6 +139,24 @@ class Case(CaseValues):
         if interrupted:
             raise Interrupted("interrupted: results computed until then are in `result`", result)
         return result
+
+    def _run_with_checkpoints(self, out: Optional[Place], force: bool, threads: int, checkpoint: float, resume: bool,
+                              progress: Progress) -> Result:
+        """A run whose state is beside its folder until it is complete."""
+        from .result import Result
+
+        place = self._source.result_folder(out, "")
+        kept = place.with_name(place.name + ".checkpoint").exists()
+        try:
+            with self._source.as_file(place, force) as target:  # the state belongs to a file of this name
+                command(["run"], case=target, set=self._titled(), out=place, force=force,
+                        threads=checked_threads(threads), checkpoint=checkpoint, resume=resume and kept,
+                        progress=progress)
+        except (Interrupted, RunError) as error:
+            if (place / "summary.json").exists():
+                error.result = Result(place)
+            raise
+        return Result(place)
 
     def sweep(self, over: Optional[Changes] = None, out: Optional[Place] = None, *,
               force: bool = False, threads: int = 0, films: bool = False,
@@ -149,6 +178,7 @@ class Case(CaseValues):
         except (Interrupted, RunError) as error:
             if (place / "campaign.sqlite").exists():
                 error.result = Campaign(place)
+                error.args = ("\n".join([str(error), *(f"point {i}: {why}" for i, why in error.result.failed[:5])]),)
             raise
         return Campaign(place)
 

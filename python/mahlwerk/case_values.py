@@ -80,6 +80,9 @@ class CaseValues(Public):
         for name in (key, key.replace("balls.", "balls.1.", 1)):
             if name in known:
                 return known[name]
+        inside = [name for name in known if name.startswith(f"{key}.")]
+        if inside:
+            raise KeyError(f"{key} is a section: ask for one of {', '.join(inside)}")
         import difflib
 
         near = difflib.get_close_matches(key, known, n=1)
