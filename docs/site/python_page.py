@@ -7,18 +7,21 @@ from pages import HOME
 
 SECTIONS = {
     "Cases": ["Case", "Check", "Origin"],
-    "Commands as functions": ["run", "check", "cite", "sweep", "fit", "optimise", "match", "compare", "evolve_wear",
+    "Commands as functions": ["run", "check", "new", "cite", "sweep", "fit", "optimise", "match", "compare",
+                              "evolve_wear", "bond_test", "surrogate", "ask", "report", "export", "papers.run_paper",
                               "command"],
+    "Measurements": ["measure.film", "measure.sound", "measure.power", "measure.jar", "measure.drop", "Measurement",
+                     "Finding"],
     "Estimates": ["estimate", "Estimate", "Band", "Cause"],
     "Results": ["Result", "Quantity", "Influence", "Notice", "Citation", "open", "record_columns"],
     "Campaigns": ["Campaign", "SweptKey", "WearEvolution"],
-    "Searches and comparisons": ["Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
+    "Searches and comparisons": ["BondTest", "LargestBall", "Fit", "Optimum", "Match", "Comparison", "Surrogate", "Prediction"],
     "Plots": ["plots.ResultPlots", "plots.CampaignPlots"],
-    "Catalogue and keys": ["catalogue", "describe"],
+    "Catalogue and keys": ["catalogue", "describe", "list_keys", "list_units", "list_quantities", "CatalogueName",
+                           "KeyInfo", "UnitInfo", "QuantityInfo"],
     "Errors": ["MahlwerkError", "InputError", "RunError", "Interrupted"],
 }
 ELSEWHERE = {"Fault"}  # of the compiled part
-FUNCTIONS = {"open", "record_columns", "catalogue", "describe", "estimate", *SECTIONS["Commands as functions"]}
 
 
 def public_names() -> set[str]:
@@ -39,10 +42,12 @@ def page() -> str:
     for title, names in SECTIONS.items():
         made.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: mahlwerk\n")
         for name in names:
-            kind = "function" if name in FUNCTIONS else "class"
+            kind = "class" if name.split(".")[-1][0].isupper() else "function"  # as the package names them
             members = "" if kind == "function" else "   :members:\n   :special-members: __getitem__\n"
             if title == "Errors":
                 members += "   :show-inheritance:\n"
+            elif members:
+                members += "   :inherited-members: tuple, dict\n"  # those of bases of the package
             made.append(f".. auto{kind}:: {'mahlwerk.' * ('.' in name)}{name}\n{members}")
         made.append("```\n")
     made.append("An entry of `InputError.faults` is a `Fault`: `where`, `what`, `remedy` and `code`, a heading "

@@ -8,7 +8,8 @@
 >>> result["collision_rate"]
 >>> result.plot.spectrum()
 
-A command of the command line is a method of Case and a function: `mahlwerk.run("examples/01-one-ball")`.
+A command of the command line is a function: `mahlwerk.run("examples/01-one-ball")`; those of a case are methods of
+Case, too.
 numpy is loaded with the first table, pandas with the first frame, matplotlib with the first plot, xarray with
 the first dataset, uncertainties with the first ufloat.
 """
@@ -21,15 +22,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Union
 
-from . import _core
+from . import _core, measure
+from .bond import BondTest, LargestBall
 from .campaign import Campaign, SweptKey
 from .case import Case
 from .check import Check, Origin
 from .citation import Citation
-from .commands import catalogue, command, describe
+from .commands import command
 from .errors import InputError, Interrupted, MahlwerkError, RunError
 from .estimates import Band, Cause, Estimate, estimate
-from .functions import check, cite, compare, evolve_wear, fit, match, optimise, run, sweep
+from .folders import ask, export, report, surrogate
+from .functions import bond_test, check, cite, compare, evolve_wear, fit, match, new, optimise, run, sweep
+from .listings import (CatalogueName, KeyInfo, QuantityInfo, UnitInfo, catalogue, describe, list_keys, list_quantities,
+                       list_units)
+from .measurement import Finding, Measurement
 from .quantities import Influence, Notice, Quantity
 from .records import record_columns
 from .result import Result
@@ -43,15 +49,17 @@ __version__: str = _core.version
 
 Opened = Union[Result, Campaign, Fit, Optimum, Match, Comparison, WearEvolution]
 
-__all__ = ["Band", "Campaign", "Case", "Cause", "Check", "Citation", "Comparison", "Estimate", "Fault", "Fit",
-           "Influence", "InputError", "Interrupted", "MahlwerkError", "Match", "Notice", "Optimum", "Origin", "Prediction",
-           "Quantity", "Result", "RunError", "Surrogate", "SweptKey", "WearEvolution", "catalogue", "check", "cite",
-           "command", "compare", "describe", "estimate", "evolve_wear", "fit", "match", "open", "optimise", "record_columns", "run",
-           "sweep"]
+__all__ = ["Band", "BondTest", "Campaign", "Case", "CatalogueName", "Cause", "Check", "Citation", "Comparison",
+           "Estimate", "Fault", "Finding", "Fit", "Influence", "InputError", "Interrupted", "KeyInfo",
+           "LargestBall", "MahlwerkError", "Match", "Measurement", "Notice", "Optimum", "Origin", "Prediction",
+           "Quantity", "QuantityInfo", "Result", "RunError", "Surrogate", "SweptKey", "UnitInfo",
+           "WearEvolution", "ask", "bond_test", "catalogue", "check", "cite", "command", "compare", "describe",
+           "estimate", "evolve_wear", "export", "fit", "list_keys", "list_quantities", "list_units", "match",
+           "new", "open", "optimise", "record_columns", "report", "run", "surrogate", "sweep"]
 
 
 def __dir__() -> list[str]:
-    return [*__all__, "__version__", "papers"]
+    return [*__all__, "__version__", "measure", "papers"]
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Opened:

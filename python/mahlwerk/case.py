@@ -1,41 +1,42 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""Cases: a mill, its jar, balls and settings."""
+"""Cases: a mill, its jar, balls and settings, and the commands as their methods."""
 
 from __future__ import annotations
 
-import html
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Optional, Union
 
-from . import _core, toml
-from .case_source import CaseSource, Place
+from . import _core
+from .case_source import Place
+from .case_values import CaseValues
 from .changes import checked_threads, merged
-from .check import Check, Origin
+from .check import Check
 from .commands import command
 from .errors import InputError, Interrupted, RunError
 from .files import named_folder
-from .pages import table_html
 from .progress import Progress, shown
-from .public import Public
 from .records import observer
 
 if TYPE_CHECKING:
     import numpy as np
 
+    from .bond import BondTest
     from .campaign import Campaign
-    from .changes import Changes, Texts
+    from .changes import Changes
     from .citation import Citation
     from .result import Result
     from .searches import Comparison, Fit, Match, Optimum, WearEvolution
-    from .toml import Value
+
+    #: A function of collision records and the number of the replicate.
+    Observer = Callable[[np.ndarray, int], object]
 
 __all__ = ["Case"]
 
 
-class Case(Public):
+class Case(CaseValues):
     """A complete and valid case.
 
     `source` is a case file, a folder with a case.toml, or a dict of sections as in a case file:
@@ -49,23 +50,10 @@ class Case(Public):
     >>> del case["contact.friction"]  # its default counts
 
     A number with a dimension is a text with its unit ("30 Hz"). `changes` replaces values, as --set
-    does on the command line; None takes a value, or a whole section, from the case. Files that the case names are relative to its folder, or to the current
-    folder for a dict. Raises InputError with all faults; a change that is refused changes nothing.
+    does on the command line; None takes a value, or a whole section, from the case. Files that the case
+    names are relative to its folder, or to the current folder for a dict. Raises InputError with all
+    faults; a change that is refused changes nothing.
     """
-
-    def __init__(self, source: Union[Place, Mapping[str, Value]], changes: Optional[Changes] = None):
-        self._set(CaseSource.of(source, changes))
-
-    @classmethod
-    def from_text(cls, text: str, folder: Optional[Place] = None) -> Case:
-        """A case from the text of a case file; files that it names are relative to `folder`."""
-        return cls._of(CaseSource.of_text(text, folder))
-
-    @classmethod
-    def _of(cls, source: CaseSource) -> Case:
-        made = cls.__new__(cls)
-        made._set(source)
-        return made
 
     @classmethod
     def new(cls, *, mill: Optional[str] = None, kind: Optional[str] = None,
@@ -83,98 +71,6 @@ class Case(Public):
             command(["new"], file=os.fspath(file), mill=mill, kind=kind, jar=jar,
                     jar_kind=jar_kind, balls=balls)
             return cls.from_text(file.read_text(encoding="utf-8"))
-
-    def _set(self, source: CaseSource) -> None:
-        self._resolved = source.resolved()
-        self._source = source
-
-    def replace(self, changes: Changes) -> Case:
-        """A copy with other values, for instance `case.replace({"mill.speed": "500 rpm"})`; None takes a
-        value from the case."""
-        return self._of(self._source.changed(changes))
-
-    def without(self, *keys: str) -> Case:
-        """A copy without these values or sections, for instance `case.without("powder.mass")`, as --unset
-        does on the command line. Raises InputError for a key that the case does not give."""
-        return self.replace(dict.fromkeys(keys))
-
-    def update(self, changes: Changes) -> None:
-        """Changes several values together."""
-        self._set(self._source.changed(changes))
-
-    # Values
-
-    def __setitem__(self, key: str, value: Optional[Value]) -> None:
-        self.update({key: value})
-
-    def __delitem__(self, key: str) -> None:
-        """Takes a value or a whole section from the case: `del case["powder.mass"]`."""
-        self.update({key: None})
-
-    def __getitem__(self, key: str) -> str:
-        """The value of a key as text with its unit, also a default: `case["mill.speed"]`. Notebooks
-        complete the keys."""
-        return self.origin(key).value
-
-    def origin(self, key: str) -> Origin:
-        """The value of a key and its source. Raises KeyError for a key without value."""
-        if not isinstance(key, str):
-            raise TypeError(f"a key is a text, for instance \"mill.speed\", not {key!r}")
-        known = {one.key: one for one in self.origins}
-        for name in (key, key.replace("balls.", "balls.1.", 1)):
-            if name in known:
-                return known[name]
-        import difflib
-
-        near = difflib.get_close_matches(key, known, n=1)
-        raise KeyError(f"the case has no {key}" + (f"; did you mean {near[0]}?" if near else ""))
-
-    @property
-    def origins(self) -> list[Origin]:
-        """Every value of the case with its source."""
-        return [Origin(*one) for one in self._resolved.origins()]
-
-    @property
-    def title(self) -> str:
-        return self._resolved.title
-
-    @property
-    def file(self) -> Optional[Path]:
-        """The case file, or None for a case built in Python."""
-        return self._source.file if self._source.in_file else None
-
-    @property
-    def text(self) -> str:
-        """The resolved case as TOML: every value, followed by its source as a comment."""
-        return self._resolved.write()
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return [key for key, *_ in _core.keys()]
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Case) and self._resolved == other._resolved
-
-    __hash__ = None  # type: ignore[assignment]
-    __iter__ = None  # a case is no sequence
-
-    def __reduce__(self) -> tuple[Callable[[CaseSource], Case], tuple[CaseSource]]:
-        return self._of, (self._source,)
-
-    def __repr__(self) -> str:
-        return f"<Case {self.title!r}{f' from {self.file}' if self.file else ''}>"
-
-    def _repr_html_(self) -> str:
-        rows = [(one.key, one.value, one.source) for one in self.origins]
-        return f"<b>{html.escape(self.title)}</b>" + table_html(("key", "value", "source"), rows)
-
-    def save(self, file: Place, *, force: bool = False) -> None:
-        """Writes the resolved case as a case file. Raises FileExistsError unless `force`. In another
-        folder than that of this case, files that it names are given by their whole paths."""
-        text = self._text_for(Path(file).absolute().parent)
-        with open(file, "w" if force else "x", encoding="utf-8") as out:
-            out.write(text)
-
-    # Work
 
     def check(self) -> Check:
         """What follows from the case, as `mahlwerk check`. Raises InputError if no engine can run it."""
@@ -198,8 +94,8 @@ class Case(Public):
 
     def run(self, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
             collisions: Optional[bool] = None,
-            observers: Iterable[Callable[[np.ndarray, int], object]] = (),
-            progress: Progress = None) -> Result:
+            observers: Union[Observer, Iterable[Observer]] = (),
+            checkpoint: Optional[float] = None, resume: bool = False, progress: Progress = None) -> Result:
         """Runs the case, as `mahlwerk run`: the same bits on any number of threads.
 
         out         result folder to write, as the command line does; None: results are in memory
@@ -207,10 +103,14 @@ class Case(Public):
         threads     0: all cores
         collisions  keeps every collision record in memory (136 bytes each); None: if the case has
                     [observe] collisions and there is no folder
-        observers   functions `f(records, replicate)` that get every counted collision in chunks, a
-                    numpy structured array of at least 8192 records but for the last; `replicate`
-                    counts from 1. Replicates may run side by side, so that calls for different
-                    replicates alternate. An exception ends the run
+        observers   one or several functions `f(records, replicate)` that get every counted collision in
+                    chunks, a numpy structured array of at least 8192 records but for the last;
+                    `replicate` counts from 1. Replicates may run side by side, so that calls for
+                    different replicates alternate. An exception ends the run
+        resume      goes on with a run into `out` that was interrupted, or begins it: the same call again
+                    and again reaches the end, with the bits of a run without a pause. A case built
+                    in Python stays beside the folder, as OUT.case.toml
+        checkpoint  seconds of computing between two saves of the state that `resume` needs; 60 with resume
         progress    None: in notebooks and on terminals; True, False; or a function
                     `f(share, line)`
 
@@ -219,10 +119,14 @@ class Case(Public):
         """
         from .result import Result
 
+        if resume or checkpoint is not None:
+            if collisions or observers:
+                raise ValueError("a run with collisions in memory or observers cannot be resumed")
+            return self._run_with_checkpoints(out, force, threads, checkpoint or 60.0, resume, progress)
         if collisions is None:
             collisions = out is None and self._value("observe.collisions") == "true"
         folder = None if out is None else named_folder(out)
-        called = [observer(one) for one in observers]
+        called = [observer(one) for one in ([observers] if callable(observers) else observers)]
         with shown(progress) as show:
             ran, interrupted, unwritten = _core.run(
                 self._resolved, self._source.parts(), folder, force, checked_threads(threads),
@@ -235,6 +139,24 @@ class Case(Public):
         if interrupted:
             raise Interrupted("interrupted: results computed until then are in `result`", result)
         return result
+
+    def _run_with_checkpoints(self, out: Optional[Place], force: bool, threads: int, checkpoint: float, resume: bool,
+                              progress: Progress) -> Result:
+        """A run whose state is beside its folder until it is complete."""
+        from .result import Result
+
+        place = self._source.result_folder(out, "")
+        kept = place.with_name(place.name + ".checkpoint").exists()
+        try:
+            with self._source.as_file(place, force) as target:  # the state belongs to a file of this name
+                command(["run"], case=target, set=self._titled(), out=place, force=force,
+                        threads=checked_threads(threads), checkpoint=checkpoint, resume=resume and kept,
+                        progress=progress)
+        except (Interrupted, RunError) as error:
+            if (place / "summary.json").exists():
+                error.result = Result(place)
+            raise
+        return Result(place)
 
     def sweep(self, over: Optional[Changes] = None, out: Optional[Place] = None, *,
               force: bool = False, threads: int = 0, films: bool = False,
@@ -256,6 +178,7 @@ class Case(Public):
         except (Interrupted, RunError) as error:
             if (place / "campaign.sqlite").exists():
                 error.result = Campaign(place)
+                error.args = ("\n".join([str(error), *(f"point {i}: {why}" for i, why in error.result.failed[:5])]),)
             raise
         return Campaign(place)
 
@@ -340,27 +263,22 @@ class Case(Public):
             raise
         return WearEvolution(place)
 
-    # Helpers
+    def bond_test(self, *, screen: str = "150 um", load: str = "250 %", mill_diameter: Optional[str] = None,
+                  mill_speed: str = "72 %", threads: int = 0, progress: Progress = None) -> BondTest:
+        """Bond's grindability test in locked cycles, as `mahlwerk bond-test`: the case is a drum with a rock that
+        breaks.
 
-    def _text_for(self, folder: Path) -> str:
-        """The resolved case for a file in `folder`."""
-        own = self._source.file.parent
-        if folder.resolve() == own.resolve():
-            return self.text
-        values = {key: self._value(key) for key in ("mill.file", "jar.file", "run.start_from")}
-        whole = {key: os.fspath(own / toml.text_of(value)) for key, value in values.items() if value}
-        return self.replace(whole).text if whole else self.text
+        screen         opening of the closing screen, 10 um to 5 mm
+        load           circulating load, 10 % to 1000 %
+        mill_diameter  of a full-scale mill, 10 cm to 20 m, whose largest ball is wanted
+        mill_speed     of that mill, share of its critical speed, 10 % to 99 %
 
-    def _with_section(self, name: str, content: Optional[Changes]) -> Case:
-        return self if content is None else self._of(self._source.with_section(name, content))
+        Raises InputError; RunError if physics stopped a replicate.
+        """
+        from .bond import BondTest
 
-    def _value(self, key: str) -> Optional[str]:
-        return next((one.value for one in self.origins if one.key == key), None)
-
-    def _titled(self) -> Texts:
-        """The changes, with the title of a case that has none: else the name of a file would be it."""
-        changes = self._source.changes
-        given = next((one for one in self.origins if one.key == "title"), None)
-        if self._source.in_file or "title" in changes or (given and not given.source.startswith("d")):
-            return changes
-        return {**changes, "title": self.title}
+        with self._source.as_file() as target:
+            told = command(["bond-test"], case=target, set=self._titled(), screen=screen, load=load,
+                           mill_diameter=mill_diameter, mill_speed=mill_speed, threads=checked_threads(threads),
+                           progress=progress)
+        return BondTest(told, int(self._value("run.replicates") or 0))

@@ -40,6 +40,9 @@ class CaseSource:
         changed = merged({}, changes or {})
         if isinstance(source, Mapping):
             return cls(toml.case_text(source), Path.cwd() / "case", False, "case", changed)
+        if not isinstance(source, (str, os.PathLike)):
+            hint = "; its case is `.case`" if hasattr(source, "quantities") else ""
+            raise TypeError(f"a case is a file, a folder or a dict of sections, not {source!r}{hint}")
         files = _core.case_files(os.fspath(source))
         if len(files) > 1:
             raise InputError([_core.Fault(

@@ -33,6 +33,13 @@ class Check(NamedTuple):
     notes: list[str]  #: the choice of the engine, unusual values
     assumed: list[Origin]  #: defaults that nobody chose
 
+    def __repr__(self) -> str:
+        return f"<Check: {len(self.derived)} derived quantities, {len(self.notes)} notes, {len(self.assumed)} assumed values>"
+
+    def __str__(self) -> str:
+        lines = [f"{name:<24} {one}" for name, one in self.derived.items()] + ["", *self.notes, "", "assumed:"]
+        return "\n".join(lines + [f"{one.key:<24} {one.value:<14} {one.source}" for one in self.assumed])
+
     def _repr_html_(self) -> str:
         rows = [(name, q.text(), q.about) for name, q in self.derived.items()]
         notes = "".join(f"<p>{html.escape(note)}</p>" for note in self.notes)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import json
 import warnings
 from os import PathLike
-from typing import TYPE_CHECKING, Any, TypedDict, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import _core
 from .errors import InputError, Interrupted, RunError
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     #: A value of an option of the command line.
     Option = Union[None, bool, int, float, str, PathLike[str], Sequence[str], Mapping[str, Union[str, None]]]
 
-__all__ = ["command", "describe", "catalogue"]
+__all__ = ["command"]
 
 BAD_INPUT, STOPPED, INTERRUPTED = 2, 3, 130
 
@@ -51,30 +51,3 @@ def command(words: Union[str, list[str]], *, progress: Progress = False,
     if code not in (0, BAD_INPUT):
         raise RuntimeError(f"{' '.join(words)} ended with code {code}")
     return json.loads(text) if text else None
-
-
-class CatalogueName(TypedDict):
-    """A line of `mahlwerk list`."""
-
-    room: str  # "mills"
-    name: str
-    title: str
-    unverified: bool  # whether a value has a weak source
-
-
-def describe(name: str) -> Union[dict[str, Any], list[dict[str, Any]]]:
-    """Every value of a catalogue entry with its source, as `mahlwerk describe`, or the keys of a
-    section or kind with unit, range, default and meaning.
-
-    >>> mahlwerk.describe("retsch-mm400")["title"]
-    """
-    return command(["describe"], name=name)
-
-
-def catalogue(category: str = "", word: str = "") -> list[CatalogueName]:
-    """The names in the catalogue: "mills", "jars", "materials", "media", or all; with `word` those that
-    have it in their name or title.
-
-    >>> [one["name"] for one in mahlwerk.catalogue("mills", "retsch")]
-    """
-    return command(["list"], category=category, word=word)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import functools
 import inspect
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, TypeVar, Union
+from typing import TYPE_CHECKING, Optional, TypeVar, Union
 
 from .case import Case
 from .case_source import Place
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     Options = ParamSpec("Options")
 
-__all__ = ["check", "cite", "compare", "evolve_wear", "fit", "match", "optimise", "run", "sweep"]
+__all__ = ["bond_test", "check", "cite", "compare", "evolve_wear", "fit", "match", "new", "optimise", "run", "sweep"]
 
 AnyCase = Union[Case, Place, "Mapping[str, Value]"]
 Found = TypeVar("Found")
@@ -39,6 +39,7 @@ def function_of(method: Callable[Concatenate[Case, Options], Found]) -> Callable
     return function
 
 
+bond_test = function_of(Case.bond_test)
 check = function_of(Case.check)
 cite = function_of(Case.cite)
 compare = function_of(Case.compare)
@@ -48,3 +49,12 @@ match = function_of(Case.match)
 optimise = function_of(Case.optimise)
 run = function_of(Case.run)
 sweep = function_of(Case.sweep)
+
+
+def new(*, mill: Optional[str] = None, kind: Optional[str] = None, jar: Optional[str] = None,
+        jar_kind: Optional[str] = None, balls: Optional[str] = None) -> Case:
+    """A case to start from, as `mahlwerk new`: the same as `Case.new`.
+
+    >>> print(mahlwerk.new(mill="retsch-mm400", jar="retsch-mm-25ml").text)
+    """
+    return Case.new(mill=mill, kind=kind, jar=jar, jar_kind=jar_kind, balls=balls)

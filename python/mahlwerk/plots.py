@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any, Optional
 
+from .public import Public
 from .replay import outline, replay
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def draw_cells(ax: Axes, x: Any, y: Any, grid: Any, value: str) -> None:
     ax.figure.colorbar(mesh, ax=ax, label=f"{words(name)} ({unit})")
 
 
-class ResultPlots:
+class ResultPlots(Public):
     """Plots of a result."""
 
     def __init__(self, result: Result):
@@ -211,7 +212,7 @@ class ResultPlots:
         return ax
 
 
-class CampaignPlots:
+class CampaignPlots(Public):
     """Plots of a campaign."""
 
     def __init__(self, campaign: Campaign):

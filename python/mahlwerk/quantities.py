@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from types import ModuleType
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn, Optional
 
 from . import _core
 from .public import Public
@@ -107,6 +107,17 @@ class Quantity(Public):
 
     def __float__(self) -> float:
         return self.value
+
+    def __format__(self, form: str) -> str:
+        """As text, or its value in a format of numbers: f"{power}", f"{power:.3f}"."""
+        return format(self.value, form) if form else str(self)
+
+    def _no_operator(self, *_: object) -> NoReturn:
+        raise TypeError(f"{self.name} has an error: compute with its value, float(q), or with both, q.ufloat(); "
+                        "with several quantities of a result use result.ufloats(...)")
+
+    __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _no_operator
+    __pow__ = __rpow__ = __neg__ = __abs__ = __lt__ = __le__ = __gt__ = __ge__ = __round__ = _no_operator
 
     def text(self) -> str:
         """Value, half-width and unit as the program prints them: "136 ± 15 /s"."""

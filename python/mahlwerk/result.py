@@ -9,18 +9,19 @@ import json
 import math
 import os
 from collections.abc import Callable, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _core
 from .errors import InputError
 from .files import named_folder
+from .frames import frames_in
 from .pages import Page, table_html
 from .public import Public
 from .quantities import Influence, Notice, Quantity, correlated, nan_if_none, notices_of
 from .records import array_of_records
-from .tables import FolderTables, dataset_of, frame_of, of_columns
+from .tables import Tables, dataset_of, frame_of, of_columns
 
 if TYPE_CHECKING:
     import numpy as np
@@ -175,10 +176,10 @@ class Result(Public):
     def tables(self) -> Mapping[str, np.ndarray]:
         """Every table as a numpy structured array, by the name of its CSV file without ".csv"."""
         if self._ran is not None:
-            return {name: of_columns(columns) for name, (_, columns) in self._ran.tables().items()}
+            return Tables({name: partial(of_columns, columns) for name, (_, columns) in self._ran.tables().items()})
         if self.folder is None:
             return self._state["tables"]
-        return FolderTables(self.folder)
+        return Tables.in_folder(self.folder)
 
     def table(self, name: str) -> np.ndarray:
         """A table, for instance "spectrum", "timeseries", "replicates", "wall_map"."""
@@ -237,6 +238,11 @@ class Result(Public):
                 "run the case with collisions=True, or with [observe] collisions = true into a folder",
                 "no-records")])
         return array_of_records(_core.read_records(file, replicate))
+
+    def frames(self, replicate: int = 1) -> np.ndarray:
+        """The balls at the times of [observe] frames, a row for each ball and time: time_s, id, x_m, ... in the frame
+        of the jar (docs/formats.md, frames-1.xyz). Raises InputError if the run kept none."""
+        return frames_in(self.folder, replicate)
 
     # Pictures and pages
 

@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Union
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-__all__ = ["FolderTables", "array_of", "dataset_of", "frame_of", "of_columns", "on_grid", "read_csv"]
+__all__ = ["Tables", "array_of", "dataset_of", "frame_of", "of_columns", "on_grid", "read_csv"]
 
 
 def frame_of(array: np.ndarray) -> pd.DataFrame:
@@ -136,23 +137,31 @@ def column(cells: Sequence[Any]) -> np.ndarray:
         return np.array(["" if cell is None else str(cell) for cell in cells])
 
 
-class FolderTables(Mapping[str, "np.ndarray"]):
-    """The tables of a result folder, each read when it is first used."""
+class Tables(Mapping[str, "np.ndarray"]):
+    """Tables by their names, each made when it is first used. A session shows the names alone."""
 
-    def __init__(self, folder: Path):
-        self._files = {file.stem: file for file in sorted(folder.glob("*.csv"))}
-        self._read: dict[str, np.ndarray] = {}
+    def __init__(self, made_by: Mapping[str, Callable[[], np.ndarray]]):
+        self._made_by = made_by
+        self._made: dict[str, np.ndarray] = {}
+
+    @classmethod
+    def in_folder(cls, folder: Path) -> Tables:
+        """Those of a result folder."""
+        return cls({file.stem: partial(read_csv, file) for file in sorted(folder.glob("*.csv"))})
 
     def __getitem__(self, name: str) -> np.ndarray:
-        if name not in self._read:
-            self._read[name] = read_csv(self._files[name])
-        return self._read[name]
+        if name not in self._made:
+            self._made[name] = self._made_by[name]()
+        return self._made[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._files)
-
-    def _ipython_key_completions_(self) -> list[str]:
-        return list(self._files)
+        return iter(self._made_by)
 
     def __len__(self) -> int:
-        return len(self._files)
+        return len(self._made_by)
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
+
+    def __repr__(self) -> str:
+        return f"<Tables {', '.join(self)}>"

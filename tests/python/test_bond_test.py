@@ -7,6 +7,8 @@ import re
 
 import pytest
 
+import mahlwerk
+
 from conftest import HOME
 
 SHORT = ["--set", "run.time=0.3 s", "--set", "run.settle=0.1 s", "--set", "run.replicates=1"]
@@ -39,6 +41,18 @@ def test_the_notices_of_the_run_and_the_largest_ball_are_in_text_and_json(bond):
     azzaroni = (4.5e-3 * (1e6 * told["f80_m"])**0.263 * (2.65 * told["work_index"]["value"])**0.4
                 / (turns * 4)**0.25)
     assert ball["azzaroni_m"] == pytest.approx(azzaroni, rel=0.01)
+
+
+def test_the_function_of_python_tells_the_same_in_a_shorter_run(bond):
+    assert bond("--screen", "1 km")[0] == 2  # the case is written, nothing runs
+    case = mahlwerk.Case("bond.toml", {"run.time": "20 ms", "run.settle": "0 s", "run.replicates": 1})
+    found = mahlwerk.bond_test(case, mill_diameter="4 m")
+    told = found.data
+    assert found.work_index.value == told["work_index"]["value"] and found.work_index.unit == "kWh/t"
+    assert found.frame()["g_per_turn"].tolist() == [one["g_per_turn"] for one in told["cycles"]]
+    assert found.largest_ball.azzaroni == told["largest_ball"]["azzaroni_m"] and found.notices
+    with pytest.raises(mahlwerk.InputError, match="--screen"):
+        mahlwerk.bond_test("bond.toml", screen="1 km")
 
 
 @pytest.mark.parametrize("speed", ["100%", "1.2", "150 %"])

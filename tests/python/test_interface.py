@@ -14,14 +14,22 @@ import mahlwerk
 from mahlwerk import plots
 
 
+def own_members(thing):
+    """Those of a class and of the bases that the package defines."""
+    return {member: value for base in reversed(thing.__mro__) if base.__module__.startswith("mahlwerk")
+            for member, value in vars(base).items()}
+
+
 def documented():
     """Every public name and its public members, with their docstrings."""
     for name in mahlwerk.__all__:
         thing = getattr(mahlwerk, name)
         yield f"mahlwerk.{name}", thing
-        for member, value in vars(thing).items() if inspect.isclass(thing) else ():
+        for member, value in own_members(thing).items() if inspect.isclass(thing) else ():
             if not member.startswith("_"):
                 yield f"mahlwerk.{name}.{member}", value
+    for name in mahlwerk.measure.__all__:
+        yield f"mahlwerk.measure.{name}", getattr(mahlwerk.measure, name)
     for owner in (plots.ResultPlots, plots.CampaignPlots):
         for member, value in vars(owner).items():
             if not member.startswith("_"):
@@ -49,7 +57,8 @@ def done(tmp_path_factory):
 
 @pytest.mark.parametrize("where", EXAMPLES)
 def test_every_example_of_a_docstring_runs(where, done, example):
-    shutil.copytree(example("01-one-ball"), "examples/01-one-ball")
+    for name in ("01-one-ball", "measure"):
+        shutil.copytree(example(name), f"examples/{name}")
     names = dict(done)
     for one in doctest.DocTestParser().get_examples(EXAMPLES[where]):
         exec(compile(one.source, where, "exec"), names)  # an exception is a fault
@@ -61,7 +70,7 @@ def test_the_main_classes_have_examples():
 
 
 def test_dir_shows_public_names_alone(done):
-    assert sorted(dir(mahlwerk)) == sorted([*mahlwerk.__all__, "__version__", "papers"])
+    assert sorted(dir(mahlwerk)) == sorted([*mahlwerk.__all__, "__version__", "measure", "papers"])
     for thing, name in ((done["case"], "replace"), (done["result"], "quantities"), (done["campaign"], "frame"),
                         (done["result"]["collision_rate"], "ci95")):
         assert name in dir(thing) and not [one for one in dir(thing) if one.startswith("_")]
