@@ -27,7 +27,7 @@ async function a_lesson_explains_each_answer_and_keeps_the_right_one({ page, url
   expect("its case", (await caseText(page)).includes("lifter-cylinder"));
   for (const [i, [, why]] of en.lessons[1].answers.entries()) {
     await page.locator(".question input").nth(i).check();
-    const said = await page.textContent(".feedback");
+    const said = (await page.textContent(".feedback")).replaceAll("\u00a0", " ");
     expect(`the answer ${i}`, said, `${i === lessons[1].right ? en.lessonRight : en.lessonWrong} ${why}`);
   }
   expect("answered", await page.locator(".lesson-list .done").count(), 1);

@@ -47,7 +47,7 @@ export const cutOff = () => {
   const right = (each) => each.getBoundingClientRect().right;
   const beyond = shown("#replay button, .counter, .run-bar button, header button, .learn :is(button, td), .field :is(input, select), .quantities :is(th, td)")
     .filter((each) => right(each) > innerWidth - 8 ||
-      right(each) > right(each.closest("fieldset, .details, figure, .run-bar, main")) + 0.5);
+      right(each) > right(each.closest("fieldset, .details, figure, .run-bar, .learn, main") ?? document.body) + 0.5);
   const name = document.querySelector("header h1"), buttons = document.querySelector("header .buttons").getBoundingClientRect();
   if (right(name) > buttons.left && name.getBoundingClientRect().bottom > buttons.top) beyond.push(name);
   return beyond.map((each) => `${each.localName} ${each.textContent || each.className}`);

@@ -10,6 +10,9 @@ import { LessonCheck } from "./lesson_check.js";
 import { lessons } from "./lessons.js";
 import { Progress } from "./progress.js";
 
+/// Numbers stay on one line with their unit.
+const tied = (words) => words.replace(/(\d) (?=(?:%|Hz|mm|mW|g|s)(?![a-z]))/g, "$1\u00a0");
+
 export class Learn {
   /// `cases`: texts of web/lessons by name. `page`: { pool, inspector, running(), stopRun(), busy(on), take(toml, address),
   /// runWith(toml), shown(on) }; `take` resolves with whether the reader leaves the present case.
@@ -72,10 +75,10 @@ export class Learn {
   parts(number) {
     const lesson = lessons[number - 1], words = text.lessons[number - 1];
     this.check = new LessonCheck({ lesson, words, toml: this.caseOf(number), page: this.page });
-    return [element("h3", { textContent: words.title, tabIndex: -1 }), element("p", { textContent: words.intro }),
-      element("p", { textContent: words.task }),
+    return [element("h3", { textContent: words.title, tabIndex: -1 }), element("p", { textContent: tied(words.intro) }),
+      element("p", { textContent: tied(words.task) }),
       element("div", { className: "chips", role: "group", "aria-label": `${text.lessonTry}: ${words.varied}` },
-        element("span", { className: "note", textContent: `${words.varied}:` }),
+        element("span", { className: "note", textContent: words.varied }),
         lesson.points.map(({ value, set }) => button(value, () => this.page.runWith(this.caseOf(number, set))))),
       this.question(lesson, words), this.check.root,
       number < lessons.length ? button(text.lessonNext, () => this.open(number + 1)) : null].filter(Boolean);
@@ -85,7 +88,7 @@ export class Learn {
     const group = freshId("answer");
     const said = element("p", { className: "feedback", role: "status", hidden: true });
     const answer = (i) => {
-      said.replaceChildren(element("strong", {}, i === right ? text.lessonRight : text.lessonWrong), ` ${words.answers[i][1]}`);
+      said.replaceChildren(element("strong", {}, i === right ? text.lessonRight : text.lessonWrong), ` ${tied(words.answers[i][1])}`);
       said.hidden = false;
       said.classList.toggle("right", i === right);
       if (i !== right || this.progress.has(name)) return;
@@ -93,9 +96,9 @@ export class Learn {
       this.showList();
     };
     return element("fieldset", { className: "question" }, element("legend", { textContent: text.lessonQuestion }),
-      element("p", { textContent: words.question }),
+      element("p", { textContent: tied(words.question) }),
       words.answers.map(([told], i) => element("label", {},
-        element("input", { type: "radio", name: group, onchange: () => answer(i) }), element("span", { textContent: told }))),
+        element("input", { type: "radio", name: group, onchange: () => answer(i) }), element("span", { textContent: tied(told) }))),
       said);
   }
 }

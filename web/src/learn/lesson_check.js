@@ -8,10 +8,15 @@ import { quantityText } from "../format.js";
 import { Sweep } from "../run/sweep.js";
 import { quantityName, text } from "../text/text.js";
 
-function bar(value, most) {
-  const made = element("div", { className: "bar" });
-  made.style.width = `${most > 0 ? Math.max(0, (100 * value) / most) : 0}%`;
-  return made;
+/// The value as a bar, and its interval as a line upon it; `most`: what the whole width means.
+function bar({ value, ci95 }, most) {
+  const percent = (part) => `${most > 0 ? Math.min(Math.max(0, (100 * part) / most), 100) : 0}%`;
+  const amount = element("div", { className: "amount" }), interval = element("div", { className: "interval" });
+  amount.style.width = percent(value);
+  interval.hidden = !(ci95 > 0);
+  interval.style.left = percent(value - ci95);
+  interval.style.right = `calc(100% - ${percent(value + ci95)})`;
+  return element("div", { className: "bar" }, amount, interval);
 }
 
 export class LessonCheck {
@@ -75,12 +80,12 @@ export class LessonCheck {
     return element("table", {}, element("caption", { className: "for-readers", textContent: text.lessonResult }),
       this.lesson.quantities.map((key) => {
         const values = points.map(({ summary }) => summary?.[key] ?? { value: null });
-        const most = Math.max(...values.map(({ value }) => value ?? 0));
+        const most = Math.max(...values.map(({ value, ci95 }) => value + (ci95 ?? 0)));
         const named = points.find(({ summary }) => summary)?.summary[key] ?? { label: key };
         return element("tbody", {}, element("tr", {},
           element("th", { scope: "rowgroup", colSpan: 2, textContent: quantityName(key, named) })),
         points.map(({ value, fault }, i) => element("tr", {}, element("th", { scope: "row", textContent: value }),
-          element("td", { className: "figure" }, fault ?? quantityText(values[i]), bar(values[i].value, most)))));
+          element("td", { className: "figure" }, fault ?? quantityText(values[i]), bar(values[i], most)))));
       }));
   }
 }

@@ -51,7 +51,7 @@ export const lessons = [
   // 200 s, e = 0.8: 10 Hz 36.1 ± 1.3 mW, 46.2 ± 6.1 /s; 11 Hz 48.5 ± 2.2 mW, 60.8 ± 6.6 /s
   { name: "trust", right: 2, quantities: [power, rate],
     points: [["2 s", "0.9"], ["200 s", "0.9"], ["200 s", "0.8"]].flatMap(([time, restitution]) =>
-      ["10 Hz", "11 Hz"].map((frequency) => point(`${frequency}, ${time}, e = ${restitution}`,
+      ["10 Hz", "11 Hz"].map((frequency) => point(`${frequency}, ${time}, e\u00a0=\u00a0${restitution}`,
         { "mill.frequency": frequency, "run.time": time, "contact.restitution": restitution }))),
     holds: ([a, b, longA, longB, otherA, otherB]) => !below(a[power], b[power]) && below(longA[power], longB[power]) &&
       below(otherA[rate], longA[rate]) && within(ratio(otherA[rate], longA[rate]), 2.5, 3.5) &&
