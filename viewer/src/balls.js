@@ -10,7 +10,7 @@ import {
 } from "three";
 import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { Bodies } from "./bodies.js";
-import { speciesColours, speedColour } from "./colours.js";
+import { colourAt, speciesColours } from "./colours.js";
 import { isInJar } from "./data.js";
 import { between } from "./motion.js";
 import { pickedColour } from "./picked.js";
@@ -39,9 +39,8 @@ function sphereOf(detail) {
 export const keepsGeometry = (part) => [...spheres.values()].includes(part.geometry);
 
 export class Balls {
-  constructor(data, speedTop) {
+  constructor(data) {
     this.data = data;
-    this.speedTop = speedTop;
     const material = new MeshStandardMaterial({ roughness: 0.32, metalness: 0.12 });
     this.mesh = new InstancedMesh(sphereFor(data.count), material, data.count);
     this.mesh.frustumCulled = false; // the bounds of the mesh do not follow the balls
@@ -53,12 +52,13 @@ export class Balls {
     this.species = speciesColours.map((colour) => new Color(colour).toArray());
   }
 
-  /// Sets positions and colours for the fractional frame `frame`; `picked`: a ball, or null.
-  show(frame, colour, picked) {
+  /// Sets positions and colours for the fractional frame `frame`. `scale`: of a quantity (scaleOf), or null: the
+  /// colours are those of the kinds. `picked`: a ball, or null.
+  show({ frame, scale, picked }) {
     const step = between(this.data, frame);
     this.place(step);
-    if (colour === "species") this.colourBySpecies();
-    else this.colourBySpeed(step);
+    if (scale === null) this.colourBySpecies();
+    else this.colourBy(scale, step);
     if (picked !== null) this.picked.toArray(this.mesh.instanceColor.array, 3 * picked);
     for (const bodies of this.bodies) bodies.show();
     this.mesh.instanceMatrix.needsUpdate = true;
@@ -91,14 +91,9 @@ export class Balls {
     }
   }
 
-  colourBySpeed({ low, high, part }) {
-    const { count, speeds, speedScale } = this.data;
-    const scale = speedScale / this.speedTop;
-    for (let i = 0; i < count; ++i) {
-      const from = speeds[count * low + i];
-      const to = speeds[count * high + i];
-      speedColour(scale * (from + part * (to - from)), this.mesh.instanceColor.array, 3 * i);
-    }
+  colourBy(scale, step) {
+    for (let i = 0; i < this.data.count; ++i)
+      colourAt(scale.at(step, i), this.mesh.instanceColor.array, 3 * i);
   }
 
   colourBySpecies() {

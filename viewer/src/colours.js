@@ -10,40 +10,28 @@ import { viridis } from "./viridis.js";
 export const speciesColours = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
   "#F0E442", "#666666"];
 
-export const speedGradient = viridis;
+/// Colours of a quantity, from 0 to the top of its scale.
+export const gradient = viridis;
 
 const steps = 256;
 
-/// Linear red, green, blue of `steps` speeds from 0 to the top of the scale.
-export const speedTable = (() => {
-  const table = new Float32Array(3 * steps);
+/// Linear red, green, blue of `steps` values from 0 to the top of the scale.
+const table = (() => {
+  const list = new Float32Array(3 * steps);
   for (let i = 0; i < steps; ++i) {
     const at = (i / (steps - 1)) * (viridis.length - 1);
     const low = Math.min(Math.floor(at), viridis.length - 2);
-    new Color(viridis[low]).lerp(new Color(viridis[low + 1]), at - low).toArray(table, 3 * i);
+    new Color(viridis[low]).lerp(new Color(viridis[low + 1]), at - low).toArray(list, 3 * i);
   }
-  return table;
+  return list;
 })();
 
-export function speedColour(part, list, at) {
+/// Writes the colour of a part of the scale into a list.
+export function colourAt(part, list, at) {
   const i = 3 * Math.min(steps - 1, Math.max(0, Math.round(part * (steps - 1))));
-  list[at] = speedTable[i];
-  list[at + 1] = speedTable[i + 1];
-  list[at + 2] = speedTable[i + 2];
-}
-
-/// Top of the speed scale [m/s]: a round number that at most about 3 of 1000 speeds exceed.
-export function speedScaleTop(data) {
-  const bins = new Uint32Array(65536);
-  for (const speed of data.speeds) ++bins[speed];
-  let above = 0.003 * data.speeds.length;
-  let top = bins.length - 1;
-  while (top > 0 && (above -= bins[top]) >= 0) --top;
-  const speed = Math.max(top, 1) * data.speedScale;
-  const power = 10 ** Math.floor(Math.log10(speed));
-  const round = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((step) => step * power >= 0.999 * speed);
-  const least = bins.findLastIndex((number) => number > 0) * data.speedScale;
-  return { top: round * power, exceeded: least > 1.001 * round * power };
+  list[at] = table[i];
+  list[at + 1] = table[i + 1];
+  list[at + 2] = table[i + 2];
 }
 
 const light = { ink: "#1d2329", soft: "#59636e", grid: "#e3e6ea", paper: "#ffffff", box: "#f5f7f9",
@@ -74,9 +62,3 @@ export function themeOf(element) {
   }
   return theme;
 }
-
-/// What the colour of a ball shows.
-export const colours = [
-  { key: "speed", name: "Speed", about: "Speed relative to the jar's centre" },
-  { key: "species", name: "Kind", about: "One colour for each kind of ball" },
-];

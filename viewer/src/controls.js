@@ -51,33 +51,24 @@ function choice(label, options, pick) {
   return { group: group(label, box), offer, show };
 }
 
-const pictureLabel = (title) =>
-  `Balls in the moving jar: ${title}. Drag to rotate, shift and drag to pan, ` +
-  "wheel or two fingers to zoom. Keys: space plays or pauses, arrows step, v changes the " +
-  "view, c changes the colours, plus and minus zoom, shift and arrows rotate.";
-
-const pictureOf = (title) => {
-  const scene = element("canvas", { className: "scene", tabIndex: 0, role: "img",
-    "aria-label": pictureLabel(title) });
+const pictureOf = (label) => {
+  const scene = element("canvas", { className: "scene", tabIndex: 0, role: "img", "aria-label": label });
   const written = element("canvas", { className: "written", "aria-hidden": "true" });
   const print = element("canvas", { className: "print", "aria-hidden": "true" });
   return { scene, written, print };
 };
 
-function keysHint() {
-  const hint = element("span", { className: "keys" });
-  hint.innerHTML = " Drag rotates, <kbd>space</kbd> plays, <kbd>\u2190</kbd> " +
-    "<kbd>\u2192</kbd> step, <kbd>v</kbd> view, <kbd>c</kbd> colour. A click picks a ball, <kbd>b</kbd> the next one.";
-  return hint;
-}
+/// Every second piece is a key.
+const keysHint = (pieces) => element("span", { className: "keys" }, pieces.map((piece, i) =>
+  i % 2 ? element("kbd", { textContent: piece }) : piece));
 
-function playRow(actions) {
-  const play = iconButton("play", "Play", actions.toggle, "go");
+function playRow(actions, text) {
+  const play = iconButton("play", text.play, actions.toggle, "go");
   const slider = element("input", { type: "range", min: 0,
-    step: "any", value: 0, "aria-label": "Time", oninput: () => actions.scrub(+slider.value) });
-  const clock = element("output", { "aria-label": "Simulated time", "aria-live": "off" });
-  const back = iconButton("back", "One frame back", () => actions.step(-1));
-  const forward = iconButton("forward", "One frame forward", () => actions.step(1));
+    step: "any", value: 0, "aria-label": text.time, oninput: () => actions.scrub(+slider.value) });
+  const clock = element("output", { "aria-label": text.simulatedTime, "aria-live": "off" });
+  const back = iconButton("back", text.back, () => actions.step(-1));
+  const forward = iconButton("forward", text.forward, () => actions.step(1));
   const offer = (frames) => {
     slider.max = Math.max(frames - 1, 0);
     for (const input of [play, slider, back, forward]) input.disabled = frames < 2;
@@ -86,62 +77,68 @@ function playRow(actions) {
   return { row, play, slider, clock, offer };
 }
 
-function paceGroup(actions) {
-  const pace = element("select", { "aria-label": "Speed of the replay",
-    title: "Simulated time per real time", onchange: () => actions.pace(+pace.value) });
+function paceGroup(actions, text) {
+  const pace = element("select", { "aria-label": text.paceLabel,
+    title: text.paceAbout, onchange: () => actions.pace(+pace.value) });
   const offer = (factors) => pace.replaceChildren(...factors.map((factor) =>
     element("option", { value: factor, textContent: `${factor}x` })));
   const loop = element("input", { type: "checkbox", onchange: () => actions.loop(loop.checked) });
-  const label = element("label", { className: "loop" }, [loop, "Loop"]);
-  return { group: group("Replay speed", pace, label), pace, loop, offer };
+  const label = element("label", { className: "loop" }, [loop, text.loop]);
+  return { group: group(text.pace, pace, label), pace, loop, offer };
 }
 
-function saveGroup(videoFault, actions) {
-  const about = videoFault ?? "Save the whole replay as a video";
-  const video = textButton("Video", about, actions.video);
+function saveGroup(videoFault, actions, text) {
+  const about = videoFault ?? text.saveVideoAbout;
+  const video = textButton(text.saveVideo, about, actions.video);
   video.disabled = videoFault !== null;
-  const png = textButton("Picture", "Save this picture as PNG, at twice the resolution",
-    actions.png);
-  const both = group("Save", element("div", { className: "choice" }, [png, video]));
+  const png = textButton(text.savePicture, text.savePictureAbout, actions.png);
+  const both = group(text.save, element("div", { className: "choice" }, [png, video]));
   both.classList.add("push");
   return { group: both, video };
 }
 
+/// The switch of the marks of hits; hidden where the data have none.
+function hitsSwitch(actions, text) {
+  const input = element("input", { type: "checkbox", onchange: () => actions.hits(input.checked) });
+  const label = element("label", { className: "loop", title: text.hitsAbout }, [input, text.hits]);
+  return { input, label };
+}
+
 /// Builds the component below `root`. `options`: title, frames, views, colours, factors, videoFault
 /// (reason why video is not available, or null). `actions`: toggle, scrub, step, view, colour,
-/// look, pace, loop, png, video.
-export function build(root, options, actions) {
-  const picture = pictureOf(options.title);
-  const playing = playRow(actions);
-  const view = choice("View", options.views, actions.view);
-  const colour = choice("Colour", options.colours, actions.colour);
-  const pace = paceGroup(actions);
-  const camera = group("Camera", element("div", { className: "choice" }, [
-    textButton("Start", "Initial view", () => actions.look("start")),
-    textButton("Along axis", "View along the jar's axis", () => actions.look("axis")),
-    textButton("Side", "View from the side", () => actions.look("side")),
-  ]));
-  const save = saveGroup(options.videoFault, actions);
+/// hits, look, pace, loop, png, video. `text`: the words.
+export function build(root, options, actions, text) {
+  const picture = pictureOf(text.picture(options.title));
+  const playing = playRow(actions, text);
+  const view = choice(text.view, options.views, actions.view);
+  const colour = choice(text.colour, options.colours, actions.colour);
+  const hits = hitsSwitch(actions, text);
+  const pace = paceGroup(actions, text);
+  const camera = group(text.camera, element("div", { className: "choice" },
+    Object.entries(text.directions).map(([key, { name, about }]) => textButton(name, about, () => actions.look(key)))));
+  const save = saveGroup(options.videoFault, actions, text);
   const caption = element("span");
   const said = element("div", { className: "said", role: "status" });
-  const figure = element("figure", { role: "group", "aria-label": `Replay: ${options.title}` }, [
+  const figure = element("figure", { role: "group", "aria-label": text.replay(options.title) }, [
     element("div", { className: "picture" }, [picture.scene, picture.written, picture.print]),
     element("div", { className: "panel" }, [
       playing.row,
-      element("div", { className: "row" }, [view.group, colour.group, camera]),
-      element("div", { className: "row" }, [pace.group, save.group]),
+      element("div", { className: "row" }, [view.group, colour.group, hits.label]),
+      element("div", { className: "row" }, [pace.group, camera, save.group]),
       said,
-      element("figcaption", {}, [caption, keysHint()]),
+      element("figcaption", {}, [caption, keysHint(text.keys)]),
     ]),
   ]);
   root.append(figure);
 
-  /// Adapts the controls to other data: title, frames, views, factors.
-  function offer({ title, frames, views, factors }) {
-    picture.scene.setAttribute("aria-label", pictureLabel(title));
-    figure.setAttribute("aria-label", `Replay: ${title}`);
+  /// Adapts the controls to other data: title, frames, views, colours, factors, hasHits.
+  function offer({ title, frames, views, colours, factors, hasHits }) {
+    picture.scene.setAttribute("aria-label", text.picture(title));
+    figure.setAttribute("aria-label", text.replay(title));
     playing.offer(frames);
     view.offer(views);
+    colour.offer(colours);
+    hits.label.hidden = !hasHits;
     pace.offer(factors);
   }
   offer(options);
@@ -149,13 +146,14 @@ export function build(root, options, actions) {
   /// Updates the elements to the state of the replay.
   function show(state) {
     draw(playing.play, state.playing ? "pause" : "play");
-    playing.play.title = state.playing ? "Pause" : "Play";
+    playing.play.title = state.playing ? text.pause : text.play;
     playing.play.setAttribute("aria-label", playing.play.title);
     view.show(state.view);
     colour.show(state.colour);
+    hits.input.checked = state.hits;
     pace.pace.value = state.factor;
     pace.loop.checked = state.loop;
-    save.video.textContent = state.recording ? "Stop" : "Video";
+    save.video.textContent = state.recording ? text.stop : text.saveVideo;
     caption.textContent = state.caption;
     said.textContent = state.said;
   }

@@ -3,8 +3,6 @@
 
 // Pointer and keys on a replay.
 
-import { colours } from "./colours.js";
-
 const orbitKeys = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 const next = (options, key) =>
@@ -35,7 +33,8 @@ function key(replay, event) {
   else if (orbit?.[0] && name !== "select") replay.step(orbit[0]);
   else if (event.key === "v" && name !== "select") replay.view(next(replay.views, state.view));
   else if (event.key === "c" && name !== "select")
-    replay.change({ colour: next(colours, state.colour) });
+    replay.change({ colour: next(replay.shown.colours, state.colour) });
+  else if (event.key === "h" && name !== "select") replay.change({ hits: !state.hits });
   else if (event.key === "b" && name !== "select") replay.pick(replay.nextBall());
   else if (event.key === "Escape" && state.picked !== null) replay.pick(null);
   else if (event.key === "+" || event.key === "-") replay.nearer(event.key === "+" ? 0.87 : 1.15);

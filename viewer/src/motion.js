@@ -55,17 +55,9 @@ export function poseAt(data, frame) {
 }
 
 /// Frames of reference that can be selected. `key` is the value of data-view.
-export function viewsOf(data) {
-  const views = [
-    { key: "laboratory", name: "Laboratory", about: "in the frame of the laboratory" },
-    { key: "centre", name: "Jar centre", about: "in the frame of the jar's centre, not rotating" },
-    { key: "fixed", name: "Jar fixed", about: "in the frame of the jar, rotating with it" },
-  ];
-  if (data.carrier) {
-    const about = `in the frame of the ${data.carrier}, rotating with it about the mill's axis`;
-    const name = data.carrier[0].toUpperCase() + data.carrier.slice(1);
-    views.splice(1, 0, { key: "carrier", name, about });
-  }
+export function viewsOf(data, text) {
+  const views = ["laboratory", "centre", "fixed"].map((key) => ({ key, ...text.views[key] }));
+  if (data.carrier) views.splice(1, 0, { key: "carrier", ...text.carrier(data.carrier) });
   return views;
 }
 

@@ -6,7 +6,8 @@
 import { Vector3 } from "three";
 import { isInJar } from "./data.js";
 import { between, frameOfView, poseAt } from "./motion.js";
-import { grouped, short } from "./words.js";
+import { energyAt, multipleOf, speedAt, spinAt } from "./quantities.js";
+import { short } from "./words.js";
 
 /// Colour of the picked ball and of its path.
 export const pickedColour = 0xff5a1f;
@@ -35,12 +36,16 @@ export function pathOf(data, view, ball, reach) {
   return points;
 }
 
-/// "Ball 12, steel: 0.82 m/s".
-export function wordsOf(data, ball, frame) {
-  const { low, high, part } = between(data, frame);
-  const speed = (f) => data.speeds[data.count * f + ball];
-  const now = data.speedScale * (speed(low) + part * (speed(high) - speed(low)));
-  const kind = data.speciesNames[data.species[ball]];
-  return `${data.bodies.length > 0 ? "Sphere" : "Ball"} ${grouped(ball + 1)}` +
-    `${kind ? `, ${kind}` : ""}: ${short(now)} m/s`;
+/// What is known of a ball at a frame, line by line, in the words `text`. `span`: the time of the replay, as text.
+export function linesOf(data, ball, frame, span, text) {
+  const step = between(data, frame);
+  const energy = data.masses && energyAt(data, step, ball);
+  const { factor, unit } = multipleOf(energy ?? 1, "J");
+  const numbers = [`${short(speedAt(data, step, ball))} m/s`];
+  if (data.spins) numbers.push(`${short(spinAt(data, step, ball))} rad/s`);
+  if (data.masses) numbers.push(`${short(energy / factor)} ${unit}`);
+  const first = text.picked({ number: ball + 1, body: data.bodies.length > 0,
+    kind: data.speciesNames[data.species[ball]] });
+  const hits = data.hits?.ofBalls;
+  return [first, numbers.join(", "), ...(hits ? [text.hitsOf(hits[ball], span)] : [])];
 }

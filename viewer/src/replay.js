@@ -4,29 +4,32 @@
 // The replay as a component: plays data inside an element, and takes newer data while it plays.
 
 import { annotate } from "./annotations.js";
-import { colours, printTheme, speedScaleTop, themeOf } from "./colours.js";
+import { printTheme, themeOf } from "./colours.js";
 import { apologize, build } from "./controls.js";
+import { faultIn } from "./data.js";
 import { listenTo } from "./input.js";
 import { frameOf, timeOf, viewsOf } from "./motion.js";
-import { wordsOf } from "./picked.js";
+import { linesOf } from "./picked.js";
 import { film, savePicture, videoFault } from "./save.js";
+import { Shown } from "./shown.js";
 import { Stage } from "./stage.js";
+import { en } from "./text/en.js";
 import { captionOf, clockOf, factorsOf } from "./words.js";
 
 export class Replay {
-  constructor(root, data) {
-    this.root = root;
+  constructor(root, data, text) {
+    Object.assign(this, { root, text });
     this.take(data);
     this.seen = true;
     this.state = { frame: 0, playing: false, factor: this.factors.usual, loop: true,
-      view: this.views[0].key, colour: "speed", picked: null, recording: null, said: "" };
-    this.elements = build(root, { ...this.offer(), colours, videoFault: videoFault() },
-      this.actions());
+      view: this.views[0].key, colour: "speed", hits: !this.still(), picked: null, recording: null, said: "" };
+    this.elements = build(root, { ...this.offer(), videoFault: videoFault(text) },
+      this.actions(), text);
     this.theme = themeOf(root);
     const context = this.elements.scene.getContext("webgl2",
       { antialias: true, preserveDrawingBuffer: true, powerPreference: "high-performance" });
     if (!context) throw Object.assign(new Error("no WebGL 2"), { name: "NoWebGL" });
-    this.stage = new Stage(this.elements.scene, context, data, this.speed.top);
+    this.stage = new Stage(this.elements.scene, context, data);
     this.stage.paint(this.theme);
     this.fit();
     this.show();
@@ -36,16 +39,17 @@ export class Replay {
 
   take(data) {
     this.data = data;
-    this.views = viewsOf(data);
+    this.views = viewsOf(data, this.text);
+    this.shown = new Shown(data, this.text);
     this.clock = clockOf(data.times);
-    this.speed = speedScaleTop(data);
     this.factors = factorsOf(this.duration());
   }
 
   /// What the controls offer for the current data.
   offer() {
     const { title, frames } = this.data;
-    return { title, frames, views: this.views, factors: this.factors.offered };
+    return { title, frames, views: this.views, colours: this.shown.colours, factors: this.factors.offered,
+      hasHits: this.data.hits !== null };
   }
 
   /// Shows other data, at the same time, in the same view and from the same direction where the new
@@ -59,10 +63,11 @@ export class Replay {
     this.take(data);
     const sameView = this.views.some(({ key }) => key === state.view);
     if (!sameView) state.view = this.views[0].key;
+    if (!this.shown.has(state.colour)) state.colour = "speed";
     if (restart || !this.factors.offered.includes(state.factor)) state.factor = this.factors.usual;
     state.frame = restart ? 0 : frameOf(data, time);
     this.elements.offer(this.offer());
-    this.stage.renew(data, this.speed.top);
+    this.stage.renew(data);
     this.stage.paint(this.theme);
     this.stage.showPath(state.picked, state.view);
     if (this.size) this.stage.lookFrom(restart || !sameView ? "start" : this.stage.direction(),
@@ -87,6 +92,7 @@ export class Replay {
       step: (by) => this.step(by),
       view: (key) => this.view(key),
       colour: (key) => this.change({ colour: key }),
+      hits: (hits) => this.change({ hits }),
       look: (direction) => this.look(direction),
       pace: (factor) => this.change({ factor }),
       loop: (loop) => this.change({ loop }),
@@ -197,7 +203,7 @@ export class Replay {
   /// Updates the elements to the state and requests a picture.
   show() {
     const view = this.views.find(({ key }) => key === this.state.view);
-    this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock) });
+    this.elements.show({ ...this.state, caption: captionOf(this.data, view, this.clock, this.text) });
     this.want();
   }
 
@@ -233,7 +239,7 @@ export class Replay {
     const { state, data, elements } = this;
     if (!this.size) return; // the component is hidden
     const time = this.clock(timeOf(data, state.frame));
-    this.weight = this.stage.draw(state.frame, state.view, state.colour, state.picked);
+    this.weight = this.stage.draw(this.shown.drawn(state));
     const { width, height, ratio } = this.size;
     const pen = elements.written.getContext("2d");
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -243,15 +249,18 @@ export class Replay {
     if (state.recording) this.compose(state.recording.canvas, this.theme);
     Object.assign(this.root.dataset, { state: "drawn", frame: Math.round(state.frame),
       view: state.view, colour: state.colour, playing: state.playing,
-      picked: state.picked ?? "none" });
+      picked: state.picked ?? "none", hits: this.shown.marks(state) });
   }
 
   annotations(theme, title) {
-    const { state, data, speed, weight } = this;
+    const { state, data, weight } = this;
+    const span = this.clock(this.duration());
     return { theme, title, time: this.clock(timeOf(data, state.frame)),
-      factor: `${state.factor}x real time`, colour: state.colour, speed, weight,
+      factor: this.text.realTime(state.factor), words: this.text, weight,
+      colour: state.colour, scale: this.shown.scale(state.colour),
       speciesNames: data.speciesNames, pixelsOfMetre: this.stage.pixelsOfMetre(this.size.height),
-      picked: state.picked === null ? null : wordsOf(data, state.picked, state.frame) };
+      hits: this.shown.hitLegend(state),
+      picked: state.picked === null ? [] : linesOf(data, state.picked, state.frame, span, this.text) };
   }
 
   /// Picture and annotations on one canvas, at the current size of the picture.
@@ -273,7 +282,7 @@ export class Replay {
     const { width, height } = this.size;
     this.stage.paint(theme);
     this.stage.resize(width, height, ratio);
-    this.stage.draw(this.state.frame, this.state.view, this.state.colour, this.state.picked);
+    this.stage.draw(this.shown.drawn(this.state));
     this.compose(canvas, theme);
     this.stage.paint(this.theme);
     this.stage.resize(width, height, this.size.ratio);
@@ -295,17 +304,17 @@ export class Replay {
   /// Plays once from the beginning and saves it as a video.
   record() {
     const canvas = this.compose(document.createElement("canvas"), this.theme);
-    const failed = (why) => this.change({ said: `The video could not be recorded: ${why}.` });
+    const failed = (why) => this.change({ said: this.text.videoFailed(why) });
     this.play(false);
     this.state.frame = 0;
     try {
-      this.state.recording = { canvas, film: film(canvas, this.data.title, failed) };
+      this.state.recording = { canvas, film: film(canvas, this.data.title, this.text, failed) };
     } catch (error) {
       failed(error.message);
       return;
     }
     const seconds = Math.ceil(this.duration() / this.state.factor);
-    this.state.said = `Recording: the replay plays once, ${seconds} s. Keep this page visible.`;
+    this.state.said = this.text.recording(seconds);
     this.play(true);
   }
 
@@ -316,18 +325,15 @@ export class Replay {
 }
 
 /// Mounts a replay of the data that the function `data` returns below `root`. If it cannot be shown,
-/// `root` shows the reason instead, and the result is null.
-export function mount(root, data) {
+/// `root` shows the reason instead, and the result is null. `text`: the words, an object of the shape of text/en.js.
+export function mount(root, data, text = en) {
   try {
-    return new Replay(root, data());
+    return new Replay(root, data(), text);
   } catch (error) {
     const plain = error.name === "NoWebGL";
     root.dataset.state = plain ? "no-webgl" : "failed";
     root.dataset.error = error.message;
-    apologize(root, plain
-      ? "The replay needs WebGL 2, which this browser does not support or has disabled. All " +
-        "numbers of this report are complete without the replay."
-      : error.message);
+    apologize(root, plain ? text.noWebGL : faultIn(text, error));
     return null;
   }
 }

@@ -10,10 +10,10 @@ const bitsPerSecond = 8e6;
 const videoKind = () => videoKinds.find((kind) => MediaRecorder.isTypeSupported(kind));
 
 /// The reason why this browser cannot save a video, or null.
-export function videoFault() {
+export function videoFault(text) {
   if (typeof MediaRecorder === "undefined" || !HTMLCanvasElement.prototype.captureStream)
-    return "This browser cannot record videos";
-  return videoKind() ? null : "This browser supports no video format for recording";
+    return text.noRecorder;
+  return videoKind() ? null : text.noVideoFormat;
 }
 
 function download(blob, name) {
@@ -33,13 +33,13 @@ export const savePicture = (canvas, words) =>
 
 /// Records a canvas until `stop` is called, then saves the video. Calls `failed` with the reason if
 /// the recording fails.
-export function film(canvas, words, failed) {
+export function film(canvas, words, text, failed) {
   const kind = videoKind();
   const stream = canvas.captureStream(framesPerSecond);
   const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: bitsPerSecond });
   const pieces = [];
   recorder.ondataavailable = ({ data }) => pieces.push(data);
-  recorder.onerror = ({ error }) => failed(error?.message ?? "the recorder stopped");
+  recorder.onerror = ({ error }) => failed(error?.message ?? text.recorderStopped);
   recorder.onstop = () => {
     stream.getTracks().forEach((track) => track.stop());
     const blob = new Blob(pieces, { type: kind });

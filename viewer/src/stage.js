@@ -13,6 +13,7 @@ import { Balls, keepsGeometry } from "./balls.js";
 import { directionsOf, fieldOfView, look, outlineOf } from "./camera.js";
 import { carrierOf, plateOf, rimOf } from "./carrier.js";
 import { isInJar } from "./data.js";
+import { Hits } from "./hits.js";
 import { lines, partOf, vesselOf } from "./jar.js";
 import { axisOfTurning, frameOfView, poseAt } from "./motion.js";
 import { pathOf, pickedColour } from "./picked.js";
@@ -52,7 +53,7 @@ function sameBodies(a, b) {
 
 export class Stage {
   /// `context`: a WebGL 2 context of `canvas` that preserves its drawing buffer.
-  constructor(canvas, context, data, speedTop) {
+  constructor(canvas, context, data) {
     this.renderer = new WebGLRenderer({ canvas, context, antialias: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -64,17 +65,18 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.retired = []; // removed from the scene, but not yet freed
     this.addLight();
-    this.addBodies(data, speedTop);
+    this.addBodies(data);
   }
 
   /// Replaces everything that the data describe, except for bodies that are the same.
-  renew(data, speedTop) {
+  renew(data) {
     const same = sameBodies(this.data, data);
     const old = [this.balls.group, ...(same ? [] : this.bodies.map((body) => body.group))];
+    if (this.hits) old.push(this.hits.points);
     if (this.carrier && !same) old.push(this.carrier.group);
     for (const group of old) group.removeFromParent();
     this.retired.push(...old);
-    this.addBodies(data, speedTop, same);
+    this.addBodies(data, same);
   }
 
   /// Frees what was replaced, except for spheres, which are kept. This has to follow a picture of what came
@@ -89,11 +91,13 @@ export class Stage {
   }
 
   /// `same`: the bodies are already there.
-  addBodies(data, speedTop, same = false) {
+  addBodies(data, same = false) {
     this.data = data;
     this.directions = directionsOf(data);
-    this.balls = new Balls(data, speedTop);
+    this.balls = new Balls(data);
     this.riding.add(this.balls.group);
+    this.hits = data.hits?.count > 0 ? new Hits(data) : null;
+    if (this.hits) this.riding.add(this.hits.points);
     if (!same) this.addVesselAndParts(data);
     this.reach = Math.max(...data.meshes.map(reachOf), reachOfBalls(data));
     this.fitShadow(this.key.shadow);
@@ -207,7 +211,8 @@ export class Stage {
     return height / (2 * far * Math.tan((fieldOfView * Math.PI) / 360));
   }
 
-  draw(frame, view, colour, picked) {
+  /// Draws the fractional frame `frame` in a view; `scale`, `picked` as in Balls, `life` as in Hits.
+  draw({ frame, view, scale, picked, life }) {
     const pose = poseAt(this.data, frame);
     const seen = frameOfView(this.data, view, pose);
     this.room.quaternion.copy(seen.turn);
@@ -221,7 +226,9 @@ export class Stage {
       this.carrier.group.visible = rides.includes(view);
       this.carrier.group.quaternion.copy(pose.carrier);
     }
-    this.balls.show(frame, colour, picked);
+    this.balls.show({ frame, scale, picked });
+    this.hits?.points.quaternion.copy(pose.jar);
+    this.hits?.show(frame, life, this.renderer.getPixelRatio());
     this.light(pose.centre.clone().sub(seen.origin).applyQuaternion(seen.turn));
     this.renderer.render(this.scene, this.camera);
     this.disposeOfRetired();

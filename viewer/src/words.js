@@ -3,9 +3,6 @@
 
 // Numbers and captions as text.
 
-/// "12 345" with a narrow no-break space between thousands.
-export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
-
 /// At most three significant digits, without an exponent at usual sizes.
 export const short = (number) => String(Number(number.toPrecision(3)));
 
@@ -34,21 +31,8 @@ export function factorsOf(duration) {
   return { offered, usual };
 }
 
-/// States which balls are shown: "every 20th ball is shown".
-function everyWhich(data) {
-  const nth = Math.round(data.of / data.count);
-  const tens = nth % 100;
-  const end = tens >= 11 && tens <= 13 ? "th" : ["th", "st", "nd", "rd"][nth % 10] ?? "th";
-  return nth > 1 ? `every ${nth}${end} ball is shown` : "not all balls are shown";
-}
-
-export function captionOf(data, view, clock) {
-  const balls = data.of > data.count
-    ? `${grouped(data.count)} of ${grouped(data.of)} balls (${everyWhich(data)})`
-    : `${grouped(data.count)} ${data.count === 1 ? "ball" : "balls"}`;
-  const last = data.times[data.frames - 1];
-  const span = data.frames > 1
-    ? `${grouped(data.frames)} frames from ${clock(data.times[0])} to ${clock(last)}`
-    : `one frame at ${clock(data.times[0])}`;
-  return `${balls}, ${span}, ${view.about}.`;
+/// Which balls and times are shown, in the words `text`.
+export function captionOf(data, view, clock, text) {
+  const [first, last] = [data.times[0], data.times[data.frames - 1]].map(clock);
+  return text.caption(data, first, last, view.about);
 }

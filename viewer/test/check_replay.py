@@ -20,6 +20,7 @@ import tempfile
 import synthetic
 from browser import Browser
 from pictures import changed, colours, pixels
+from quantities import check_quantities_and_hits
 
 viewer = pathlib.Path(__file__).resolve().parents[1]
 report_style = viewer.parent / "src/mahlwerk/report/page.cpp"
@@ -312,6 +313,7 @@ def check_pages(checks):
     check_frames_of_views(checks)
     check_balls_outside(checks)
     check_bodies(checks)
+    check_quantities_and_hits(checks)
     check_keys(checks)
     check_playing(checks)
     check_mouse(checks)

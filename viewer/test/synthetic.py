@@ -114,6 +114,21 @@ def planetary():
                   carrier="disc", species_names=["steel, 12 mm", "zirconia, 12 mm"])
 
 
+def with_hits(data, radius):
+    """The same with spins, densities and hits: at each frame one hit at the wall, of ball 0 and 1 by turns, whose
+    energies are 1 uJ to 1 mJ; the wall is a cylinder of `radius` [m]."""
+    frames, count = len(data["times"]), data["count"]
+    angles = [0.1 * f for f in range(frames)]
+    unit = data["position_scale"]
+    places = [round(x / unit) for a in angles for x in (radius * math.cos(a), radius * math.sin(a), 0)]
+    return {**data, "spin_scale": 100 / 65535, "densities": [7850] * len(data["species_names"]),
+            "spins": packed("H", [60000 * (k + 1) // count for _ in range(frames) for k in range(count)]),
+            "hits": {"count": frames, "frames": packed("f", range(frames)), "places": packed("h", places),
+                     "energies": packed("f", [1e-6 * 10 ** (f % 4) for f in range(frames)]),
+                     "balls": packed("H", [x for f in range(frames) for x in (f % 2, 65535)]),
+                     "of_balls": packed("I", [(frames + 1) // 2, frames // 2] + [0] * (count - 2))}}
+
+
 def bed(radius, width, ball, count):
     """Places of `count` balls in rows, layer upon layer, in the lower part of a lying drum."""
     found, dz = [], 2.03 * ball * math.sqrt(3) / 2
