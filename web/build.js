@@ -25,10 +25,10 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const target = ["chrome103", "firefox113", "safari16.4"];
 const order = ["planetary-mill", "tumbling-drum", "mixer-mill", "shaker-mill", "vibrating-vial", "quartz"];
 
-/// Modules that are made here: "worker-source", "example-cases", "test-vocabulary", and the engine.
+/// Modules that are made here: "worker-source", "example-cases", "lesson-cases", "test-vocabulary", and the engine.
 function made(modules) {
   return { name: "made", setup(task) {
-    task.onResolve({ filter: /^(worker-source|example-cases|test-vocabulary)$/ }, ({ path }) => ({ path, namespace: "made" }));
+    task.onResolve({ filter: /^(worker-source|example-cases|lesson-cases|test-vocabulary)$/ }, ({ path }) => ({ path, namespace: "made" }));
     task.onLoad({ filter: /.*/, namespace: "made" },
       ({ path }) => ({ contents: JSON.stringify(modules[path]), loader: "json" }));
   } };
@@ -55,8 +55,9 @@ async function workerSource(plugins) {
 const writeCommand = (outfile, plugins) => build({ ...options("test/command.js", plugins), outdir: undefined,
   outfile: resolve(outfile), write: true, format: "esm", platform: "node", target: "node20" });
 
-const cases = () => Object.fromEntries(order.map((name) =>
-  [name, readFileSync(join(here, "examples", `${name}.toml`), "utf8")]));
+const cases = (folder, names) => Object.fromEntries(names.map((name) =>
+  [name, readFileSync(join(here, folder, `${name}.toml`), "utf8")]));
+const lessonNames = () => readdirSync(join(here, "lessons")).map((name) => name.replace(/\.toml$/, ""));
 
 /// Licences of what is bundled. Packages that are not named here stop the build.
 function licences(metafile) {
@@ -110,7 +111,8 @@ async function main() {
   const wasm = mock ? Buffer.alloc(0) : readFileSync(join(bin, "mahlwerk.wasm"));
   const plugins = [chosenEngine(engine, bin)];
   if (mock) plugins.push(made({ "test-vocabulary": vocabulary() }));
-  const modules = { "worker-source": await workerSource(plugins), "example-cases": cases() };
+  const modules = { "worker-source": await workerSource(plugins), "example-cases": cases("examples", order),
+    "lesson-cases": cases("lessons", lessonNames()) };
   const { outputFiles, metafile } = await build(options("src/main.js", [made(modules)]));
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });

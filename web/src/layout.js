@@ -20,11 +20,12 @@ function header(actions) {
     ({ key, name: shortName, about: languageName })), text.language, actions.language);
   language.id = "language";
   for (const each of language.children) each.lang = each.dataset.key;
+  const learn = button(text.learn, actions.learn, { title: text.learnAbout, id: "learn", "aria-expanded": "false" });
   const share = button(text.share, () => actions.share(said), { title: text.shareAbout, id: "share" });
   return element("header", {}, element("div", { className: "inner" }, logo(),
     element("div", { className: "name" }, element("h1", { textContent: text.name }),
       element("p", { textContent: text.tagline })),
-    said, element("div", { className: "buttons" }, language, share, theme)));
+    said, element("div", { className: "buttons" }, language, learn, share, theme)));
 }
 
 function footer() {
@@ -36,14 +37,14 @@ function footer() {
 function caseRegion() {
   const tabs = new Tabs(text.caseHeading, [{ key: "form", name: text.form },
     { key: "text", name: text.caseTab }]);
-  const parts = { estimate: element("div"), examples: element("div", { className: "examples" }),
+  const parts = { learn: element("section", { className: "learn", "aria-label": text.learn, hidden: true }), estimate: element("div"), examples: element("div", { className: "examples" }),
     form: element("form", { className: "form", onsubmit: (event) => event.preventDefault() }),
     faultLine: element("p", { className: "fault-line", role: "alert", hidden: true }),
     editor: element("div", { className: "text" }) };
   tabs.panels.form.append(parts.form);
   tabs.panels.text.append(parts.editor);
   const region = element("section", { className: "case", "aria-label": text.caseHeading },
-    element("h2", { textContent: text.caseHeading }), parts.estimate, parts.examples, parts.faultLine, tabs.list,
+    element("h2", { textContent: text.caseHeading }), parts.learn, parts.estimate, parts.examples, parts.faultLine, tabs.list,
     element("div", { className: "case-panels" }, tabs.panels.form, tabs.panels.text));
   return { region, caseTabs: tabs, ...parts };
 }

@@ -8,10 +8,12 @@ import "../../viewer/src/replay.css";
 import "./style/page.css";
 import "./style/case.css";
 import "./style/result.css";
+import "./style/learn.css";
 import "./style/plot.css";
 import { caseOf } from "./case/share.js";
 import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";
+import { lessonOf } from "./learn/lessons.js";
 import { Page } from "./page.js";
 import { useWords } from "./format.js";
 import { EngineWorker } from "./run/engine_worker.js";
@@ -29,9 +31,12 @@ async function linked() {
   }
 }
 
-/// Takes the case of the address, or runs the first example.
+/// Takes the case or the lesson of the address, or runs the first example.
 async function begin(page, { toml, bad }) {
-  if (page.edits(history.state) && (await page.takeKept(history.state))) return;
+  const lesson = lessonOf(location.hash);
+  const restored = page.edits(history.state) && (await page.takeKept(history.state));
+  if (lesson > 0) return page.learn.open(lesson, !restored);
+  if (restored) return;
   if (toml !== null) {
     await page.takeLinked(toml);
     page.say(text.fromLink);
@@ -58,8 +63,9 @@ async function start() {
   const page = new Page(inspector, cases, knownOf(known.vocabulary));
   page.showVersion(known.version);
   addEventListener("hashchange", async () => {
-    const { toml, bad } = await linked();
-    if (bad) page.say(text.badLinkLater);
+    const { toml, bad } = await linked(), lesson = lessonOf(location.hash);
+    if (lesson > 0) await page.learn.open(lesson, !history.state); // Back and Forward bring their case
+    else if (bad) page.say(text.badLinkLater);
     else if (toml !== null && toml !== page.store.text) await page.takeLinked(toml);
   });
   await begin(page, await linked());

@@ -10,6 +10,7 @@ import { EstimateForm } from "./case/estimate_form.js";
 import { Form } from "./case/form.js";
 import { fragmentOf } from "./case/share.js";
 import { ExampleChoice } from "./example_choice.js";
+import { Learn } from "./learn/learn.js";
 import { layOut, showRegion } from "./layout.js";
 import { Results } from "./results/results.js";
 import { SweepPanel } from "./results/sweep_panel.js";
@@ -17,6 +18,7 @@ import { Pool } from "./run/engine_worker.js";
 import { OpenedRun, caseAmong, filesOf, filmOf, studyAmong } from "./run/opened_run.js";
 import { Run } from "./run/run.js";
 import { RunBar } from "./run/run_bar.js";
+import lessonCases from "lesson-cases";
 import { chooseLanguage, text } from "./text/text.js";
 
 export class Page {
@@ -27,7 +29,7 @@ export class Page {
     this.runs = 0; // that were started
     this.store = new CaseStore(inspector);
     this.parts = layOut({ share: (said) => this.share(said),
-      language: (name) => (this.keep(), chooseLanguage(name)) });
+      learn: () => this.learn.toggle(), language: (name) => (this.keep(), chooseLanguage(name)) });
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });
@@ -39,6 +41,10 @@ export class Page {
       restore: (toml) => this.take(toml, ""), open: (items) => this.open(items) });
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
       running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
+    this.learn = new Learn(parts.learn, lessonCases, { pool: this.pool, inspector,
+      running: () => this.active() || this.sweeping, stopRun: () => this.active() && this.stopped(),
+      busy: (on) => this.busy(on), shown: (on) => this.showLessons(on),
+      take: (toml, address) => this.takeLesson(toml, address), runWith: (toml) => this.runWith(toml) });
     this.keepSoon = later(() => this.keep(), 300);
     store.addEventListener("text", () => this.changed());
     addEventListener("pagehide", () => this.keep());
@@ -91,7 +97,7 @@ export class Page {
   /// Shows the case that an entry of the history keeps. Returns whether there is one.
   async takeKept(state) {
     if (typeof state?.toml !== "string") return false;
-    if (location.hash.startsWith("#case=")) this.linked = state.toml;
+    if (/^#(case|lesson)=/.test(location.hash)) this.linked = state.toml;
     await this.take(state.toml, Object.hasOwn(this.cases, state.name) ? state.name : "");
     this.say(text.keptCase);
     return true;
@@ -126,6 +132,30 @@ export class Page {
 
   async runExample(name) {
     await this.take(this.cases[name], name);
+    return this.start();
+  }
+
+  showLessons(on) {
+    document.body.toggleAttribute("data-learn", on);
+    document.getElementById("learn").setAttribute("aria-expanded", String(on));
+    if (on) showRegion("case");
+  }
+
+  /// Shows and runs the case of a lesson, in an entry of the history of its own. Resolves with whether it does.
+  async takeLesson(toml, address) {
+    if (this.store.text && this.edited() && !confirm(text.leaveChanges)) return false;
+    this.keep();
+    if (location.hash !== address) history.pushState(null, "", address);
+    await this.takeLinked(toml);
+    this.start(true);
+    return true;
+  }
+
+  /// Runs the case of a lesson with other values.
+  async runWith(toml) {
+    if (this.active()) await this.stopped();
+    this.linked = kept(toml);
+    this.store.setText(toml, "form");
     return this.start();
   }
 
@@ -208,8 +238,8 @@ export class Page {
     this.bar.show(this.run, this.ready(), this.sweeping ? text.sweeping : this.note ?? "");
   }
 
-  /// Computes the case as it is now.
-  async start() {
+  /// Computes the case as it is now. `stay`: the shown region of a narrow screen stays.
+  async start(stay = false) {
     if (this.active() || this.sweeping) return null;
     const checked = await this.store.check();
     if (checked.faults.length > 0 || this.active() || this.sweeping) return null;
@@ -224,7 +254,7 @@ export class Page {
     this.run.checked = checked;
     document.body.dataset.runs = ++this.runs;
     this.results.begin(this.run);
-    showRegion("result");
+    if (!stay) showRegion("result");
     this.run.promise = this.run.start();
     this.refresh();
     return this.run.promise;

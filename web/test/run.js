@@ -19,6 +19,7 @@ import { serve } from "./server.js";
 import { caseTests } from "./test_case.js";
 import { estimateTests } from "./test_estimate.js";
 import { languageTests } from "./test_languages.js";
+import { lessonTests } from "./test_lessons.js";
 import { memoryTest } from "./test_memory.js";
 import { nativeTests } from "./test_native.js";
 import { diskTests, outsideTests } from "./test_outside.js";
@@ -44,7 +45,7 @@ const disk = `${pathToFileURL(site)}/`;
 const chosen = (tests) => tests.filter(({ name }) => name.includes(values.only));
 const jobs = Number(values.jobs);
 const outcomes = [
-  ...await runTests(chosen([...caseTests, ...estimateTests, ...resultTests, ...outsideTests, ...nativeTests]), served, jobs),
+  ...await runTests(chosen([...caseTests, ...estimateTests, ...resultTests, ...lessonTests, ...outsideTests, ...nativeTests]), served, jobs),
   ...await runTests(chosen(diskTests), { url: `${disk}index.html`, origin: disk }, jobs),
   ...await runTests(chosen([memoryTest(values.long ? 100 : 20)]), served, 1),
 ];

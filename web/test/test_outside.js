@@ -9,7 +9,7 @@ import { caseText, ended, limit, open, runAgain, saved, tab } from "./steps.js";
 
 const axe = readFileSync(new URL("../node_modules/axe-core/axe.min.js", import.meta.url), "utf8");
 
-async function seriousFindings(page) {
+export async function seriousFindings(page) {
   const { violations } = await page.evaluate(`${axe}; axe.run()`);
   return violations.filter(({ impact }) => ["serious", "critical"].includes(impact))
     .map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3).map(({ target }) => target.join(" ")).join(", ")}`);
@@ -42,19 +42,19 @@ async function the_keyboard_suffices({ page, url }) {
 }
 
 /// Visible elements that reach beyond the edge of the window, of their box or over the header's buttons.
-const cutOff = () => {
+export const cutOff = () => {
   const shown = (list) => [...document.querySelectorAll(list)].filter((each) => each.checkVisibility());
   const right = (each) => each.getBoundingClientRect().right;
-  const beyond = shown("#replay button, .counter, .run-bar button, .field :is(input, select), .quantities :is(th, td)")
+  const beyond = shown("#replay button, .counter, .run-bar button, header button, .learn :is(button, td), .field :is(input, select), .quantities :is(th, td)")
     .filter((each) => right(each) > innerWidth - 8 ||
-      right(each) > right(each.closest("fieldset, .details, figure, .run-bar, main")) + 0.5);
+      right(each) > right(each.closest("fieldset, .details, figure, .run-bar, .learn, main") ?? document.body) + 0.5);
   const name = document.querySelector("header h1"), buttons = document.querySelector("header .buttons").getBoundingClientRect();
   if (right(name) > buttons.left && name.getBoundingClientRect().bottom > buttons.top) beyond.push(name);
   return beyond.map((each) => `${each.localName} ${each.textContent || each.className}`);
 };
 
 /// Resolves when what changes with the window has been laid out.
-const laidOut = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+export const laidOut = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
 
 async function nothing_is_cut_off({ page, url }) {
   await open(page, url);

@@ -6,7 +6,7 @@
 import { Run } from "./run.js";
 
 export class Sweep {
-  /// `points`: list of { number, value }, where `value` is the text for the key. `listener(sweep)` is
+  /// `points`: list of { number, value, set }, where `value` is the text for the key; or `set` lists keys and values. `listener(sweep)` is
   /// called after each step.
   constructor(pool, inspector, { toml, key, points, replicates }, listener) {
     Object.assign(this, { pool, inspector, toml, key, points, replicates, listener });
@@ -25,7 +25,7 @@ export class Sweep {
   }
 
   async runPoint(point) {
-    const set = [[this.key, String(point.value)]];
+    const set = point.set ?? [[this.key, String(point.value)]];
     const { faults } = await this.inspector.call("check", this.toml, set);
     if (faults.length > 0) {
       point.fault = faults[0].text;

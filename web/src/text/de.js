@@ -178,11 +178,11 @@ function status(run) {
   if (run.status === "done" && run.endedEarly())
     return `Vorzeitig beendet: ${sum} simuliert${of}; die Meldungen sagen, warum.`;
   if (run.status === "done") return `Fertig: ${sum} simuliert${of}, gerechnet in ${seconds(run.seconds)}.`;
-  if (run.status === "stopped") return `Abgebrochen: ${sum} simuliert, das Ergebnis enthält, was gerechnet wurde.`;
+  if (run.status === "stopped") return `Gestoppt: ${sum} simuliert, das Ergebnis enthält, was gerechnet wurde.`;
   if (run.status === "failed") return `Die Rechnung ist fehlgeschlagen: ${run.message}`;
   const percent = `${Math.floor(100 * run.share())} %`;
   if (run.status === "paused") return `Angehalten bei ${percent}.`;
-  if (run.status === "stopping") return "Wird abgebrochen …";
+  if (run.status === "stopping") return "Wird gestoppt …";
   if (run.status === "merging") return "Wiederholungen werden zusammengefasst …";
   return `Rechnet${of}: ${percent}, ${sum} simuliert.`;
 }
@@ -270,9 +270,9 @@ export const text = {
   showFaults: "Zeigen",
 
   run: "Rechnen",
-  pause: "Anhalten",
+  pause: "Pause",
   resume: "Weiter",
-  stop: "Abbrechen",
+  stop: "Stopp",
   progress: "Fortschritt der Rechnung",
   status,
   changed: "Der Fall ist seit diesem Ergebnis geändert worden.",
@@ -339,10 +339,10 @@ export const text = {
   sweepCurve: "Kurve der Reihe",
   runSweep: "Reihe rechnen",
   saveSweep: "sweep.csv speichern",
-  sweepWaits: "Eine Rechnung läuft; brechen Sie sie ab, oder warten Sie ihr Ende ab.",
+  sweepWaits: "Eine Rechnung läuft; stoppen Sie sie, oder warten Sie ihr Ende ab.",
   sweepFault: "Von und Bis müssen Zahlen sein, bei gleichen Verhältnissen beide über 0.",
   sweepStatus: (state, at, count) => state === "done" ? `Fertig: ${count} Werte.`
-    : state === "stopped" ? `Abgebrochen nach ${at} von ${count} Werten.`
+    : state === "stopped" ? `Gestoppt nach ${at} von ${count} Werten.`
       : `Rechnet Wert ${Math.min(at + 1, count)} von ${count}.`,
 
   report: "Alle Bilder",
