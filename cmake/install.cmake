@@ -105,7 +105,7 @@ install(EXPORT Mahlwerk NAMESPACE Mahlwerk:: FILE MahlwerkTargets.cmake DESTINAT
 set(data_folder share/mahlwerk)
 configure_package_config_file(cmake/MahlwerkConfig.cmake.in texts/MahlwerkConfig.cmake
   INSTALL_DESTINATION ${config} PATH_VARS data_folder)
-# Before version 1.0 a new minor version may change the interface.
+# A new minor version may change the interface (docs/developers/releases.md).
 write_basic_package_version_file(texts/MahlwerkConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 file(RELATIVE_PATH MAHLWERK_PREFIX_FROM_PC
   /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)

@@ -60,7 +60,7 @@ Reads, changes and runs cases of Mahlwerk from Python and gives its results as
 arrays and tables.")
 endif()
 
-# Copyright and changelogs of each package, as Debian's policy demands.
+# Copyright and changelogs of each package, as Debian's policy demands, and what lintian reports without reason.
 if(MAHLWERK_DEBIAN)
   set(folder ${PROJECT_BINARY_DIR}/texts/debian)
   configure_file(packaging/debian/changelog.in ${folder}/changelog.Debian @ONLY)
@@ -74,6 +74,8 @@ if(MAHLWERK_DEBIAN)
   foreach(package component IN ZIP_LISTS packages components)
     install(FILES packaging/debian/copyright ${folder}/changelog.gz ${folder}/changelog.Debian.gz
       DESTINATION share/doc/${package} COMPONENT ${component})
+    configure_file(packaging/debian/lintian-overrides.in ${folder}/overrides/${package} @ONLY)
+    install(FILES ${folder}/overrides/${package} DESTINATION share/lintian/overrides COMPONENT ${component})
   endforeach()
 endif()
 include(CPack)

@@ -14,9 +14,9 @@ import shlex
 SHELLS = ("sh", "bash", "console", "shell")
 #         verb: whether a text must follow
 VERBS = {"skip": True, "slow": False, "with": True, "add": True, "exit": True, "first": True,
-         "write": True, "append": True, "needs": True}
+         "write": True, "append": True, "needs": True, "quick": True, "then": True, "shows": False}
 OF_FILES = ("write", "append")
-OF_PYTHON = ("skip", "slow", "with", "first", "needs")  # a block of Python is one step
+OF_PYTHON = ("skip", "slow", "with", "first", "needs", "quick", "then")  # a block of Python is one step
 COMMENT = re.compile(r"^\s*<!--\s*test:(.*?)-->\s*$")
 ANNOTATION = re.compile(r"^\s*(\w+)(?:\s+`([^`]+)`)?(?:\s*:\s*|\s+|$)(.*?)\s*$")
 FENCE = re.compile(r"^(\s*)(`{3,}|~{3,})\s*(\w*)\s*$")
@@ -47,7 +47,10 @@ class Step:
     slow: bool = False
     exit: int = 0
     first: list = dataclasses.field(default_factory=list)
+    then: list = dataclasses.field(default_factory=list)   # statements of Python that hold after it
     needs: list = dataclasses.field(default_factory=list)  # modules, or programs; without them not run
+    quick: str = ""        # the text for the quick tests, if it differs
+    shows: list = dataclasses.field(default_factory=list)  # lines that the document shows as its output
 
 
 def annotation(where: str, text: str) -> Annotation:
@@ -127,21 +130,26 @@ def python_step(where: str, text: str, notes: list[Annotation]) -> Step:
             made.skip = note.text
         elif note.verb == "slow":
             made.slow = True
-        elif note.verb in ("first", "needs"):
+        elif note.verb in ("first", "needs", "then"):
             getattr(made, note.verb).append(note.text)
+        elif note.verb == "quick":
+            made.quick = replaced(made.text, note.text)
         else:
             made.text = replaced(made.text, note.text)
     return made
 
 
 def block_steps(name: str, begin: int, language: str, lines: list[str],
-                notes: list[Annotation]) -> list[Step]:
+                notes: list[Annotation], before: list[Step]) -> list[Step]:
     files = [n for n in notes if n.verb in OF_FILES]
     if files:
         return [Step(f"{name}:{begin}", "\n".join(lines) + "\n", file=n.text,
                      append=n.verb == "append") for n in files]
     if language == "python":
         return [python_step(f"{name}:{begin + 1}", "\n".join(lines), notes)]
+    if [n.verb for n in notes] == ["shows"] and before and before[-1].language == "sh":
+        before[-1].shows = [line for line in lines if line.strip()]
+        return []
     if language not in SHELLS:
         if notes:
             raise Faulty(f"{notes[0].where}: the block that follows has no shell commands")
@@ -161,7 +169,7 @@ def steps(name: str, text: str) -> list[Step]:
         fence, comment = FENCE.match(line), COMMENT.match(line)
         if block is not None:
             if fence and fence[2].startswith(block[2]) and not fence[3]:
-                made += block_steps(name, block[0], block[1], block[4], notes)
+                made += block_steps(name, block[0], block[1], block[4], notes, made)
                 notes, block = [], None
             else:
                 block[4].append(line.removeprefix(block[3]))

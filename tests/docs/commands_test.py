@@ -7,7 +7,8 @@
 
 The commands of a document run in their order, in one scratch folder with a copy of what they name
 (examples, papers, ...), so that they find the results of earlier ones and never write into the
-sources. `quick` runs all commands except those annotated as slow; of these it checks the case.
+sources. `quick` runs all commands except those annotated as slow; of these it checks the case. What a document shows as
+the output of a command is compared with what the command prints (shown.py).
 `slow` runs the documents that have slow commands, whole. A run of an example as its README has it is
 compared with the numbers in its expected.toml.
 """
@@ -25,6 +26,7 @@ import tempfile
 import time
 
 import commands
+import shown
 from commands import Faulty, Step
 from scratch import HOME, scratch_folder
 
@@ -40,7 +42,7 @@ class Runner:
         self.failed.append(where)
         print(f"FAILED {where}: {what}", flush=True)
 
-    def shell(self, where: str, text: str, place, env, wanted: int = 0) -> None:
+    def shell(self, where: str, text: str, place, env, wanted: int = 0, shows: list | None = None) -> None:
         begin = time.monotonic()
         running = subprocess.Popen(["bash", "-c", text], cwd=place, env=env, text=True,
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -58,6 +60,8 @@ class Runner:
         if running.returncode != wanted:
             return self.fail(where, f"'{text}' ends with {running.returncode}, expected {wanted}:\n"
                              + output[-2000:])
+        if shows and (what := shown.fault(shows, output)):
+            return self.fail(where, f"'{text}': {what}")
         print(f"ok {where}: {text}  ({took:.1f} s)", flush=True)
 
     def known_help(self, command: str) -> str:
@@ -83,7 +87,7 @@ class Runner:
                 else:
                     for text in step.first:
                         self.shell(step.where, text, place, env)
-                    self.shell(step.where, step.text, place, env, step.exit)
+                    self.shell(step.where, step.text, place, env, step.exit, step.shows)
                     self.example(step, place, env)
 
     def example(self, step: Step, place: pathlib.Path, env) -> None:
@@ -186,7 +190,7 @@ def self_test() -> int:
     for faulty in ("<!-- test: jump -->\n" + block, "<!-- test: skip -->\n" + block,
                    "<!-- test: slow `none` -->\n" + block, "<!-- test: slow -->\ntext\n" + block,
                    "<!-- test: slow -->\n```toml\n```\n", "<!-- test: slow -->\n",
-                   "<!-- test: exit: 1 -->\n```python\nx = 1\n```\n"):
+                   "<!-- test: exit: 1 -->\n```python\nx = 1\n```\n", "<!-- test: shows -->\n```\n1\n```\n"):
         try:
             commands.steps("x.md", faulty)
         except Faulty:
@@ -195,6 +199,12 @@ def self_test() -> int:
     python = commands.steps("x.md", "<!-- test: with: a=c -->\n```python\nx = a\n\ny = 2\n```\n")
     assert [(s.text, s.language, s.where) for s in python] == [
         ("x = c\n\ny = 2", "python", "x.md:3")], python
+    shown.self_test()
+    printed = commands.steps("x.md", "```sh\necho 12 W\n```\n<!-- test: shows -->\n```\n14 W\n```\n")
+    assert printed[0].shows == ["14 W"], printed
+    runner = Runner("false")
+    runner.document("x.md", printed, False)
+    assert runner.failed == ["x.md:2"], runner.failed
     runner = Runner("false")
     runner.document("x.md", commands.steps("x.md", "```sh\nfalse\n```\n"), False)
     assert runner.failed == ["x.md:2"], runner.failed

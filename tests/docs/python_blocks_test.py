@@ -73,9 +73,9 @@ class Runner:
                 elif why := self.reason_to_skip(step, slow):
                     self.leave_out(step, why)
                 else:
-                    first = "; ".join(step.first)
+                    first, text = "; ".join(step.first), step.text if slow else step.quick or step.text
                     blocks.append(place / f".block-{len(blocks)}")
-                    blocks[-1].write_text(f"{step.where}\n{first}\n{step.text}\n")
+                    blocks[-1].write_text("\n".join([step.where, first, text, *step.then]) + "\n")
             if blocks:
                 self.execute(name, place, blocks)
             if keep:
@@ -141,6 +141,10 @@ def self_test() -> int:
     assert runner.failed == ["y.md"], runner.failed
     runner.document("z.md", commands.steps("z.md", "<!-- test: slow -->\n```python\nx = (\n```\n"), False)
     assert runner.failed == ["y.md", "z.md:3"], runner.failed
+    text = "<!-- test: quick: 2=1 -->\n<!-- test: then: assert x == 2 -->\n```python\nx = 2\n```\n"
+    runner.document("long.md", commands.steps("long.md", text), True)
+    runner.document("quick.md", commands.steps("quick.md", text), False)
+    assert runner.failed == ["y.md", "z.md:3", "quick.md"], runner.failed
     print("the runner of Python blocks is sound")
     return 0
 
