@@ -14,6 +14,7 @@ import re
 import shutil
 
 from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, sources
+from search_words import front_matter
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.S)
@@ -45,7 +46,7 @@ class Stage:
 
     def pages(self) -> None:
         for source, name in self.sources.items():
-            self.write(name, self.page(source, name))
+            self.write(name, front_matter(name) + self.page(source, name))
         self.lists()
 
     def page(self, source: str, name: str) -> str:
