@@ -46,6 +46,7 @@ html_static_path = [str(HOME / "docs" / "site" / "static")]
 html_css_files = ["site.css"]
 html_extra_path = [path for path in os.environ.get("MAHLWERK_SITE_EXTRA", "").split(os.pathsep) if path]
 html_copy_source = False
+html_search_scorer = str(HOME / "docs" / "site" / "search_scores.js")
 html_show_sphinx = False
 html_theme_options = {
     "light_css_variables": {"color-brand-primary": "#0b5d7a", "color-brand-content": "#0b5d7a"},

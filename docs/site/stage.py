@@ -16,6 +16,7 @@ import shutil
 
 import notebooks
 from pages import BELOW, HOME, HOWTO, LISTS, NAVIGATION, sources
+from search_words import front_matter
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\[\]]*\])*)\]\(([^()\s]+)\)")
 CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.S)
@@ -50,7 +51,7 @@ class Stage:
 
     def pages(self) -> None:
         for source, name in self.sources.items():
-            self.write(name, self.page(source, name))
+            self.write(name, front_matter(name) + self.page(source, name))
         self.lists()
 
     def page(self, source: str, name: str) -> str:

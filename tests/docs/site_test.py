@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
-"""The site builds without warnings, the cells of notebooks work, every link in it leads somewhere, its equations can be set, and it needs no other server.
+"""The site builds without warnings, the cells of notebooks work, every link in it leads somewhere, its equations can be
+set, its search finds what users look for, and it needs no other server.
 
     site_test.py PROGRAM FOLDER [PACKAGE]
 
 Builds into FOLDER with tools/build_docs. PACKAGE: folder of the built Python package. Exit code 77:
 Sphinx or another package is not installed.
 """
+import json
 import pathlib
 import re
 import subprocess
@@ -16,6 +18,9 @@ import time
 import typeset
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(HOME / "docs" / "site"))
+import search_words  # noqa: E402
+
 SKIPPED = 77
 OUTPUT = re.compile(r'<div class="output"><(\w+)')
 
@@ -51,6 +56,24 @@ def check_notebooks(site: pathlib.Path) -> list[str]:
     return faults
 
 
+def check_search(site: pathlib.Path) -> list[str]:
+    """Searches by words of users find their page, as searchtools.js looks them up."""
+    import snowballstemmer  # of Sphinx
+
+    text, stem = (site / "searchindex.js").read_text(), snowballstemmer.stemmer("english").stemWord
+    index = json.loads(text[text.index("(") + 1:text.rindex(")")])
+
+    def pages(word: str) -> set[str]:
+        found = set()
+        for table in (index["terms"], index["titleterms"]):
+            hits = table.get(stem(word.lower()), [])
+            found.update([hits] if isinstance(hits, int) else hits)
+        return {index["docnames"][hit] for hit in found}
+
+    return [f"a search for '{words}' does not find {page}" for words, page in search_words.SEARCHES.items()
+            if page not in set.intersection(*map(pages, words.split()))]
+
+
 def main() -> int:
     program, folder, *package = sys.argv[1:]
     site, begin = pathlib.Path(folder) / "site", time.monotonic()
@@ -62,7 +85,8 @@ def main() -> int:
     if built.returncode:
         return built.returncode if built.returncode == SKIPPED else 1
     print(f"built in {time.monotonic() - begin:.0f} s")
-    faults = check_pages(site) + (check_notebooks(site) if with_package else []) + typeset.check(site)
+    faults = (check_pages(site) + (check_notebooks(site) if with_package else []) + check_search(site) +
+              typeset.check(site))
     for fault in faults:
         print(fault)
     links = subprocess.run([sys.executable, "-B", pathlib.Path(__file__).with_name("links_test.py"), "site", site])
