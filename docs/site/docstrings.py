@@ -37,6 +37,8 @@ def rewritten(lines: list[str]) -> list[str]:
 
 
 def process(app, what, name, obj, options, lines) -> None:
+    if lines and re.fullmatch(r"Alias for field number \d+", lines[0]):
+        lines[:] = []  # of a field that needs no words beside its name
     lines[:] = rewritten(lines)
 
 

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Optional, Union
 
@@ -16,12 +16,13 @@ from .changes import checked_threads, merged
 from .check import Check
 from .commands import command
 from .errors import InputError, Interrupted, RunError
-from .files import named_folder
+from .files import measurements, named_folder
 from .progress import Progress, shown
 from .records import observer
 
 if TYPE_CHECKING:
     import numpy as np
+    import pandas as pd
 
     from .bond import BondTest
     from .campaign import Campaign
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
 
     #: A function of collision records and the number of the replicate.
     Observer = Callable[[np.ndarray, int], object]
+    #: A CSV file, a data frame, or a dict of columns.
+    Measurements = Union[Place, pd.DataFrame, Mapping[str, Iterable[object]]]
 
 __all__ = ["Case"]
 
@@ -183,25 +186,29 @@ class Case(CaseValues):
         return Campaign(place)
 
     @classmethod
-    def fit_file(cls, file: Place, data: Place, out: Place, changes: Optional[Changes] = None, *,
+    def fit_file(cls, file: Place, data: Measurements, out: Place, changes: Optional[Changes] = None, *,
                  force: bool = False, threads: int = 0, progress: Progress = None) -> Fit:
         """Fits a case file whose fitted keys have no values yet, which is no complete Case."""
         from .searches import Fit
 
         texts = merged({}, changes or {})
-        command(["fit"], case=os.fspath(file), data=os.fspath(data), set=texts, out=Path(out),
-                force=force, threads=threads, progress=progress)
+        with measurements(data) as table:
+            command(["fit"], case=os.fspath(file), data=table, set=texts, out=Path(out), force=force,
+                    threads=threads, progress=progress)
         return Fit(out)
 
-    def fit(self, data: Place, out: Optional[Place] = None, *, force: bool = False, threads: int = 0,
-            progress: Progress = None) -> Fit:
-        """Fits the parameters in [fit] to the measurements in the CSV file `data`, as `mahlwerk fit`."""
+    def fit(self, data: Measurements, out: Optional[Place] = None, *, over: Optional[Changes] = None,
+            force: bool = False, threads: int = 0, progress: Progress = None) -> Fit:
+        """Fits the parameters in [fit] to measurements, as `mahlwerk fit`. `data` is a CSV file, a data frame or a
+        dict of columns: {"time (s)": [30, 60], "D90 (um)": [905, 640]}. `over` is [fit], if the case has none: each
+        key with the ends of its range, {"breakage.f_mat": ["0.01 kg/J/m", "100 kg/J/m"]}."""
         from .searches import Fit
 
+        case = self._with_section("fit", over)
         place = self._source.result_folder(out, "-fit")
-        with self._source.as_file() as target:
-            command(["fit"], case=target, data=os.fspath(data), set=self._titled(), out=place,
-                    force=force, threads=threads, progress=progress)
+        with case._source.as_file() as target, measurements(data) as table:
+            command(["fit"], case=target, data=table, set=case._titled(), out=place, force=force,
+                    threads=threads, progress=progress)
         return Fit(place)
 
     def optimise(self, settings: Optional[Changes] = None, out: Optional[Place] = None, *,

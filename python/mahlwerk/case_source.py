@@ -26,6 +26,13 @@ __all__ = ["CaseSource", "Place"]
 Place = Union[str, "os.PathLike[str]"]
 
 
+def without_section(text: str, name: str) -> str:
+    """The text of a case file without a section and those inside it."""
+    heading = r"^[ \t]*\[\[?[ \t]*{}[ \t]*\]\]?[ \t]*(?:#[^\n]*)?$"
+    begin, other = heading.format(rf"{name}(?:\.[^\n\]]*)?"), heading.format(r"[\w.-]+")
+    return re.sub(rf"{begin}.*?(?={other}|\Z)", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
 @dataclass(frozen=True)
 class CaseSource:
     text: str
@@ -76,14 +83,19 @@ class CaseSource:
 
     def with_section(self, name: str, content: Changes) -> CaseSource:
         """This source, with a section added to its text."""
-        if re.search(rf"^\s*\[\s*{name}\s*[].]", self.text, re.MULTILINE):
+        changes = dict(self.changes)
+        text = self.text
+        if changes.get(name, "") is None:  # it was taken from the case
+            text = without_section(text, name)
+            del changes[name]
+        if re.search(rf"^\s*\[\s*{name}\s*[].]", text, re.MULTILINE):
             raise InputError([_core.Fault(self.shown, f"the case has a [{name}] already",
-                                          "call without it, or start from a case without [" + name
-                                          + "]", "bad-override")])
-        text = self.text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
+                                          f'call without it, or take it from the case: case.without("{name}")',
+                                          "bad-override")])
+        text = text.rstrip("\n") + "\n\n" + toml.section_text(f"[{name}]", content)
         over = content.get("over", content)
         varied = {plain(key) for key in over} if isinstance(over, Mapping) else set()
-        changes = {k: v for k, v in self.changes.items() if plain(k) not in varied}
+        changes = {k: v for k, v in changes.items() if plain(k) not in varied}
         return replace(self, text=text, in_file=False, changes=changes)
 
     def result_folder(self, out: Optional[Place], suffix: str) -> Path:

@@ -6,13 +6,13 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from . import _core
 from .errors import InputError
 
-__all__ = ["kept", "named_folder", "read_text", "temporary"]
+__all__ = ["kept", "measurements", "named_folder", "read_text", "temporary"]
 
 
 def read_text(file: Path) -> str:
@@ -58,14 +58,29 @@ def kept(text: str, file: Path, force: bool) -> Iterator[str]:
         raise
 
 
+def measurements(data: object) -> contextlib.AbstractContextManager[str]:
+    """Path of a table of measurements: that of a file, or a temporary one with the columns of a data frame or of
+    a dict. Raises TypeError for something else."""
+    if isinstance(data, (str, os.PathLike)):
+        return contextlib.nullcontext(os.fspath(data))
+    if isinstance(data, Mapping):
+        rows = [data, *zip(*data.values())]  # the names, then the values
+        text = "".join(", ".join(map(str, row)) + "\n" for row in rows)
+    elif hasattr(data, "to_csv"):
+        text = data.to_csv(index=False)
+    else:
+        raise TypeError(f"measurements are a CSV file, a data frame or a dict of columns, not {data!r}")
+    return temporary(text, Path.cwd() / "data", "data", ".csv")
+
+
 @contextlib.contextmanager
-def temporary(text: str, place: Path, shown: str) -> Iterator[str]:
+def temporary(text: str, place: Path, shown: str, suffix: str = ".toml") -> Iterator[str]:
     """Path of a case file that exists for a while, beside `place` where that can be written, since
     files that a case names are relative to it. Faults cite `shown` in its stead."""
     import tempfile
 
     folder = place.parent if os.access(place.parent, os.W_OK) else None
-    handle, path = tempfile.mkstemp(".toml", ".case-", folder)
+    handle, path = tempfile.mkstemp(suffix, ".case-", folder)
     try:
         with open(handle, "wb") as out:
             out.write(text.encode("utf-8", "surrogateescape"))

@@ -62,7 +62,8 @@ def sound(file: Place, *, start: Optional[str] = None, end: Optional[str] = None
 
     >>> mahlwerk.measure.sound("examples/measure/mill.wav").findings[0].value
 
-    start, end       the part to use: "2 s" (--from, --to)
+    start            begin of the part to use: "2 s" (--from)
+    end              its end (--to)
     definition_time  hits with shorter intervals are one; 1 ms without it
     rise             how far a hit rises above the noise and what is before it, in dB; 12 without it
     low_cut          frequencies below are left out; 1 kHz without it, "0 Hz": none
@@ -122,8 +123,9 @@ def drop(files: Union[Place, list[Place], tuple[Place, ...]], *, height: Optiona
 
     files   heights or times of bounces (CSV), or recordings (WAV)
     height  of the fall, where the files have times or sound
-    columns headings in place of those of the tables
-    start, end, definition_time, rise, low_cut  as those of `sound`; 2 ms for definition_time
+    columns  headings in place of those of the tables
+
+    `start`, `end`, `definition_time`, `rise` and `low_cut` are those of `sound`; hits within 2 ms are one.
     """
     return Measurement("drop", {"files": texts(files), "height": height, "columns": columns, "from": start,
                                 "to": end, "definition_time": definition_time, "rise": number_text(rise),

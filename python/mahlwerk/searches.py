@@ -109,7 +109,8 @@ class Fit(Found):
         return read_csv(self.folder / "posterior.csv")
 
     def __repr__(self) -> str:
-        return f"<Fit in {os.fspath(self.folder)}>"
+        found = ", ".join(f"{key} = {one['value']:.4g} {one['unit']}" for key, one in self.parameters.items())
+        return f"<Fit {found} in {os.fspath(self.folder)}>"
 
 
 class Optimum(Remarks):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Optional, Union
@@ -16,6 +16,7 @@ from .. import _core
 from ..campaign import Campaign
 from ..case import Case
 from ..errors import InputError, RunError
+from ..progress import Progress
 from .computed import add_computed
 from .figures import captions_markdown, made_figures
 from .lines import points_of
@@ -161,9 +162,20 @@ def write_files(out: Path, files: Mapping[str, bytes]) -> None:
 
 
 def run_paper(folder: Union[str, os.PathLike[str]], out: Union[str, os.PathLike[str]],
-              **settings: Any) -> PaperResult:
-    """Runs the paper in a folder and writes its results, as `mahlwerk papers FOLDER --out OUT`."""
-    result, failed = PaperJob(Path(folder), Path(out), Settings(**settings)).run()
+              changes: Optional[Mapping[str, Optional[str]]] = None, *, force: bool = False, threads: int = 0,
+              progress: Progress = None, leave_out: Iterable[str] = (),
+              checkpoint: Optional[float] = None) -> PaperResult:
+    """Runs the paper in a folder and writes its results, as `mahlwerk papers FOLDER --out OUT`.
+
+    changes     of keys of every campaign, as --set
+    force       runs everything again; without it only what is missing
+    leave_out   campaigns whose figures, checks and tables are left out
+    checkpoint  seconds between two saves of the state of a run
+
+    Raises InputError; RunError if physics stopped a run.
+    """
+    settings = Settings(changes or {}, force, threads, progress, tuple(leave_out), checkpoint)
+    result, failed = PaperJob(Path(folder), Path(out), settings).run()
     if failed is not None:
         raise failed
     return result

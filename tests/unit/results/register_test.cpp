@@ -52,7 +52,8 @@ TEST(Ranges, of_all_quantities_begin_at_zero_but_those_of_signed_ones) {
   EXPECT_GT(all_measures().size(), 120U);
   for (const Measure& m : all_measures()) {
     const Range range = range_of(m.name);
-    EXPECT_EQ(std::isinf(range.least), is_unbounded.contains(m.name)) << m.name;
+    EXPECT_EQ(std::isinf(range.least), is_unbounded.contains(m.name))
+        << m.name << ": give its record a .range, or name it in is_unbounded above";
     EXPECT_TRUE(std::isinf(range.least) || range.least == 0) << m.name;
   }
 }
@@ -71,7 +72,8 @@ TEST(Register, has_each_quantity_once_with_a_label_of_its_own) {
   for (const Measures* list : {&all_measures(), &measures_of_whole()})
     for (const Measure& m : *list) {
       EXPECT_TRUE(names.insert(m.name).second) << m.name;
-      EXPECT_TRUE(labels.insert(label_of(m.name)).second) << m.name;
+      EXPECT_TRUE(labels.insert(label_of(m.name)).second)
+          << m.name << ": another quantity has its label; give its record another";
       EXPECT_FALSE(m.unit.empty() || m.about.empty()) << m.name;
     }
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -196,10 +197,14 @@ void print(const cases::CatalogueEntry& entry) {
   if (!entry.names.empty())
     to_stdout(fmt::format("\nother names: {}\n", fmt::join(entry.names, ", ")));
   if (!entry.jars.empty()) to_stdout(fmt::format("\njars: {}\n", fmt::join(entry.jars, ", ")));
-  for (const auto& check : entry.checks)
-    to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({})\n",
-                          check.quantity, cases::derived(entry, check.quantity), check.expected,
-                          100 * check.tolerance, check.source));
+  for (const auto& check : entry.checks) {
+    const double found = cases::derived(entry, check.quantity);
+    const bool agrees =
+        std::abs(found - check.expected) <= check.tolerance * std::abs(check.expected);
+    to_stdout(fmt::format("\ncheck: {} = {:.4g}, expected {:.4g} within {:.2g} % ({}){}\n",
+                          check.quantity, found, check.expected, 100 * check.tolerance,
+                          check.source, agrees ? "" : ": DOES NOT AGREE"));
+  }
 }
 
 /// The keys of the sections and kinds; with `word` = "mill.speed" of this key alone.
