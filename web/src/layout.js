@@ -6,6 +6,7 @@
 import { button, choice, element } from "./dom.js";
 import { isDark, onTheme, toggleTheme } from "./theme.js";
 import { text } from "./text/en.js";
+import { SharePanel } from "./share_panel.js";
 import { Tabs } from "./tabs.js";
 
 const logo = () => element("img", { src: "icon.svg", alt: "", width: 30, height: 30 });
@@ -15,12 +16,11 @@ function header(actions) {
   const label = () => (theme.textContent = isDark() ? text.toLight : text.toDark);
   onTheme(label);
   label();
-  const said = element("span", { className: "said", role: "status" });
-  const share = button(text.share, () => actions.share(said), { title: text.shareAbout, id: "share" });
+  const share = new SharePanel(actions.share);
   return element("header", {}, element("div", { className: "inner" }, logo(),
     element("div", { className: "name" }, element("h1", { textContent: text.name }),
       element("p", { textContent: text.tagline })),
-    said, element("div", { className: "buttons" }, share, theme)));
+    element("div", { className: "buttons" }, share.button, theme)), share.root);
 }
 
 function footer() {
@@ -45,7 +45,7 @@ function caseRegion() {
 }
 
 function resultRegion() {
-  const tabs = new Tabs(text.details, ["quantities", "report", "comparison", "sweep", "about", "files"]
+  const tabs = new Tabs(text.details, ["quantities", "report", "comparison", "history", "sweep", "about", "files"]
     .map((key) => ({ key, name: text[key] })));
   const parts = { title: element("h2", { className: "title" }),
     counters: element("dl", { className: "counters" }),

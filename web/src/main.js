@@ -9,9 +9,11 @@ import "./style/page.css";
 import "./style/case.css";
 import "./style/result.css";
 import "./style/plot.css";
+import "./style/embed.css";
 import { caseOf } from "./case/share.js";
 import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";
+import { embed, isEmbedded, runsAtOnce } from "./embed.js";
 import { Page } from "./page.js";
 import { EngineWorker } from "./run/engine_worker.js";
 import { text } from "./text/en.js";
@@ -31,6 +33,7 @@ async function begin(page, { toml, bad }) {
   if (page.edits(history.state) && (await page.takeKept(history.state))) return;
   if (toml !== null) {
     await page.takeLinked(toml);
+    if (runsAtOnce()) return page.start();
     page.say(text.fromLink);
     return;
   }
@@ -53,6 +56,7 @@ async function start() {
   }
   const page = new Page(inspector, cases, knownOf(known.vocabulary));
   page.showVersion(known.version);
+  if (isEmbedded()) embed(page.parts.runBar);
   addEventListener("hashchange", async () => {
     const { toml, bad } = await linked();
     if (bad) page.say(text.badLinkLater);
