@@ -5,6 +5,7 @@
 
 import { readObject } from "../../../viewer/src/data.js";
 import { mount } from "../../../viewer/src/replay.js";
+import { text } from "../text/text.js";
 import { onTheme } from "../theme.js";
 
 const patience = 1500; // ms; the picture is set up after the first result, or then at the latest
@@ -52,7 +53,7 @@ export class ReplayPanel {
 
   mount(film) {
     this.root.classList.remove("waiting");
-    this.replay = mount(this.root, () => readObject(film));
+    this.replay = mount(this.root, () => readObject(film), text.replayWords);
     this.impossible = !this.replay;
   }
 
