@@ -4,7 +4,7 @@
 // All words of the replay, in English. Another language is another module of the same shape.
 
 /// "12 345" with a narrow no-break space between thousands.
-const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
+export const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 
 /// "20th".
 function ordinal(number) {

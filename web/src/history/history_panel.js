@@ -5,8 +5,8 @@
 
 import { button, download, element, freshId } from "../dom.js";
 import { quantityText } from "../format.js";
-import { labelOf, shortList } from "../results/quantities.js";
-import { text } from "../text/text.js";
+import { shortList } from "../results/quantities.js";
+import { quantityName, text } from "../text/text.js";
 
 const fileName = (name, ending) =>
   `${name.toLowerCase().replace(/[^\p{L}\p{N}.]+/gu, "-").replace(/^-|-$/g, "") || "case"}${ending}`;
@@ -18,9 +18,9 @@ function numbersOf(entry) {
   if (!entry.summary) return text.onlyCase;
   if (!quantities.has(entry)) {
     const summary = JSON.parse(entry.summary);
-    quantities.set(entry, shortList(summary).slice(0, 3).map((key) => summary[key]));
+    quantities.set(entry, shortList(summary).slice(0, 3).map((key) => [quantityName(key, summary[key]), quantityText(summary[key])]));
   }
-  return quantities.get(entry).map((one) => `${labelOf(one)} ${quantityText(one)}`).join(", ");
+  return quantities.get(entry).map((words) => words.join(" ")).join(", ");
 }
 
 export class HistoryPanel {

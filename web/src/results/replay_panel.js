@@ -53,7 +53,7 @@ export class ReplayPanel {
 
   mount(film) {
     this.root.classList.remove("waiting");
-    this.replay = mount(this.root, () => readObject(film), text.replayWords); // none: those of the replay itself
+    this.replay = mount(this.root, () => readObject(film), text.replayWords);
     this.impossible = !this.replay;
   }
 

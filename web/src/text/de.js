@@ -3,6 +3,8 @@
 
 // Alle Wörter der Seite auf Deutsch. Zahlen haben wie in den Schlüsseln einen Punkt.
 
+import { de as replayWords } from "../../../viewer/src/text/de.js";
+
 const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
 
@@ -232,6 +234,7 @@ export const text = {
   runHeading: "Rechnung",
   regions: "Gezeigter Teil",
   replay: "Kugeln im bewegten Becher",
+  replayWords,
 
   learn: "Lernen",
   learnAbout: "Fünf Lektionen mit Fragen",

@@ -3,6 +3,8 @@
 
 // All words of the page, in English. Another language is another module of the same shape, named in text.js.
 
+import { en as replayWords } from "../../../viewer/src/text/en.js";
+
 const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
 
@@ -202,6 +204,7 @@ export const text = {
   runHeading: "Run",
   regions: "Shown part",
   replay: "Balls in the moving jar",
+  replayWords,
 
   learn: "Learn",
   learnAbout: "Five lessons with questions",

@@ -3,6 +3,8 @@
 
 // 页面的全部中文文字。数字与算例中一样使用小数点。
 
+import { zh as replayWords } from "../../../viewer/src/text/zh.js";
+
 const plain = (key) => key.replaceAll(/[_-]/g, " ");
 const seconds = (number) => `${number < 10 ? number.toPrecision(2) : Math.round(number)} s`;
 
@@ -204,6 +206,7 @@ export const text = {
   runHeading: "计算",
   regions: "显示的部分",
   replay: "运动罐中的磨球",
+  replayWords,
 
   learn: "学习",
   learnAbout: "五节带问题的课程",
