@@ -351,4 +351,46 @@ export const text = {
   openedCase: "此算例来自文件。点击“运行”开始计算。",
   nothingToOpen: "这些文件中既没有 summary.json，也没有算例（.toml）。",
   cannotOpen: (why) => `无法显示此结果：${why}`,
+
+  // 工作
+  follow: "修改后立即计算",
+  followAbout: "修改算例后，正在进行的计算会改用新值重新开始。若上一次计算不超过 30 s，修改也会启动下一次计算。按下“暂停”或“停止”后，不会自动启动",
+
+  history: "历史",
+  historyAbout: "本次会话的结果，最新的在前，最多 20 个。关闭页面后即消失；保存后会留在本设备的这个浏览器中。",
+  historyDenied: "本次会话的结果，最新的在前，最多 20 个。此浏览器不允许页面保存数据，关闭页面后即消失：请下载需要的内容。",
+  nameOfCase: "名称",
+  saveThisCase: "保存此算例",
+  savedAs: (name) => `已在此浏览器中保存为“${name}”。`,
+  notSaved: (reason) => reason === "full" ? "未保存：此浏览器已没有空间，请先删除一个已保存的条目。"
+    : reason === "denied" ? "此浏览器不允许页面保存数据：名称只保留到页面关闭。"
+      : `未保存：${reason}`,
+  nameOfEntry: "新名称",
+  ok: "确定",
+  entryAbout: ({ date, saved }) => `${new Date(date).toLocaleString("zh-CN", { dateStyle: "medium", timeStyle: "medium" })}，` +
+    (saved ? "已保存" : "本次会话"),
+  entryChange: (changes) => `与前一个结果相比：${changes.map(([key, to]) => `${key} = ${to ?? "默认值"}`).join("，")}`,
+  entryChoice: ({ name, date, change }) => [name, new Date(date).toLocaleTimeString("zh-CN"),
+    ...change.slice(0, 2).map(([key, to]) => `${key} = ${to ?? "默认值"}`)].join("，"),
+  onlyCase: "没有结果的算例。",
+  open: "打开",
+  openEntry: (name) => `打开 ${name}`,
+  openedEntry: "您保存的算例。按“运行”开始。",
+  rename: "重命名",
+  renameEntry: (name) => `重命名 ${name}`,
+  saveEntry: "保存",
+  saveEntryAbout: (name) => `命名并保存 ${name}`,
+  downloadCaseOf: (name) => `下载 ${name} 的 case.toml`,
+  downloadSummaryOf: (name) => `下载 ${name} 的 summary.json`,
+  delete: "删除",
+  deleteEntry: (name) => `删除 ${name}`,
+  compareGroup: "作为 A 或 B 比较",
+  compareAs: (side, name) => `作为 ${side} 比较：${name}`,
+  noA: "无结果",
+  newestAsB: "最新的结果",
+
+  embed: "在其他网页中嵌入此算例：",
+  embedAbout: "嵌入框显示运动的磨球、主要数值和“运行”；用 #embed&amp;run&amp; 代替 #embed&amp;，则立即运行。",
+  openInFull: "打开完整页面",
+  close: "关闭",
 };
