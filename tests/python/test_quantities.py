@@ -174,6 +174,8 @@ PROOFS = {name: ("flying", of, EXACT) for name, of in {
     "wear_rate_jar": lambda run: run.mean(lambda hits: wear(hits, True)) / run.time,
     "wear_rate_balls": lambda run: run.mean(lambda hits: wear(hits, False)) / run.time,
     "contamination_rate": lambda run: 3600e9 * (run["wear_rate_balls"] + run["wear_rate_jar"]) / 2,
+    "worn_mass": lambda run: 7200 * (run["wear_rate_balls"] + run["wear_rate_jar"]),
+    "contamination": lambda run: 2 * run["contamination_rate"],
     "simulated_time": lambda run: run.time,
     "replicates": lambda run: 2,
     "time_to_dose": lambda run: run.mean_from(lambda rate: 5 / (rate / 1000), "specific_energy_dose_rate"),

@@ -108,6 +108,8 @@ TEST_F(OnTerminal, lists_can_be_searched) {
   EXPECT_FALSE(contains(power, "impact_angle_mean"));
   EXPECT_TRUE(contains(mahlwerk("list keys \"mass of the powder\"").output, "powder.mass"));
   EXPECT_FALSE(contains(mahlwerk("list mills retsch").output, "fritsch"));
+  EXPECT_TRUE(contains(mahlwerk("list mills tumbling").output, "bond-mill")) << "by their kind";
+  EXPECT_TRUE(contains(mahlwerk("list materials ZrO2").output, "zirconia-ytzp")) << "other names";
   expect_refused("list quantities zzz", "nothing there has the word 'zzz'");
 }
 

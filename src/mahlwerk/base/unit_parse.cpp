@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -21,8 +22,9 @@ constexpr int highest_power = 9;  // of a unit; bounds exponents and factors
 /// Replaces non-ASCII spellings of units.
 std::string with_ascii_symbols(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> spellings[] = {
-      {"\u00b5", "u"}, {"\u03bc", "u"},     {"\u00b2", "2"},  {"\u00b3", "3"},
-      {"\u00b7", "*"}, {"\u00b0C", "degC"}, {"\u00b0", "deg"}};
+      {"\u00b5", "u"},   {"\u03bc", "u"},        {"\u00b2", "2"},
+      {"\u00b3", "3"},   {"\u00b7", "*"},        {"\u00b0C", "degC"},
+      {"\u00b0", "deg"}, {"\u207b\u00b9", "-1"}, {"\u2212", "-"}};
   std::string out(text);
   for (const auto& [from, to] : spellings)
     for (auto at = out.find(from); at != std::string::npos; at = out.find(from, at + to.size()))
@@ -148,13 +150,20 @@ std::string with_products(std::string_view text) {
   return out;
 }
 
+/// Whether `text` is turns per minute as rating plates and methods sections write it.
+bool turns_per_minute(std::string_view text) {
+  constexpr std::string_view spellings[] = {"1/min", "/min",  "min-1",  "min^-1",
+                                            "r/min", "U/min", "rev/min"};
+  return std::ranges::find(spellings, text) != std::end(spellings);
+}
+
 }  // namespace
 
 ParsedUnit parse_unit(std::string_view given) {
   const std::string text = without_brackets(with_products(trimmed(with_ascii_symbols(given))));
   ParsedUnit m;
   if (text.empty()) return m;
-  if (text == "1/min") return parse_unit("rpm");  // one turn per minute, as on a rating plate
+  if (turns_per_minute(text)) return parse_unit("rpm");
   std::size_t from = 0;
   int sign = 1;
   for (bool first = true;; first = false) {

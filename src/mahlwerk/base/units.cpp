@@ -155,7 +155,11 @@ double parse_in(std::string_view text, std::string_view unit) {
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
                                 example_unit(unit)));
-  const ParsedUnit found = absolute ? ParsedUnit{{}, absolute->dimension} : parse_unit(p.unit);
+  ParsedUnit found = absolute ? ParsedUnit{{}, absolute->dimension} : parse_unit(p.unit);
+  if (unit == "Hz" && found.dimension == Dimension{.time = -1}) {  // 1/s is no angular speed here
+    found.dimension = wanted.dimension;
+    ++found.scale.turns;
+  }
   if (found.dimension != wanted.dimension)
     throw UnitError(fmt::format("\"{}\" is not {}; write for instance \"{}\"", trimmed(text),
                                 kind_of(unit), example_of(unit)));

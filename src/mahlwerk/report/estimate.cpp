@@ -99,7 +99,10 @@ std::string reason(const Band& band) {
 
 /// What would narrow the band of the first quantity most.
 std::string advice(const std::vector<Band>& all) {
-  if (all.empty() || all.front().causes.empty()) return "";
+  if (all.empty()) return "";
+  if (all.front().causes.empty())
+    return "To narrow the bands, count longer and more replicates: --set run.time=\"20 s\" "
+           "--set run.replicates=10.\n";
   const BandCause& first = all.front().causes.front();
   return fmt::format(
       "To narrow the bands, measure what makes them widest, and give it: --set {}=...\n"
@@ -147,6 +150,8 @@ std::string estimate_words(const Outcome& outcome) {
         fmt::format("Not varied, as the ends of the range do not fit the rest of the case: {}.\n",
                     fmt::join(found->left_out, ", "));
   text += advice(all);
+  if (const std::string& regime = outcome.summary.regime; !regime.empty())
+    text += fmt::format("\nThe charge is {}: {}.\n", regime, outcome.summary.regime_reason);
   for (const Notice& one : outcome.notices)
     if (one.warns()) text += fmt::format("\nWarning: {}\n", one.text);
   return text;

@@ -33,6 +33,14 @@ Quantity in_a_short_unit(Quantity q) {
   return q;
 }
 
+/// "90 s", "30 min", "2 h": a milling time as people say it.
+std::string duration(double seconds) {
+  constexpr double minute = 60;
+  if (seconds >= one_hour) return two_digits(seconds / one_hour) + " h";
+  const bool whole = seconds >= 2 * minute && std::fmod(seconds, minute) == 0;
+  return whole ? show_rounded(seconds / minute, "") + " min" : show_rounded(seconds, "s");
+}
+
 }  // namespace
 
 std::string key_title(const Quantity& q, const cases::Case& c) {
@@ -44,9 +52,7 @@ std::string key_title(const Quantity& q, const cases::Case& c) {
            show_rounded(c.milling.value_or(cases::MillingTime()).dose, "J/kg");
   const auto time = cases::milling_time(c);
   if (time && (q.name == "specific_energy_dose" || q.name == "d50" || q.name == "conversion"))
-    return fmt::format(
-        "{} after {}", label(q),
-        *time < one_hour ? show_rounded(*time, "s") : two_digits(*time / one_hour) + " h");
+    return fmt::format("{} after {}", label(q), duration(*time));
   return label(q);
 }
 

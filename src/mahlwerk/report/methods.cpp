@@ -19,6 +19,7 @@
 #include "mahlwerk/geometry/solids.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 #include "mahlwerk/powder/models.hpp"
+#include "mahlwerk/report/methods_milling.hpp"
 #include "mahlwerk/report/text/readable.hpp"
 #include "mahlwerk/results/outcome.hpp"
 
@@ -313,7 +314,7 @@ std::string methods(const Case& c, cases::EngineName engine, const CountedRuns& 
   std::string text = fmt::format("The mill was simulated with Mahlwerk {} by {}. ", version,
                                  engine_words(c, engine));
   text += say.mill() + say.bodies() + say.drive() + say.flow() + say.charge() +
-          say.contact(engine) + say.liquid() + say.powder() + say.kinetics() +
+          say.contact(engine) + say.liquid() + say.powder() + say.kinetics() + milling_words(c) +
           extent_words(runs, c);
   if (text.find('*') != std::string::npos)
     text += " * Assumed, not measured: a default of the program.";

@@ -207,7 +207,7 @@ TEST(Units, an_angle_is_a_dimension) {
   EXPECT_EQ(parse_in("2 mHz", "Hz"), 0.002);
   EXPECT_EQ(parse_quantity("400 rpm").dimension, (Dimension{.time = -1, .angle = 1}));
   EXPECT_DOUBLE_EQ(parse_quantity("400 rpm").value, 41.887902047863905);
-  EXPECT_TRUE(contains(fault_of("10 1/s", "Hz"), "not a frequency"));  // no angle, so no cycles
+  EXPECT_TRUE(contains(fault_of("10 1/s", "rad/s"), "not an angular speed"));  // of turns or rad?
 }
 
 TEST(Units, products_by_blanks_and_brackets) {
@@ -231,6 +231,23 @@ TEST(Units, a_missing_unit_comes_with_the_users_own_number) {
   EXPECT_EQ(fault_of("12", "m"), "the unit is missing; write for instance \"12 mm\"");
   EXPECT_EQ(fault_of("-400", "rad/s"), "the unit is missing; write for instance \"-400 rpm\"");
   EXPECT_EQ(fault_of("10", "Hz"), "the unit is missing; write for instance \"10 Hz\"");
+}
+
+TEST(Units, turns_per_minute_have_the_spellings_of_rating_plates) {
+  for (const char* text : {"600 1/min", "600/min", "600 min-1", "600 min^-1", "600 r/min",
+                           "600 U/min", "600 rev/min", "600 min\u207b\u00b9"}) {
+    EXPECT_EQ(parse_in(text, "Hz"), 10) << text;
+    EXPECT_EQ(parse_in(text, "rad/s"), parse_in("600 rpm", "rad/s")) << text;
+  }
+}
+
+TEST(Units, one_over_a_second_is_a_frequency_and_no_angular_speed) {
+  for (const char* text : {"30 1/s", "30 s-1", "30 s^-1"}) {
+    EXPECT_EQ(parse_in(text, "Hz"), 30) << text;
+    EXPECT_EQ(parse_in(text, "1/s"), 30) << text;
+    EXPECT_THROW(parse_in(text, "rad/s"), UnitError) << text;
+  }
+  EXPECT_EQ(parse_in("30 1/ms", "Hz"), 30000);
 }
 
 TEST(Units, a_wrong_dimension_comes_with_an_example) {

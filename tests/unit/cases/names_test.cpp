@@ -84,6 +84,7 @@ TEST(Names, names_are_found_as_people_write_them) {
   EXPECT_EQ(one("materials", "ZrO2"), "zirconia-ytzp");
   EXPECT_EQ(one("materials", "WC"), "tungsten-carbide-co6");
   EXPECT_EQ(one("materials", "stainless steel"), "steel-304");
+  EXPECT_EQ(one("materials", "Steel"), "steel-1.4034");
   EXPECT_EQ(one("materials", "Al2O3"), "alumina-99.5");
   EXPECT_TRUE(shipped().entries_called("mills", "MM 4000").empty());
   EXPECT_TRUE(shipped().entries_called("mills", "--").empty());

@@ -56,6 +56,45 @@ TEST(UnusualValues, powder_larger_than_the_balls_and_thick_films_are_told) {
       << "implausible, and too thick";
 }
 
+TEST(UnusualValues,
+     a_solid_filling_that_was_probably_meant_as_bulk_is_told_and_a_bulk_filling_not) {
+  const auto told = [](const std::string& filling, const std::string& mill) {
+    const std::string text = mill +
+                             "[jar]\nkind = \"cylinder\"\ndiameter = \"20 cm\"\nheight = "
+                             "\"10 cm\"\n[[balls]]\ndiameter = \"8 mm\"\n"
+                             "density = \"7850 kg/m3\"\n" +
+                             filling + "[run]\ntime = \"1 s\"\n";
+    std::vector<std::string> found;
+    for (const Notice& one : unusual_values(read_sample(text)))
+      if (one.code == "solid-filling") found.push_back(one.text);
+    return found;
+  };
+  const std::string drum = "[mill]\nkind = \"tumbling\"\nspeed = \"75 %\"\n";
+  const std::vector<std::string> found = told("filling = \"30 %\"\n", drum);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found.front().starts_with("[[balls.1]]: filling = \"30 %\"")) << found.front();
+  EXPECT_NE(found.front().find("fill 50 % of the drum"), std::string::npos) << found.front();
+  EXPECT_TRUE(told("filling = \"26 %\"\n", drum).empty()) << "J = 43 %";
+  EXPECT_TRUE(told("bulk_filling = \"50 %\"\n", drum).empty());
+  EXPECT_TRUE(told("filling = \"30 %\"\n",
+                   "[mill]\nkind = \"planetary\"\norbit_radius = "
+                   "\"20 cm\"\nspeed = \"300 rpm\"\nratio = -2\n")
+                  .empty())
+      << "no drum";
+}
+
+TEST(UnusualValues, powder_of_unknown_density_is_told_where_no_solid_is_dense_enough) {
+  const auto told = [](const std::string& mass) {
+    std::size_t found = 0;
+    for (const Notice& one :
+         jar_warnings(read_sample(vial + "[powder]\n", {{"powder.mass", mass}})))
+      found += one.code == "too-much-powder";
+    return found;
+  };
+  EXPECT_EQ(told("10 g"), 0U);
+  EXPECT_EQ(told("100 g"), 1U) << "kg for g: the vial holds 5 ml, and 13.6 g/cm3 of loose osmium";
+}
+
 TEST(UnusualValues, plausible_magnitudes_hold_defaults_and_usual_values) {
   int declared = 0;
   for (const KeyInfo& key : all_keys()) {

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "mahlwerk/cases/part.hpp"
+#include "mahlwerk/cases/wear.hpp"
 #include "mahlwerk/parts/grinding/plots.hpp"
 #include "mahlwerk/parts/kinetics/plots.hpp"
 #include "mahlwerk/powder/models.hpp"
@@ -197,6 +198,19 @@ TEST(PowderReport, methods_name_models_and_numbers) {
   strong.mill_case.capture->model = powder::Barrios{0};  // strength from breakage model
   EXPECT_TRUE(has(methods(strong, "1"), "model barrios;"));
   EXPECT_FALSE(has(methods(results::fake_outcome(), "1"), "capture"));
+}
+
+TEST(PowderReport, methods_state_the_time_of_the_dose_and_the_assumed_numbers_of_wear_and_heat) {
+  Outcome o = ground_outcome();
+  EXPECT_TRUE(has(methods(o, "1"), "dissipated energy of 1 min of milling over the mass"));
+  EXPECT_FALSE(has(methods(o, "1"), "Temperatures"));
+  EXPECT_FALSE(has(methods(o, "1"), "Wear"));
+  o.mill_case.heat.emplace();
+  o.mill_case.parts.set(cases::Wear{.coefficient = 1e-3});
+  o.mill_case.origins.push_back({.key = "wear.coefficient", .value = "1e-3", .assumed = true});
+  EXPECT_TRUE(has(methods(o, "1"), "Wear by Archard, with a coefficient of 0.001*."));
+  EXPECT_TRUE(has(methods(o, "1"), "coefficients of 15 W/m2/K from the jar to air of 20 °C"))
+      << methods(o, "1");
 }
 
 TEST(PowderReport, table_groups_rows_and_calls_them_by_their_names) {

@@ -144,6 +144,21 @@ constexpr NumberSpec bulk_filling_of_set =
                "J: bulk volume of the balls, with 40 % voids, over volume of the jar")
         .with({.label = "bulk filling of balls", .symbol = "$J$"});
 
+/// Warns of a solid filling that was probably meant as J: mills are filled to 20 to 45 % in bulk.
+/// unusual_values() drops the warning where the jar is no drum.
+void remark_on_filling(SectionReader& in, const Node& at, double filling) {
+  constexpr double most = 0.45;
+  const double bulk = filling / (1 - bed_porosity);
+  if (!(bulk > most)) return;
+  in.findings().remarks.push_back(warning(
+      "solid-filling",
+      fmt::format(
+          "[[{}]]: filling = \"{}\" is the volume of the balls without the voids between "
+          "them. With the voids they fill {} % of the drum; mills are filled to 20 to 45 %. "
+          "If you mean J, the bulk filling, write bulk_filling in place of filling.",
+          in.name(), at.text, show_rounded(100 * bulk, "", 2))));
+}
+
 /// The number of balls, given directly, by mass, by filling of the jar, or by initial positions.
 std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
   const std::string_view key = in.one_of({"count", "mass", "filling", "bulk_filling", "positions"});
@@ -164,6 +179,7 @@ std::int64_t read_count(SectionReader& in, BallSet& set, const Jar& jar) {
   const double filling = key == "filling"
                              ? in.quantity(at, filling_of_set)
                              : (1 - bed_porosity) * in.quantity(at, bulk_filling_of_set);
+  if (key == "filling") remark_on_filling(in, at, filling);
   return nearest_count(in, at, key, filling * jar_volume(jar) / ball_volume(set));
 }
 

@@ -110,7 +110,7 @@ class Derivation {
     const double critical = critical_speed(c_.jar, c_.balls, across_axis(c_.gravity_vector()));
     add("drum_speed", std::abs(tumbler.speed) * 30 / std::numbers::pi, "rpm",
         "speed of the drum" + state_of_speed());
-    add("critical_speed", critical, "rad/s",
+    add("critical_speed", critical * 30 / std::numbers::pi, "rpm",
         "speed that pins the largest ball to the wall of the drum (kin.11)");
     if (critical > 0)
       add("percent_of_critical", 100 * std::abs(tumbler.speed) / critical, "%",

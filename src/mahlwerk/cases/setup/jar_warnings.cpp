@@ -24,17 +24,23 @@ std::string tight_hollows(const Case& c) {
       show_rounded(ball, "m"), show_rounded(bend, "m"));
 }
 
-/// Warns if the bulk volume of loose powder exceeds the free volume of the jar.
+/// Warns if the bulk volume of loose powder exceeds the free volume of the jar. A powder of unknown
+/// density may be as heavy as the heaviest solid.
 std::string heaped_powder(const Case& c) {
-  constexpr double packing = 0.6;  // of loose powder, about that of spheres
-  if (!c.powder || !c.powder->density || c.powder->grain_size) return "";
-  const double bulk = c.powder->mass / *c.powder->density / packing;
+  constexpr double packing = 0.6;   // of loose powder, about that of spheres
+  constexpr double osmium = 22590;  // [kg/m3] CRC Handbook
+  if (!c.powder || c.powder->grain_size) return "";
+  const double bulk = c.powder->mass / c.powder->density.value_or(osmium) / packing;
   const double room = jar_volume(c.jar) - balls_volume(sets_at_start(c));
   if (!(bulk > room)) return "";
+  const std::string least = c.powder->density
+                                ? ""
+                                : fmt::format(" at least, as no solid is denser than {}",
+                                              show_rounded(osmium, "kg/m3", 3));
   return fmt::format(
-      "The powder, packed to {} % of solid, takes {}, more than the balls leave free in the jar "
-      "({}): no room is left for milling.",
-      show_rounded(100 * packing, ""), show_rounded(bulk, "m3"), show_rounded(room, "m3"));
+      "The powder, packed to {} % of solid, takes {}{}, more than the balls leave free in the jar "
+      "({}): no room is left for milling. Check the mass of the powder and its unit.",
+      show_rounded(100 * packing, ""), show_rounded(bulk, "m3"), least, show_rounded(room, "m3"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "mahlwerk/base/admission.hpp"
 #include "mahlwerk/base/units.hpp"
 #include "mahlwerk/cases/build.hpp"
+#include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/sections/sections.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
 
@@ -88,6 +89,14 @@ Notices sizes_among_balls(const Case& c) {
   return found;
 }
 
+/// What the reader of the file noticed. Only drums have a usual filling.
+Notices remarks_on(const Case& c) {
+  Notices found = c.remarks;
+  if (drum_motion(c) == nullptr)
+    std::erase_if(found, [](const Notice& one) { return one.code == "solid-filling"; });
+  return found;
+}
+
 Notices ratios(const Case& c) {
   const auto* planetary = kinematics::as<kinematics::Planetary>(*c.mill.motion);
   if (planetary == nullptr || planetary->ratio <= 0) return {};
@@ -140,7 +149,7 @@ Notices unusual_values(const Case& c) {
   append(found, sizes_among_balls(c));
   append(found, ratios(c));
   append(found, assumed_numbers(c));
-  append(found, c.remarks);
+  append(found, remarks_on(c));
   return found;
 }
 

@@ -124,6 +124,12 @@ Json index_as_json(const std::string& category) {
   return category == "quantities" ? results::quantity_list() : Json();
 }
 
+/// The words by which a list finds an entry: its names, and for a mill or a jar its kind.
+std::string searched_words(const cases::CatalogueEntry& entry) {
+  return fmt::format("{}\n{}\n{}\n{}", entry.name, entry.title, entry.kind,
+                     fmt::join(entry.names, "\n"));
+}
+
 int list_catalogue(const CatalogueArguments& given) {
   const cases::Catalogue all = catalogue();
   Json json = Json::array();
@@ -132,7 +138,7 @@ int list_catalogue(const CatalogueArguments& given) {
     std::string text;
     for (const std::string& name : all.names(category)) {
       const cases::CatalogueEntry entry = all.find(category, name);
-      if (!contains_word(name + '\n' + entry.title, given.word)) continue;
+      if (!contains_word(searched_words(entry), given.word)) continue;
       const bool weak = is_weak(entry);
       json.push_back(Json::object(
           {{"room", category}, {"name", name}, {"title", entry.title}, {"unverified", weak}}));

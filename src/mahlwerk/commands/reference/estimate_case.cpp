@@ -111,7 +111,10 @@ std::string ball_set(const std::string& word, const std::string& material,
     throw InputError(ball_fault(word, "this is neither \"NUMBER x DIAMETER\" nor a ball set"));
   const std::string_view amount = trimmed(std::string_view(word).substr(0, cross)),
                          diameter = trimmed(std::string_view(word).substr(cross + width));
-  if (!in_unit(diameter, "m")) throw InputError(ball_fault(word, "after the x there is no length"));
+  if (!in_unit(diameter, "m"))
+    throw InputError(ball_fault(word, diameter.find(',') == std::string_view::npos
+                                          ? "after the x there is no length"
+                                          : "there is a comma; write a decimal point"));
   set += line("diameter", diameter) + line_if("material", material);
   const NumberText count = number_text(amount);
   if (count.rest.empty() && std::isfinite(count.number))

@@ -11,6 +11,7 @@
 #include "mahlwerk/cases/derived.hpp"
 #include "mahlwerk/cases/faults.hpp"
 #include "mahlwerk/cases/file/key_visitor.hpp"
+#include "mahlwerk/cases/grinding.hpp"
 #include "mahlwerk/cases/pairs.hpp"
 #include "mahlwerk/cases/part.hpp"
 #include "mahlwerk/report/text/readable.hpp"
@@ -92,7 +93,18 @@ bool wears(const Case& c) {
   return c.parts.find<Wear>() != nullptr;
 }
 
+/// [kg/s] Of balls, jar and parts.
+double all_wear(const Case& c, const Replicate& r) {
+  return results::balls_wear(c, r) + results::jar_wear(c, r) + results::parts_wear(c, r);
+}
+
+/// [kg] Worn off over the milling time.
+double worn_mass(const Case& c, const Replicate& r) {
+  return all_wear(c, r) * *cases::milling_time(c);
+}
+
 results::Measures quantities() {
+  const auto timed = [](const Case& c) { return cases::milling_time(c).has_value(); };
   const auto weighed_powder = [](const Case& c) { return c.powder && c.powder->mass > 0; };
   return results::where(
       wears, "with `[wear]`",
@@ -118,11 +130,21 @@ results::Measures quantities() {
         "worn mass of balls, jar and parts per mass of powder and hour of milling",
         [](const Case& c, const Replicate& r) {
           constexpr double hour = 3600;
-          return 1e6 * hour *
-                 (results::balls_wear(c, r) + results::jar_wear(c, r) + results::parts_wear(c, r)) /
-                 c.powder->mass;
+          return 1e6 * hour * all_wear(c, r) / c.powder->mass;
         },
-        {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}}});
+        {.key = 11, .applies = weighed_powder, .only = "with `[powder]`"}},
+       {"worn_mass",
+        "kg",
+        "mass worn off balls, jar and parts over the milling time",
+        worn_mass,
+        {.applies = timed, .only = "if the case gives a milling time"}},
+       {"contamination",
+        "mg/kg",
+        "worn mass of balls, jar and parts over the milling time, per mass of powder",
+        [](const Case& c, const Replicate& r) { return 1e6 * worn_mass(c, r) / c.powder->mass; },
+        {.applies =
+             [](const Case& c) { return cases::milling_time(c) && c.powder && c.powder->mass > 0; },
+         .only = "with `[powder]`, if the case gives a milling time"}}});
 }
 
 /// A row for each ball set, each face of the jar and each part.
