@@ -98,8 +98,8 @@ template <class T>
 T cast(const py::handle& value, const char* name) try {
   return value.cast<T>();
 } catch (const py::cast_error&) {
-  throw py::type_error(fmt::format("{} is {}, not {}", name, type_words<T>(),
-                                   py::repr(value).cast<std::string>()));
+  throw py::type_error(
+      fmt::format("{} is {}, not {}", name, type_words<T>(), py::repr(value).cast<std::string>()));
 }
 void take(const py::handle& value, const char* name, std::vector<cases::Override>& list) {
   Changes changes;
