@@ -13,11 +13,14 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "job.hpp"
 #include "mahlwerk/base/error.hpp"
+#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/commands/command.hpp"
 #include "mahlwerk/commands/reporting/listener.hpp"
 #include "mahlwerk/commands/reporting/messages.hpp"
@@ -48,6 +51,12 @@ class Report final : public commands::Listener {
   std::mutex mutex_;
 };
 
+/// "; did you mean NAME?", or nothing.
+std::string suggestion(const std::string& wrong, const std::vector<std::string>& known) {
+  const std::string near = nearest_word(wrong, known);
+  return near.empty() ? "" : fmt::format("; did you mean {}?", near);
+}
+
 const commands::Command& command_named(const std::vector<commands::Command>& all,
                                        const std::vector<std::string>& words) {
   const commands::Command* found = nullptr;
@@ -55,7 +64,11 @@ const commands::Command& command_named(const std::vector<commands::Command>& all
   for (const std::string& word : words) {
     const auto at =
         std::ranges::find_if(*level, [&](const commands::Command& c) { return c.name == word; });
-    if (at == level->end()) throw py::key_error("there is no command " + word);
+    if (at == level->end()) {
+      std::vector<std::string> known;
+      for (const commands::Command& one : *level) known.push_back(one.name);
+      throw py::key_error("there is no command " + word + suggestion(word, known));
+    }
     found = &*at;
     level = &found->subcommands;
   }
@@ -64,11 +77,29 @@ const commands::Command& command_named(const std::vector<commands::Command>& all
 }
 
 template <class T>
+std::string_view type_words() {
+  if constexpr (std::is_same_v<T, std::string>)
+    return "a text, a quantity with its unit";
+  else if constexpr (std::is_same_v<T, std::vector<std::string>>)
+    return "a list of texts";
+  else if constexpr (std::is_same_v<T, int>)
+    return "a whole number";
+  else if constexpr (std::is_same_v<T, bool>)
+    return "True or False";
+  else if constexpr (std::is_same_v<T, py::dict>)
+    return "a dict of texts";
+  else if constexpr (std::is_same_v<T, std::optional<double>>)
+    return "a number";
+  else
+    return "of another type";
+}
+
+template <class T>
 T cast(const py::handle& value, const char* name) try {
   return value.cast<T>();
 } catch (const py::cast_error&) {
-  throw py::type_error(std::string(name) +
-                       " is of the wrong type: " + py::repr(value).cast<std::string>());
+  throw py::type_error(
+      fmt::format("{} is {}, not {}", name, type_words<T>(), py::repr(value).cast<std::string>()));
 }
 void take(const py::handle& value, const char* name, std::vector<cases::Override>& list) {
   Changes changes;
@@ -126,8 +157,13 @@ void set_options(const commands::Command& command, const py::dict& values) {
     const auto option = std::ranges::find_if(command.options, [&](const commands::Option& one) {
       return std::ranges::count(names_of(one), name) > 0;
     });
-    if (option == command.options.end())
-      throw py::type_error("mahlwerk " + command.name + " has no option " + name);
+    if (option == command.options.end()) {
+      std::vector<std::string> known;
+      for (const commands::Option& one : command.options)
+        for (const std::string& other : names_of(one)) known.push_back(other);
+      throw py::type_error("mahlwerk " + command.name + " has no option " + name +
+                           suggestion(name, known));
+    }
     if (value.is_none()) continue;
     std::visit([&](auto* target) { take(value, name.c_str(), *target); }, option->target);
     check_limits(*option, name);

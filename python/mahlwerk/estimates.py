@@ -100,6 +100,8 @@ def estimate(mill: str, *, balls: Union[str, Iterable[str]], jar: Optional[str] 
     `balls`: number, mass or filling and diameter, or a list of them. `powder`: a mass, or "10:1". `set`: values of
     other keys. Raises InputError.
     """
+    if not isinstance(balls, Iterable):
+        raise TypeError(f"balls are texts, for instance \"2x10mm\", not {balls!r}")
     words = [balls] if isinstance(balls, str) else list(balls)
     told = command(["estimate"], mill=mill, balls=words, jar=jar, material=material, frequency=frequency,
                    speed=speed, powder=powder, time=time, threads=checked_threads(threads), progress=progress,

@@ -7,6 +7,7 @@ from __future__ import annotations
 import json
 import math
 import numbers
+import os
 import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Union
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     #: A value of a case: "30 Hz", 3, True, a list of values or a dict of them.
-    Value = Union[str, bool, int, float, np.generic, np.ndarray, Sequence["Value"], Mapping[str, "Value"]]
+    Value = Union[str, os.PathLike[str], bool, int, float, np.generic, np.ndarray, Sequence["Value"], Mapping[str, "Value"]]
 
 __all__ = ["case_text", "value_text"]
 
@@ -28,6 +29,8 @@ def value_text(value: Any) -> str:
     """A value as it is written in a case file. Raises TypeError for a type that TOML lacks."""
     if hasattr(value, "item") and not isinstance(value, (str, bytes)):
         value = value.item() if getattr(value, "ndim", 0) == 0 else value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -53,7 +56,9 @@ def text_of(quoted: str) -> str:
 
 def change_text(value: Any) -> str:
     """A value as `--set key=value` takes it: strings without quotes."""
-    return value if isinstance(value, str) else value_text(value)
+    if isinstance(value, (str, os.PathLike)):
+        return os.fspath(value)
+    return value_text(value)
 
 
 def is_table_list(value: Any) -> bool:

@@ -177,13 +177,21 @@ def test_options_have_the_names_of_the_command_line_and_others_are_refused():
     from mahlwerk.commands import command
     assert command(["list"], category="mills") == mahlwerk.catalogue("mills")
     for name in ("jobs", "threads"):  # --jobs,--threads
-        with pytest.raises(TypeError, match=f"{name} is of the wrong type: 'two'"):
+        with pytest.raises(TypeError, match=f"{name} is a whole number, not 'two'"):
             command(["compare"], case="none", **{name: "two"})
+    with pytest.raises(KeyError, match="no command swep; did you mean sweep"):
+        command("swep")
+    with pytest.raises(TypeError, match="no option thread; did you mean threads"):
+        command("run", thread=2)
+    with pytest.raises(TypeError, match="frequency is a text, a quantity with its unit, not 30"):
+        mahlwerk.estimate("MM 400", balls="2x10mm", frequency=30)
+    with pytest.raises(TypeError, match="balls are texts"):
+        mahlwerk.estimate("MM 400", balls=2)
     with pytest.raises(TypeError, match="mahlwerk list has no option target"):
         command(["list"], target="mills")
     with pytest.raises(TypeError, match="mahlwerk new has no option json"):
         command(["new"], json=True)
-    with pytest.raises(TypeError, match="set is of the wrong type"):
+    with pytest.raises(TypeError, match="set is a text"):
         command(["check"], case="none", set={"run.replicates": 2})
     with pytest.raises(mahlwerk.InputError, match="there is no such file"):
         command(["match"], case="none", in_="none", out=None)

@@ -1,10 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
 """What a session says to usual mistakes."""
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import mahlwerk
+from mahlwerk import toml
 
 
 @pytest.fixture
@@ -19,6 +22,12 @@ def test_a_dict_gives_values_of_a_section(ball):
         {"count": 1, "diameter": "8 mm", "density": "7850 kg/m3"}], "run": {"time": "1 s"}}, {"run": {"time": "2 s"}})["run.time"] == "2 s"
     with pytest.raises(mahlwerk.InputError, match="did you mean `restitution`"):
         ball["contact"] = {"restitutio": 0.6}
+
+
+def test_a_path_is_a_value(ball):
+    with pytest.raises(mahlwerk.InputError, match="no-such.stl"):
+        ball["jar"] = {"kind": "mesh", "file": Path("no-such.stl"), "unit": "mm", "diameter": None, "volume": None}
+    assert toml.value_text([Path("a"), "b"]) == '["a", "b"]'
 
 
 @pytest.mark.parametrize("wrong", [None, 3, [1]])
