@@ -45,6 +45,16 @@ export function choice(label, options, chosen, pick) {
   return element("div", { className: "choice", role: "group", "aria-label": label }, buttons);
 }
 
+/// Copies a text to the clipboard. Returns whether the browser allowed it.
+export async function copied(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /// Saves a text as a file.
 export const download = (name, text, type = "text/plain") =>
   save(name, new Blob([text], { type: `${type};charset=utf-8` }));

@@ -5,6 +5,7 @@
 
 import { button, choice, element } from "./dom.js";
 import { isDark, onTheme, toggleTheme } from "./theme.js";
+import { SharePanel } from "./share_panel.js";
 import { languages, text } from "./text/text.js";
 import { Tabs } from "./tabs.js";
 
@@ -15,17 +16,16 @@ function header(actions) {
   const label = () => (theme.textContent = isDark() ? text.toLight : text.toDark);
   onTheme(label);
   label();
-  const said = element("span", { className: "said", role: "status" });
+  const share = new SharePanel(actions.share);
   const language = choice(text.languageChoice, Object.values(languages).map(({ language: key, shortName, languageName }) =>
     ({ key, name: shortName, about: languageName })), text.language, actions.language);
   language.id = "language";
   for (const each of language.children) each.lang = each.dataset.key;
   const learn = button(text.learn, actions.learn, { title: text.learnAbout, id: "learn", "aria-expanded": "false" });
-  const share = button(text.share, () => actions.share(said), { title: text.shareAbout, id: "share" });
   return element("header", {}, element("div", { className: "inner" }, logo(),
     element("div", { className: "name" }, element("h1", { textContent: text.name }),
       element("p", { textContent: text.tagline })),
-    said, element("div", { className: "buttons" }, language, learn, share, theme)));
+    element("div", { className: "buttons" }, language, learn, share.button, theme)), share.root);
 }
 
 function footer() {
@@ -37,7 +37,8 @@ function footer() {
 function caseRegion() {
   const tabs = new Tabs(text.caseHeading, [{ key: "form", name: text.form },
     { key: "text", name: text.caseTab }]);
-  const parts = { learn: element("section", { className: "learn", "aria-label": text.learn, hidden: true }), estimate: element("div"), examples: element("div", { className: "examples" }),
+  const parts = { learn: element("section", { className: "learn", "aria-label": text.learn, hidden: true }),
+    estimate: element("div"), examples: element("div", { className: "examples" }),
     form: element("form", { className: "form", onsubmit: (event) => event.preventDefault() }),
     faultLine: element("p", { className: "fault-line", role: "alert", hidden: true }),
     editor: element("div", { className: "text" }) };
@@ -50,7 +51,7 @@ function caseRegion() {
 }
 
 function resultRegion() {
-  const tabs = new Tabs(text.details, ["quantities", "report", "comparison", "sweep", "about", "files"]
+  const tabs = new Tabs(text.details, ["quantities", "report", "comparison", "history", "sweep", "about", "files"]
     .map((key) => ({ key, name: text[key] })));
   const parts = { title: element("h2", { className: "title" }),
     counters: element("dl", { className: "counters" }),

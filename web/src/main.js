@@ -10,9 +10,11 @@ import "./style/case.css";
 import "./style/result.css";
 import "./style/learn.css";
 import "./style/plot.css";
+import "./style/embed.css";
 import { caseOf } from "./case/share.js";
 import { knownOf } from "./case/known.js";
 import { element } from "./dom.js";
+import { embed, isEmbedded, runsAtOnce } from "./embed.js";
 import { lessonOf } from "./learn/lessons.js";
 import { Page } from "./page.js";
 import { useWords } from "./format.js";
@@ -39,6 +41,7 @@ async function begin(page, { toml, bad }) {
   if (restored) return;
   if (toml !== null) {
     await page.takeLinked(toml);
+    if (runsAtOnce()) return page.start();
     page.say(text.fromLink);
     return;
   }
@@ -62,6 +65,7 @@ async function start() {
   }
   const page = new Page(inspector, cases, knownOf(known.vocabulary));
   page.showVersion(known.version);
+  if (isEmbedded()) embed(page.parts.runBar);
   addEventListener("hashchange", async () => {
     const { toml, bad } = await linked(), lesson = lessonOf(location.hash);
     if (lesson > 0) await page.learn.open(lesson, !history.state); // Back and Forward bring their case

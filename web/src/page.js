@@ -3,19 +3,22 @@
 
 // The page: connects the case, the runs and what is shown of them.
 
-import { button, download, element, later } from "./dom.js";
+import { button, copied, download, element, later } from "./dom.js";
 import { CaseStore, kept } from "./case/store.js";
 import { Editor } from "./case/editor.js";
 import { EstimateForm } from "./case/estimate_form.js";
 import { Form } from "./case/form.js";
 import { fragmentOf } from "./case/share.js";
+import { frameOf, isEmbedded } from "./embed.js";
 import { ExampleChoice } from "./example_choice.js";
+import { History } from "./history/history.js";
 import { Learn } from "./learn/learn.js";
 import { layOut, showRegion } from "./layout.js";
 import { Results } from "./results/results.js";
 import { SweepPanel } from "./results/sweep_panel.js";
 import { Pool } from "./run/engine_worker.js";
 import { OpenedRun, caseAmong, filesOf, filmOf, studyAmong } from "./run/opened_run.js";
+import { Follow } from "./run/follow.js";
 import { Run } from "./run/run.js";
 import { RunBar } from "./run/run_bar.js";
 import lessonCases from "lesson-cases";
@@ -28,23 +31,24 @@ export class Page {
     this.pool = new Pool();
     this.runs = 0; // that were started
     this.store = new CaseStore(inspector);
-    this.parts = layOut({ share: (said) => this.share(said),
-      learn: () => this.learn.toggle(), language: (name) => (this.keep(), chooseLanguage(name)) });
+    this.parts = layOut({ share: () => this.share(), learn: () => this.learn.toggle(),
+      language: (name) => (this.keep(), chooseLanguage(name)) });
     const { parts, store } = this;
     this.bar = new RunBar(parts.runBar, { run: () => this.start(), pause: () => this.pause(),
       stop: () => this.run?.stop() });
+    this.follow = new Follow(this);
+    this.bar.add(this.follow.root);
     this.estimateForm = new EstimateForm(parts.estimate, known, (words) => this.estimate(words));
     this.choice = new ExampleChoice(parts.examples, cases, (name) => this.chooseExample(name));
     this.form = new Form(parts.form, store, known);
     this.editor = new Editor(parts.editor, store);
-    this.results = new Results(parts, { download: () => this.downloadCase(), caseText: () => store.text,
-      restore: (toml) => this.take(toml, ""), open: (items) => this.open(items) });
+    this.history = new History();
+    this.results = new Results(parts, this.history, { download: () => this.downloadCase(), caseText: () => store.text,
+      restore: (toml) => this.take(toml, ""), open: (items) => this.open(items), openEntry: (id) => this.openEntry(id) });
+    if (!isEmbedded()) this.history.load(); // frames of other sites have no storage of their own
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
       running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
-    this.learn = new Learn(parts.learn, lessonCases, { pool: this.pool, inspector,
-      running: () => this.active() || this.sweeping, stopRun: () => this.active() && this.stopped(),
-      busy: (on) => this.busy(on), shown: (on) => this.showLessons(on),
-      take: (toml, address) => this.takeLesson(toml, address), runWith: (toml) => this.runWith(toml) });
+    this.learn = new Learn(parts.learn, lessonCases, this);
     this.keepSoon = later(() => this.keep(), 300);
     store.addEventListener("text", () => this.changed());
     addEventListener("pagehide", () => this.keep());
@@ -135,30 +139,6 @@ export class Page {
     return this.start();
   }
 
-  showLessons(on) {
-    document.body.toggleAttribute("data-learn", on);
-    document.getElementById("learn").setAttribute("aria-expanded", String(on));
-    if (on) showRegion("case");
-  }
-
-  /// Shows and runs the case of a lesson, in an entry of the history of its own. Resolves with whether it does.
-  async takeLesson(toml, address) {
-    if (this.store.text && this.edited() && !confirm(text.leaveChanges)) return false;
-    this.keep();
-    if (location.hash !== address) history.pushState(null, "", address);
-    await this.takeLinked(toml);
-    this.start(true);
-    return true;
-  }
-
-  /// Runs the case of a lesson with other values.
-  async runWith(toml) {
-    if (this.active()) await this.stopped();
-    this.linked = kept(toml);
-    this.store.setText(toml, "form");
-    return this.start();
-  }
-
   /// Shows a result that the program computed, or takes a case: files, or a folder, that were dropped or chosen.
   /// The page of a campaign or a search stands beside the case, which stays.
   showStudy(html) {
@@ -173,22 +153,34 @@ export class Page {
       const toml = caseAmong(files), result = "summary.json" in files, study = studyAmong(files);
       if (!result && study !== null) return this.showStudy(study);
       if (!result && toml === null) return this.say(text.nothingToOpen);
-      if (this.edited() && !confirm(text.leaveChanges)) return;
-      this.keep();
-      history.pushState(null, "", "#");
-      const checked = await this.take(toml ?? "", "");
-      if (result) this.showOpened(new OpenedRun(files, this.store.text, checked.faults.length > 0 ? {} : checked));
-      else this.say(text.openedCase);
+      await this.show(toml ?? "", result ? files : null, text.openedCase);
     } catch (error) {
       this.say(text.cannotOpen(error.message));
     }
   }
 
-  showOpened(run) {
+  /// Shows a result, or takes a case, of the history.
+  async openEntry(id) {
+    await this.show(this.history.of(id).toml, await this.history.filesOf(id), text.openedEntry, id);
+  }
+
+  /// Shows a case and its result, or the case alone (files null) with a note, in an entry of the browser's history of
+  /// its own. `id`: of the result in the history of the page, if it is there.
+  async show(toml, files, note, id) {
+    if (this.edited() && !confirm(text.leaveChanges)) return;
+    this.keep();
+    history.pushState(null, "", "#");
+    this.linked = kept(toml);
+    const checked = await this.take(toml, "");
+    if (!files) return this.say(note);
+    this.showOpened(new OpenedRun(files, this.store.text, checked.faults.length > 0 ? {} : checked), id);
+  }
+
+  showOpened(run, id) {
     this.run = run;
     this.results.begin(run);
     this.results.showFilm(filmOf(run.files["report.html"]));
-    this.ended(run);
+    this.ended(run, id);
     this.say(text.opened(run.summary._about.title));
     showRegion("result");
   }
@@ -201,9 +193,10 @@ export class Page {
   changed() {
     if (location.hash.startsWith("#case=") && this.store.text !== this.linked) history.replaceState(null, "", "#");
     this.keepSoon();
-    this.parts.stale.hidden = !this.run || this.run.toml === this.store.text;
+    this.showStale(this.follows());
     document.body.dataset.case = "unchecked";
     this.showBar();
+    this.follow.changed();
   }
 
   checked(checked) {
@@ -220,9 +213,23 @@ export class Page {
           this.editor.goTo(faults[0]);
         }, { className: "quiet" }));
     this.showBar();
-    if (faults.length > 0 || this.active()) return;
+    const follows = this.follows();
+    this.showStale(follows);
+    if (faults.length > 0 || this.active() || follows) return;
     this.results.showCase(checked, this.fresh);
     this.fresh = false;
+  }
+
+  /// Whether the case, which has changed, is computed by itself (run/follow.js).
+  follows() {
+    const { checked, revision, text: toml } = this.store;
+    const faulty = checked?.revision === revision && checked.faults.length > 0;
+    return !faulty && this.follow.wanted() && this.run.toml !== toml;
+  }
+
+  /// Says that the result is not that of the case; not if it is computed anew anyway.
+  showStale(follows) {
+    this.parts.stale.hidden = follows || !this.run || this.run.toml === this.store.text;
   }
 
   active() {
@@ -255,9 +262,18 @@ export class Page {
     document.body.dataset.runs = ++this.runs;
     this.results.begin(this.run);
     if (!stay) showRegion("result");
-    this.run.promise = this.run.start();
+    this.run.start();
     this.refresh();
     return this.run.promise;
+  }
+
+  /// Computes the case in place of the run, whose picture stays until there is a new one.
+  async restart() {
+    const { run } = this;
+    if (this.active()) await run.discard();
+    if (this.run !== run) return null; // another case was chosen
+    this.run = null;
+    return this.start();
   }
 
   refresh() {
@@ -265,9 +281,11 @@ export class Page {
     this.results.showProgress(this.run);
   }
 
-  ended(run) {
-    this.results.end(run);
-    this.parts.stale.hidden = run.toml === this.store.text;
+  /// `id`: of the result in the history, if it is there already.
+  ended(run, id) {
+    const entry = run.summary ? id ?? this.history.add(run.summary._about.title, run.toml, run.files) : null;
+    this.results.end(run, entry);
+    this.showStale(this.follows());
     this.showBar();
   }
 
@@ -288,18 +306,14 @@ export class Page {
     }
   }
 
-  async share(said) {
+  /// Copies a link with the case. Resolves with what has been done, and the text of a frame with the case.
+  async share() {
     const shared = this.store.text;
     const fragment = await fragmentOf(shared);
     this.linked = shared;
     history.replaceState(null, "", `#${fragment}`);
-    try {
-      await navigator.clipboard.writeText(location.href);
-      said.textContent = text.shared;
-    } catch {
-      said.textContent = text.sharedAddress;
-    }
-    setTimeout(() => (said.textContent = ""), 6000);
+    const frame = frameOf(this.store.checked?.title ?? text.name, fragment);
+    return { said: await copied(location.href) ? text.shared : text.sharedAddress, frame };
   }
 
   downloadCase() {

@@ -21,6 +21,18 @@ export function expect(what, found, ...rest) {
 /// drawing in software takes most of the time.
 export const drawn = (test) => Object.assign(test, { drawn: true });
 
+/// Marks a test in which a changed case may run by itself. In the others only Run and examples start runs.
+export const follows = (test) => Object.assign(test, { follows: true });
+
+/// For a page: "Run follows changes" is off.
+const runsOnlyWhenAsked = () => {
+  try {
+    localStorage.setItem("mahlwerk-follow", "off");
+  } catch {
+    // a page without storage
+  }
+};
+
 /// A test that throws this is skipped, and the reason is shown.
 export class Skip extends Error {}
 
@@ -38,6 +50,7 @@ async function freshContext(browser, { test, url, origin }) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 },
     acceptDownloads: true, permissions, reducedMotion: "reduce" });
   context.setDefaultTimeout(limit);
+  if (!test.follows) await context.addInitScript(runsOnlyWhenAsked);
   if (!test.drawn) await context.addInitScript(withoutWebGL);
   const faults = [];
   context.on("request", (request) => {

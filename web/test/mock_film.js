@@ -26,6 +26,19 @@ function cylinder(radius, half) {
     triangles: base64(new Uint32Array(triangles)), turn: null };
 }
 
+/// A hit at the wall between each two frames, of the balls in turn.
+function hitsOf(frames, N, reach, scale) {
+  const count = Math.max(frames - 1, 0);
+  const each = Array.from({ length: count }, (_, f) => f);
+  const ofBalls = new Uint32Array(N);
+  for (const f of each) ++ofBalls[f % N];
+  return { count, frames: base64(new Float32Array(each.map((f) => f + 0.5))),
+    places: base64(new Int16Array(each.flatMap((f) =>
+      [reach * Math.cos(2.4 * f) / scale, reach * Math.sin(2.4 * f) / scale, 0]))),
+    energies: base64(new Float32Array(each.map((f) => 1e-3 * 10 ** -(f % 4)))),
+    balls: base64(new Uint16Array(each.flatMap((f) => [f % N, 65535]))), of_balls: base64(ofBalls) };
+}
+
 export function filmOf({ title, counts, radii, planetary, drive }, frames, last) {
   const N = Math.min(counts.reduce((a, b) => a + b, 0), 500);
   const species = counts.flatMap((count, set) => new Array(count).fill(set)).slice(0, N);
@@ -34,6 +47,7 @@ export function filmOf({ title, counts, radii, planetary, drive }, frames, last)
   const scale = reach / 32000;
   const positions = new Int16Array(3 * frames * N);
   const speeds = new Uint16Array(frames * N);
+  const spins = new Uint16Array(frames * N);
   const centre = new Float32Array(3 * frames);
   const turn = new Float32Array(4 * frames);
   for (let f = 0; f < frames; ++f) {
@@ -44,6 +58,7 @@ export function filmOf({ title, counts, radii, planetary, drive }, frames, last)
       positions.set([far * Math.cos(angle), far * Math.sin(angle),
         (0.6 * reach * Math.sin(i + 0.7 * phase)) / scale], 3 * (f * N + i));
       speeds[f * N + i] = 20000 + 20000 * Math.sin(angle);
+      spins[f * N + i] = 30000 + 30000 * Math.cos(angle);
     }
     const disc = phase * 0.5;
     centre.set(planetary ? [3 * reach * Math.cos(disc), 3 * reach * Math.sin(disc), 0]
@@ -57,7 +72,8 @@ export function filmOf({ title, counts, radii, planetary, drive }, frames, last)
   radius: base64(new Float32Array(species.map((set) => radii[set]))),
   species: base64(new Uint8Array(species)), species_names: counts.map((_, i) => `balls.${i + 1}`),
   position_scale: scale, positions: base64(positions), speed_scale: (1e-5 * drive) / 10,
-  speeds: base64(speeds), jar_centre: base64(centre), jar_turn: base64(turn),
+  speeds: base64(speeds), spin_scale: (1e-3 * drive) / 10, spins: base64(spins), densities: counts.map(() => 7850),
+  hits: hitsOf(frames, N, reach, scale), jar_centre: base64(centre), jar_turn: base64(turn),
   carrier_turn: base64(planetary ? turn : still), carrier: planetary ? "disc" : null,
   meshes: [cylinder(reach * 1.05, reach)] };
 }

@@ -25,6 +25,7 @@ import { nativeTests } from "./test_native.js";
 import { diskTests, outsideTests } from "./test_outside.js";
 import { resultTests } from "./test_result.js";
 import { textTests } from "./test_text.js";
+import { workTests } from "./test_work.js";
 
 const { values } = parseArgs({ options: { engine: { type: "string", default: "mock" },
   site: { type: "string" }, native: { type: "string" }, only: { type: "string", default: "" },
@@ -35,7 +36,7 @@ const site = resolve(values.site ?? temporary);
 if (temporary)
   execFileSync("node", [join(web, "build.js"), site, "--engine", values.engine], { stdio: "inherit" });
 const begun = Date.now();
-textTests();
+await textTests();
 languageTests();
 const native = values.native ? resolve(values.native) : null;
 const server = await serve(site);
@@ -45,7 +46,8 @@ const disk = `${pathToFileURL(site)}/`;
 const chosen = (tests) => tests.filter(({ name }) => name.includes(values.only));
 const jobs = Number(values.jobs);
 const outcomes = [
-  ...await runTests(chosen([...caseTests, ...estimateTests, ...resultTests, ...lessonTests, ...outsideTests, ...nativeTests]), served, jobs),
+  ...await runTests(chosen([...caseTests, ...estimateTests, ...resultTests, ...lessonTests, ...outsideTests, ...workTests,
+    ...nativeTests]), served, jobs),
   ...await runTests(chosen(diskTests), { url: `${disk}index.html`, origin: disk }, jobs),
   ...await runTests(chosen([memoryTest(values.long ? 100 : 20)]), served, 1),
 ];

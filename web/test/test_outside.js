@@ -17,7 +17,7 @@ export async function seriousFindings(page) {
 
 async function axe_has_no_serious_findings({ page, url }) {
   await open(page, url);
-  for (const key of ["quantities", "comparison", "report", "sweep", "about", "files", "text"]) {
+  for (const key of ["quantities", "comparison", "history", "report", "sweep", "about", "files", "text"]) {
     await tab(page, key);
     expect(`findings at ${key}`, await seriousFindings(page), []);
   }

@@ -8,6 +8,7 @@ import { withJar, withKind, withMill } from "../src/case/mill_choice.js";
 import { knownOf } from "../src/case/known.js";
 import { convert, split, unitsFor, useUnits } from "../src/case/quantity.js";
 import { differences, parse, read, remove, removeSection, write } from "../src/case/toml_text.js";
+import { History, limits } from "../src/history/history.js";
 import { mergedSpectrum } from "../src/run/merge.js";
 import { valuesBetween } from "../src/run/sweep_values.js";
 import { quantityText } from "../src/format.js";
@@ -82,7 +83,30 @@ function testNumbers() {
     { names, rows: [[1, 2, 2], [2, 4, 2]] }]).rows, [[1, 2, 3], [2, 4, 1]]);
 }
 
-export function textTests() {
+/// A result of `bytes`, and a browser that keeps all, or nothing.
+const filesOf = (bytes) => ({ "summary.json": "{}", "spectrum.csv": "a\n1\n", "report.html": " ".repeat(bytes) });
+const keepsAll = { entries: async () => [], put: async () => {}, remove: async () => {}, files: async () => null };
+const keepsNone = { ...keepsAll, put: async () => { throw new DOMException("denied", "SecurityError"); } };
+
+async function testHistory() {
+  const history = new History(keepsAll);
+  const ids = [];
+  for (let i = 0; i <= limits.results; ++i) ids.push(history.add("a", `[mill]\nspeed = ${i}`, filesOf(5e6)));
+  expect("the oldest result is forgotten", [history.entries.length, history.of(ids[0])], [limits.results, null]);
+  expect("what changed", history.of(ids[5]).change, [["mill.speed", 5]]);
+  expect("files within the limit", [...history.files.keys()].length, Math.floor(limits.sessionBytes / (5e6 + 8)));
+  expect("an old result keeps its numbers", Object.keys(await history.filesOf(ids[1])), ["summary.json", "spectrum.csv"]);
+  await history.save(ids[1], "kept");
+  for (let i = 0; i < 5; ++i) history.add("b", "", filesOf(1));
+  expect("what is saved stays", history.of(ids[1]).name, "kept");
+  const denied = new History(keepsNone);
+  const id = denied.add("a", "", null);
+  expect("why it is not saved", await denied.save(id, "b").catch(({ reason }) => reason), "denied");
+  expect("the name holds", denied.of(id).name, "b");
+}
+
+export async function textTests() {
+  await testHistory();
   testText();
   testChoice();
   testNumbers();

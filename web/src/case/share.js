@@ -14,8 +14,8 @@ export async function fragmentOf(text) {
 
 /// The case of a fragment; null if it has none. Throws if the fragment is damaged.
 export async function caseOf(fragment) {
-  const given = fragment.replace(/^#/, "");
-  if (!given.startsWith(name)) return null;
+  const given = fragment.replace(/^#/, "").split("&").find((word) => word.startsWith(name));
+  if (!given) return null;
   const bytes = await inflate(fromBase64Url(given.slice(name.length)), longest);
   return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
 }

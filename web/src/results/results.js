@@ -3,6 +3,7 @@
 
 // Everything that is shown of a result, while it is computed and afterwards.
 
+import { HistoryPanel } from "../history/history_panel.js";
 import { text } from "../text/text.js";
 import { About } from "./about.js";
 import { Comparison } from "./comparison.js";
@@ -16,8 +17,8 @@ import { SeriesPlot } from "./series_plot.js";
 import { SpectrumPlot } from "./spectrum_plot.js";
 
 export class Results {
-  /// `actions`: download (the case), caseText, restore (a case), open (files).
-  constructor({ title, counters, notices, replay, plots, tabs }, actions) {
+  /// `actions`: download (the case), caseText, restore (a case), open (files), openEntry(id) of the history.
+  constructor({ title, counters, notices, replay, plots, tabs }, history, actions) {
     const { panels } = tabs;
     this.title = title;
     this.tabs = tabs;
@@ -28,8 +29,11 @@ export class Results {
     this.series = new SeriesPlot();
     plots.append(this.spectrum.root, this.series.root);
     this.quantities = new Quantities(panels.quantities);
-    this.comparison = new Comparison(panels.comparison, () => this.finished, () => this.redraw(),
-      actions.restore);
+    this.comparison = new Comparison(panels.comparison, { keep: () => this.finished, changed: () => this.redraw(),
+      restore: actions.restore, history });
+    this.history = new HistoryPanel(panels.history, history, { open: actions.openEntry,
+      caseNow: () => this.caseNow(actions.caseText()), compare: (side, id) => this.comparison.choose(side, id),
+      compared: () => this.comparison.chosen(), removed: (id) => this.comparison.removed(id) });
     this.report = new ReportPanel(panels.report);
     this.about = new About(panels.about, actions.download);
     this.files = new Files(panels.files, actions);
@@ -39,6 +43,7 @@ export class Results {
 
   /// The case before it runs. `fresh`: it is another case, not a changed value.
   showCase(checked, fresh) {
+    this.history.suggest(checked.title);
     this.replay.show(checked.film, fresh);
     this.unseen ||= fresh;
     this.title.textContent = checked.title;
@@ -53,7 +58,7 @@ export class Results {
       this.finished = null;
     }
     this.showAbout(checked, checked.notices);
-    if (fresh) this.comparison.show(null);
+    if (fresh) this.comparison.draw();
   }
 
   showAbout(checked, notices) {
@@ -74,7 +79,14 @@ export class Results {
     this.tabs.buttons.find(({ id }) => id === "tab-about").focus({ preventScroll: true });
   }
 
+  /// The case of the page, its name, and the entry of its result in the history if it has one.
+  caseNow(toml) {
+    const { finished } = this;
+    return { toml, name: this.title.textContent, id: finished?.toml === toml ? finished.id : null };
+  }
+
   begin(run) {
+    this.history.suggest(run.checked.title);
     this.restart = this.unseen;
     this.unseen = false;
     this.finished = null;
@@ -83,7 +95,7 @@ export class Results {
     this.files.show(null);
     this.report.show(null);
     this.showAbout(run.checked, run.checked.notices);
-    this.comparison.show(null);
+    this.comparison.draw();
   }
 
   showProgress(run) {
@@ -105,26 +117,28 @@ export class Results {
     this.series.show(run.table("timeseries"));
   }
 
-  end(run) {
+  /// `id`: its entry in the history.
+  end(run, id) {
     this.replay.hurry();
     this.run = run;
     this.counters.show(run);
     if (run.status === "failed") return;
     const { summary, toml } = run;
-    this.finished = { title: summary._about.title, toml, summary, spectrum: run.spectrum() };
+    this.finished = { id, title: summary._about.title, toml, summary, spectrum: run.spectrum() };
     this.notices.show(summary._about.notices ?? []);
     this.showAbout(run.checked, summary._about.notices ?? []);
     this.files.show(run.files);
     this.report.show(run.files["report.html"] ?? null);
-    this.comparison.show(this.comparison.kept ? this.finished : null);
+    this.comparison.draw();
     this.redraw();
   }
 
   redraw() {
+    this.history.draw();
     if (!this.finished) return;
     this.quantities.show(this.finished.summary, false);
     const { kept } = this.comparison;
-    const same = kept === this.finished;
+    const same = kept?.id === this.finished.id;
     this.spectrum.show(this.finished.spectrum, same ? null : kept?.spectrum);
     this.series.show(this.run.table("timeseries"));
   }

@@ -25,10 +25,10 @@ export class Run {
     this.queue = [...this.replicates];
     this.workers = this.pool.take(this.replicates.length);
     this.open = this.workers.length;
-    return new Promise((resolve) => {
+    return (this.promise = new Promise((resolve) => {
       this.finished = resolve;
       for (const worker of this.workers) this.next(worker);
-    });
+    }));
   }
 
   next(worker) {
@@ -100,8 +100,16 @@ export class Run {
     this.listener.progress?.(this);
   }
 
+  /// Ends without a result, unless the replicates are already merged. Resolves when the workers are free.
+  discard() {
+    this.stop();
+    this.discarded = this.status === "stopping";
+    return this.promise;
+  }
+
   async finish() {
     if (this.status === "failed") return;
+    if (this.discarded) return this.finished(this);
     this.status = "merging";
     this.listener.progress?.(this);
     try {

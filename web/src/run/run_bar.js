@@ -19,6 +19,11 @@ export class RunBar {
       element("div", { className: "progress" }, this.progress, this.status, this.said));
   }
 
+  /// An element beside the status.
+  add(element) {
+    this.status.after(element);
+  }
+
   /// `run`: the current run or null; `ready`: whether a run can start.
   show(run, ready, note = "") {
     const status = run?.status ?? "none";

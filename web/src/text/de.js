@@ -382,4 +382,48 @@ export const text = {
   openedCase: "Dieser Fall kam aus einer Datei. „Rechnen“ startet ihn.",
   nothingToOpen: "Unter diesen Dateien ist weder eine summary.json noch ein Fall (.toml).",
   cannotOpen: (why) => `Dieses Ergebnis kann nicht gezeigt werden: ${why}`,
+
+  follow: "Läuft mit Änderungen mit",
+  followAbout: "Ein geänderter Fall tritt an die Stelle des gerechneten. Nach einem Ergebnis, das höchstens 30 s gebraucht hat, " +
+    "startet eine Änderung auch die nächste Rechnung. Nach Pause oder Stopp startet nichts von selbst",
+
+  history: "Verlauf",
+  historyAbout: "Ergebnisse dieser Sitzung, das neueste zuerst: höchstens 20. Sie sind weg, wenn die Seite geschlossen wird, " +
+    "außer Sie speichern sie: Gespeicherte bleiben in diesem Browser, auf diesem Gerät.",
+  historyDenied: "Ergebnisse dieser Sitzung, das neueste zuerst: höchstens 20. Dieser Browser lässt die Seite nichts behalten; sie " +
+    "sind weg, wenn die Seite geschlossen wird: Laden Sie herunter, was Sie brauchen.",
+  nameOfCase: "Name",
+  saveThisCase: "Diesen Fall speichern",
+  savedAs: (name) => `Gespeichert als „${name}“ in diesem Browser.`,
+  notSaved: (reason) => reason === "full" ? "Nicht gespeichert: In diesem Browser ist kein Platz mehr. Löschen Sie zuerst einen Eintrag."
+    : reason === "denied" ? "Dieser Browser lässt die Seite nichts behalten: Der Name gilt, bis die Seite geschlossen wird."
+      : `Nicht gespeichert: ${reason}`,
+  nameOfEntry: "Neuer Name",
+  ok: "OK",
+  entryAbout: ({ date, saved }) => `${new Date(date).toLocaleString("de-DE", { dateStyle: "medium", timeStyle: "medium" })}, ` +
+    (saved ? "gespeichert" : "diese Sitzung"),
+  entryChange: (changes) => `Seit dem Ergebnis davor: ${changes.map(([key, to]) => `${key} = ${to ?? "die Vorgabe"}`).join(", ")}`,
+  entryChoice: ({ name, date, change }) => [name, new Date(date).toLocaleTimeString("de-DE"),
+    ...change.slice(0, 2).map(([key, to]) => `${key} = ${to ?? "die Vorgabe"}`)].join(", "),
+  onlyCase: "Ein Fall ohne Ergebnis.",
+  open: "Öffnen",
+  openEntry: (name) => `${name} öffnen`,
+  openedEntry: "Ihr gespeicherter Fall. „Rechnen“ startet ihn.",
+  rename: "Umbenennen",
+  renameEntry: (name) => `${name} umbenennen`,
+  saveEntry: "Speichern",
+  saveEntryAbout: (name) => `${name} unter einem Namen speichern`,
+  downloadCaseOf: (name) => `case.toml von ${name} herunterladen`,
+  downloadSummaryOf: (name) => `summary.json von ${name} herunterladen`,
+  delete: "Löschen",
+  deleteEntry: (name) => `${name} löschen`,
+  compareGroup: "Als A oder B vergleichen",
+  compareAs: (side, name) => `Als ${side} vergleichen: ${name}`,
+  noA: "kein Ergebnis",
+  newestAsB: "das neueste Ergebnis",
+
+  embed: "Um den Fall in eine andere Seite einzubetten:",
+  embedAbout: "Der Rahmen zeigt die Wiedergabe, die wichtigsten Zahlen und „Rechnen“; mit #embed&amp;run&amp; statt #embed&amp; rechnet er sofort.",
+  openInFull: "Ganz öffnen",
+  close: "Schließen",
 };

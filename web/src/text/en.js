@@ -353,4 +353,49 @@ export const text = {
   openedCase: "This case came from a file. Press Run to compute it.",
   nothingToOpen: "Among these files is neither a summary.json nor a case (.toml).",
   cannotOpen: (why) => `This result cannot be shown: ${why}`,
+
+  // work
+  follow: "Run follows changes",
+  followAbout: "A changed case takes the place of the one that is computed. After a result that took at most 30 s, a change " +
+    "starts the next run, too. After Pause or Stop nothing starts by itself",
+
+  history: "History",
+  historyAbout: "Results of this session, the newest first: at most 20. They are gone when the page is closed, unless you save " +
+    "them: saved ones stay in this browser, on this device.",
+  historyDenied: "Results of this session, the newest first: at most 20. This browser lets the page keep nothing, so they are " +
+    "gone when the page is closed: download what you need.",
+  nameOfCase: "Name",
+  saveThisCase: "Save this case",
+  savedAs: (name) => `Saved as "${name}" in this browser.`,
+  notSaved: (reason) => reason === "full" ? "Not saved: there is no room left in this browser. Delete a saved entry first."
+    : reason === "denied" ? "This browser lets the page keep nothing: the name holds until the page is closed."
+      : `Not saved: ${reason}`,
+  nameOfEntry: "New name",
+  ok: "OK",
+  entryAbout: ({ date, saved }) => `${new Date(date).toLocaleString("en-GB", { dateStyle: "medium", timeStyle: "medium" })}, ` +
+    (saved ? "saved" : "this session"),
+  entryChange: (changes) => `Since the result before: ${changes.map(([key, to]) => `${key} = ${to ?? "its default"}`).join(", ")}`,
+  entryChoice: ({ name, date, change }) => [name, new Date(date).toLocaleTimeString("en-GB"),
+    ...change.slice(0, 2).map(([key, to]) => `${key} = ${to ?? "its default"}`)].join(", "),
+  onlyCase: "A case without a result.",
+  open: "Open",
+  openEntry: (name) => `Open ${name}`,
+  openedEntry: "Your saved case. Press Run to compute it.",
+  rename: "Rename",
+  renameEntry: (name) => `Rename ${name}`,
+  saveEntry: "Save",
+  saveEntryAbout: (name) => `Save ${name} by a name`,
+  downloadCaseOf: (name) => `Download case.toml of ${name}`,
+  downloadSummaryOf: (name) => `Download summary.json of ${name}`,
+  delete: "Delete",
+  deleteEntry: (name) => `Delete ${name}`,
+  compareGroup: "Compare as A or B",
+  compareAs: (side, name) => `Compare as ${side}: ${name}`,
+  noA: "no result",
+  newestAsB: "the newest result",
+
+  embed: "To embed the case in another page:",
+  embedAbout: "The frame shows the replay, the key numbers and Run; with #embed&amp;run&amp; in place of #embed&amp; it runs at once.",
+  openInFull: "Open in full",
+  close: "Close",
 };
