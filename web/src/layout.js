@@ -37,7 +37,8 @@ function footer() {
 function caseRegion() {
   const tabs = new Tabs(text.caseHeading, [{ key: "form", name: text.form },
     { key: "text", name: text.caseTab }]);
-  const parts = { learn: element("section", { className: "learn", "aria-label": text.learn, hidden: true }), estimate: element("div"), examples: element("div", { className: "examples" }),
+  const parts = { learn: element("section", { className: "learn", "aria-label": text.learn, hidden: true }),
+    estimate: element("div"), examples: element("div", { className: "examples" }),
     form: element("form", { className: "form", onsubmit: (event) => event.preventDefault() }),
     faultLine: element("p", { className: "fault-line", role: "alert", hidden: true }),
     editor: element("div", { className: "text" }) };

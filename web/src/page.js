@@ -48,10 +48,7 @@ export class Page {
     if (!isEmbedded()) this.history.load(); // frames of other sites have no storage of their own
     this.sweep = new SweepPanel(parts.tabs.panels.sweep, { store, ...known, pool: this.pool, inspector,
       running: () => this.active() || this.sweeping, busy: (on) => this.busy(on) });
-    this.learn = new Learn(parts.learn, lessonCases, { pool: this.pool, inspector,
-      running: () => this.active() || this.sweeping, stopRun: () => this.active() && this.stopped(),
-      busy: (on) => this.busy(on), shown: (on) => this.showLessons(on),
-      take: (toml, address) => this.takeLesson(toml, address), runWith: (toml) => this.runWith(toml) });
+    this.learn = new Learn(parts.learn, lessonCases, this);
     this.keepSoon = later(() => this.keep(), 300);
     store.addEventListener("text", () => this.changed());
     addEventListener("pagehide", () => this.keep());
@@ -139,30 +136,6 @@ export class Page {
 
   async runExample(name) {
     await this.take(this.cases[name], name);
-    return this.start();
-  }
-
-  showLessons(on) {
-    document.body.toggleAttribute("data-learn", on);
-    document.getElementById("learn").setAttribute("aria-expanded", String(on));
-    if (on) showRegion("case");
-  }
-
-  /// Shows and runs the case of a lesson, in an entry of the history of its own. Resolves with whether it does.
-  async takeLesson(toml, address) {
-    if (this.store.text && this.edited() && !confirm(text.leaveChanges)) return false;
-    this.keep();
-    if (location.hash !== address) history.pushState(null, "", address);
-    await this.takeLinked(toml);
-    this.start(true);
-    return true;
-  }
-
-  /// Runs the case of a lesson with other values.
-  async runWith(toml) {
-    if (this.active()) await this.stopped();
-    this.linked = kept(toml);
-    this.store.setText(toml, "form");
     return this.start();
   }
 

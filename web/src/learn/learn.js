@@ -4,7 +4,9 @@
 // The lessons beside the case: a list, and one lesson with its case, its question and its proof.
 
 import { button, element, freshId } from "../dom.js";
+import { kept } from "../case/store.js";
 import { write } from "../case/toml_text.js";
+import { showRegion } from "../layout.js";
 import { text } from "../text/text.js";
 import { LessonCheck } from "./lesson_check.js";
 import { lessons } from "./lessons.js";
@@ -14,8 +16,7 @@ import { Progress } from "./progress.js";
 const tied = (words) => words.replace(/(\d) (?=(?:%|Hz|mm|mW|g|s)(?![a-z]))/g, "$1\u00a0");
 
 export class Learn {
-  /// `cases`: texts of web/lessons by name. `page`: { pool, inspector, running(), stopRun(), busy(on), take(toml, address),
-  /// runWith(toml), shown(on) }; `take` resolves with whether the reader leaves the present case.
+  /// `cases`: texts of web/lessons by name. `page`: the Page.
   constructor(root, cases, page) {
     Object.assign(this, { root, cases, page, number: 0, progress: new Progress() });
     this.list = element("ol", { className: "lesson-list" });
@@ -37,21 +38,47 @@ export class Learn {
     this.root.hidden = true;
     this.number = 0;
     if (location.hash.startsWith("#lesson=")) history.replaceState(history.state, "", "#");
-    this.page.shown(false);
+    this.showOpen(false);
   }
 
   /// Shows a lesson, or with 0 the list of all. `load`: shows and runs its case, too.
   async open(number, load = true) {
     await this.check?.stop();
-    if (load && number > 0 && !(await this.page.take(this.caseOf(number), `#lesson=${number}`))) return;
+    if (load && number > 0 && !(await this.takeCase(number))) return;
     this.number = number;
     this.root.hidden = false;
-    this.page.shown(true);
+    this.showOpen(true);
     this.about.hidden = number > 0;
     this.showList();
     this.lesson.replaceChildren(...(number > 0 ? this.parts(number) : []));
     this.root.scrollIntoView({ block: "nearest" });
     (this.lesson.querySelector("h3") ?? this.heading).focus({ preventScroll: number === 0 });
+  }
+
+  /// While lessons are open, the estimate and the examples give way.
+  showOpen(on) {
+    document.body.toggleAttribute("data-learn", on);
+    document.getElementById("learn").setAttribute("aria-expanded", String(on));
+    if (on) showRegion("case");
+  }
+
+  /// Shows and runs the case of a lesson, in an entry of the history of its own. Resolves with whether it does: the
+  /// reader may keep a changed case.
+  async takeCase(number) {
+    const { page } = this, address = `#lesson=${number}`;
+    if (page.store.text && page.edited() && !confirm(text.leaveChanges)) return false;
+    page.keep();
+    if (location.hash !== address) history.pushState(null, "", address);
+    await page.takeLinked(this.caseOf(number));
+    page.start(true);
+    return true;
+  }
+
+  /// Runs the case of a lesson with other values.
+  runWith(toml) {
+    this.page.linked = kept(toml);
+    this.page.store.setText(toml, "form");
+    return this.page.restart();
   }
 
   /// The case of a lesson, titled in the reader's language.
@@ -79,7 +106,7 @@ export class Learn {
       element("p", { textContent: tied(words.task) }),
       element("div", { className: "chips", role: "group", "aria-label": `${text.lessonTry}: ${words.varied}` },
         element("span", { className: "note", textContent: words.varied }),
-        lesson.points.map(({ value, set }) => button(value, () => this.page.runWith(this.caseOf(number, set))))),
+        lesson.points.map(({ value, set }) => button(value, () => this.runWith(this.caseOf(number, set))))),
       this.question(lesson, words), this.check.root,
       number < lessons.length ? button(text.lessonNext, () => this.open(number + 1)) : null].filter(Boolean);
   }

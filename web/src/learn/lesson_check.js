@@ -20,7 +20,7 @@ function bar({ value, ci95 }, most) {
 }
 
 export class LessonCheck {
-  /// `words`: those of the lesson. `page`: { pool, inspector, running(), stopRun(), busy(on) }.
+  /// `words`: those of the lesson. `page`: the Page.
   constructor({ lesson, words, toml, page }) {
     Object.assign(this, { lesson, words, toml, page });
     this.go = button(text.lessonCheck, () => this.toggle(), { className: "primary" });
@@ -45,8 +45,8 @@ export class LessonCheck {
 
   /// The run of the page is stopped; a sweep of the page is not.
   async compute() {
-    await this.page.stopRun();
-    if (this.page.running()) {
+    if (this.page.active()) await this.page.stopped();
+    if (this.page.sweeping || this.page.active()) {
       this.status.textContent = text.sweepWaits;
       return;
     }

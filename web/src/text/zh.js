@@ -352,18 +352,17 @@ export const text = {
   nothingToOpen: "这些文件中既没有 summary.json，也没有算例（.toml）。",
   cannotOpen: (why) => `无法显示此结果：${why}`,
 
-  // 工作
-  follow: "修改后立即计算",
-  followAbout: "修改算例后，正在进行的计算会改用新值重新开始。若上一次计算不超过 30 s，修改也会启动下一次计算。按下“暂停”或“停止”后，不会自动启动",
+  follow: "随更改运行",
+  followAbout: "更改后的算例会取代正在计算的算例。如果上次计算用时不超过 30 s，更改也会启动下一次计算。暂停或停止后不会自动启动",
 
   history: "历史",
-  historyAbout: "本次会话的结果，最新的在前，最多 20 个。关闭页面后即消失；保存后会留在本设备的这个浏览器中。",
-  historyDenied: "本次会话的结果，最新的在前，最多 20 个。此浏览器不允许页面保存数据，关闭页面后即消失：请下载需要的内容。",
+  historyAbout: "本次会话的结果，最新的在前，最多 20 个。关闭页面后它们会消失，除非您保存：保存的结果留在本设备的此浏览器中。",
+  historyDenied: "本次会话的结果，最新的在前，最多 20 个。此浏览器不允许页面保存任何内容，关闭页面后它们会消失：请下载需要的内容。",
   nameOfCase: "名称",
   saveThisCase: "保存此算例",
   savedAs: (name) => `已在此浏览器中保存为“${name}”。`,
-  notSaved: (reason) => reason === "full" ? "未保存：此浏览器已没有空间，请先删除一个已保存的条目。"
-    : reason === "denied" ? "此浏览器不允许页面保存数据：名称只保留到页面关闭。"
+  notSaved: (reason) => reason === "full" ? "未保存：此浏览器已没有空间。请先删除一个已保存的条目。"
+    : reason === "denied" ? "此浏览器不允许页面保存任何内容：名称只在关闭页面前有效。"
       : `未保存：${reason}`,
   nameOfEntry: "新名称",
   ok: "确定",
@@ -375,22 +374,22 @@ export const text = {
   onlyCase: "没有结果的算例。",
   open: "打开",
   openEntry: (name) => `打开 ${name}`,
-  openedEntry: "您保存的算例。按“运行”开始。",
+  openedEntry: "这是您保存的算例。点击“运行”开始计算。",
   rename: "重命名",
   renameEntry: (name) => `重命名 ${name}`,
   saveEntry: "保存",
-  saveEntryAbout: (name) => `命名并保存 ${name}`,
+  saveEntryAbout: (name) => `为 ${name} 命名并保存`,
   downloadCaseOf: (name) => `下载 ${name} 的 case.toml`,
   downloadSummaryOf: (name) => `下载 ${name} 的 summary.json`,
   delete: "删除",
   deleteEntry: (name) => `删除 ${name}`,
   compareGroup: "作为 A 或 B 比较",
   compareAs: (side, name) => `作为 ${side} 比较：${name}`,
-  noA: "无结果",
-  newestAsB: "最新的结果",
+  noA: "没有结果",
+  newestAsB: "最新结果",
 
-  embed: "在其他网页中嵌入此算例：",
-  embedAbout: "嵌入框显示运动的磨球、主要数值和“运行”；用 #embed&amp;run&amp; 代替 #embed&amp;，则立即运行。",
+  embed: "将此算例嵌入其他网页：",
+  embedAbout: "嵌入框显示动画、主要数字和“运行”；用 #embed&amp;run&amp; 代替 #embed&amp; 则立即计算。",
   openInFull: "打开完整页面",
   close: "关闭",
 };
