@@ -71,6 +71,7 @@ export const de = {
   recording: (seconds) => `Aufnahme: Die Wiedergabe läuft einmal, ${seconds} s. Lassen Sie die Seite sichtbar.`,
   videoFailed: (why) => `Das Video konnte nicht aufgenommen werden: ${why}.`,
   recorderStopped: "die Aufnahme wurde beendet",
+  noFrames: "der Browser hat kein Bild aufgenommen; eine langsamere Wiedergabe hilft vielleicht",
   noRecorder: "Dieser Browser kann keine Videos aufnehmen",
   noVideoFormat: "Dieser Browser kann in keinem Videoformat aufnehmen",
 

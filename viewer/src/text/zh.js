@@ -67,6 +67,7 @@ export const zh = {
   recording: (seconds) => `正在录制：动画播放一次，${seconds} s。请保持页面可见。`,
   videoFailed: (why) => `无法录制视频：${why}。`,
   recorderStopped: "录制已停止",
+  noFrames: "浏览器没有录到画面；放慢播放速度可能有帮助",
   noRecorder: "此浏览器不能录制视频",
   noVideoFormat: "此浏览器不支持任何录制视频的格式",
 
