@@ -17,7 +17,7 @@ author = "The Mahlwerk authors"
 copyright = "2026 The Mahlwerk authors"  # the name that Sphinx wants
 release = version = re.search(r"^version: *(\S+)", (HOME / "CITATION.cff").read_text(), re.M)[1]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "equations", "docstrings"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "equations", "cells", "docstrings", "snippets"]
 if os.environ.get("MAHLWERK_DOXYGEN_XML"):
     extensions.append("breathe")
     breathe_projects = {"mahlwerk": os.environ["MAHLWERK_DOXYGEN_XML"]}

@@ -56,6 +56,8 @@ def outputs(notebook: pathlib.Path, package: pathlib.Path, kept: pathlib.Path) -
                                   capture_output=True, timeout=LIMIT)
             if done.returncode:
                 raise SystemExit(f"{notebook}: {done.stderr or f'ended with {done.returncode}'}")
+            for old in kept.glob(f"{notebook.stem}-*.json"):
+                old.unlink()
             made.write_text(new.read_text())
     return json.loads(made.read_text())
 

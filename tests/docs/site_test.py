@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Mahlwerk authors
 # SPDX-License-Identifier: Apache-2.0
 """The site builds without warnings, the cells of notebooks work, every link in it leads somewhere, its equations can be
-set, its search finds what users look for, and it needs no other server.
+set, its search finds what users look for, and it needs no other server. Opened from disk its search shows snippets, and its
+tables can be read on a narrow screen.
 
     site_test.py PROGRAM FOLDER [PACKAGE]
 
@@ -15,10 +16,12 @@ import subprocess
 import sys
 import time
 
+import browse
 import typeset
 
 HOME = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(HOME / "docs" / "site"))
+import notebooks  # noqa: E402
 import search_words  # noqa: E402
 
 SKIPPED = 77
@@ -78,15 +81,15 @@ def main() -> int:
     program, folder, *package = sys.argv[1:]
     site, begin = pathlib.Path(folder) / "site", time.monotonic()
     command = [sys.executable, "-B", HOME / "tools" / "build_docs", site, "--program", program]
-    with_package = package and list(pathlib.Path(package[0]).glob("mahlwerk/_core*.so"))
-    if with_package:
+    executed = package and not notebooks.why_not(pathlib.Path(package[0]))
+    if package and list(pathlib.Path(package[0]).glob("mahlwerk/_core*.so")):
         command += ["--package", package[0]]
     built = subprocess.run(command)
     if built.returncode:
         return built.returncode if built.returncode == SKIPPED else 1
     print(f"built in {time.monotonic() - begin:.0f} s")
-    faults = (check_pages(site) + (check_notebooks(site) if with_package else []) + check_search(site) +
-              typeset.check(site))
+    faults = (check_pages(site) + (check_notebooks(site) if executed else []) + check_search(site) + typeset.check(site) +
+              browse.check(site))
     for fault in faults:
         print(fault)
     links = subprocess.run([sys.executable, "-B", pathlib.Path(__file__).with_name("links_test.py"), "site", site])
