@@ -383,7 +383,7 @@ export const text = {
   nothingToOpen: "Unter diesen Dateien ist weder eine summary.json noch ein Fall (.toml).",
   cannotOpen: (why) => `Dieses Ergebnis kann nicht gezeigt werden: ${why}`,
 
-  follow: "Läuft mit Änderungen mit",
+  follow: "Folgt Änderungen",
   followAbout: "Ein geänderter Fall tritt an die Stelle des gerechneten. Nach einem Ergebnis, das höchstens 30 s gebraucht hat, " +
     "startet eine Änderung auch die nächste Rechnung. Nach Pause oder Stopp startet nichts von selbst",
 
