@@ -43,6 +43,7 @@ export function film(canvas, words, text, failed) {
   recorder.onstop = () => {
     stream.getTracks().forEach((track) => track.stop());
     const blob = new Blob(pieces, { type: kind });
+    if (blob.size === 0) return failed(text.noFrames);
     download(blob, fileName(words, kind.startsWith("video/mp4") ? "mp4" : "webm"));
   };
   recorder.start(1000);

@@ -273,7 +273,8 @@ export class Page {
     if (this.active()) await run.discard();
     if (this.run !== run) return null; // another case was chosen
     this.run = null;
-    return this.start();
+    this.start(); // whose end nobody waits for: meanwhile the case may change again
+    return null;
   }
 
   refresh() {

@@ -175,7 +175,7 @@ async function pictures_and_a_video_can_be_saved({ page, url, folder }) {
   expect("a plot as SVG", await begins(page, `${folder}/a.svg`, () => plot.locator("text=SVG").click()), "<svg");
   expect("the replay as PNG", await begins(page, `${folder}/b.png`, () => page.click("#replay >> text=Picture")), "\x89PNG");
   const pace = page.locator("#replay select");
-  await pace.selectOption(await pace.locator("option").last().getAttribute("value"));
+  await pace.selectOption(await pace.evaluate(({ options }) => options[Math.max(options.length - 3, 0)].value)); // some 5 s
   expect("the replay as WebM", await begins(page, `${folder}/b.webm`, () => page.click("#replay >> text=Video")),
     "\x1aE\xdf\xa3");
 }

@@ -80,6 +80,7 @@ export const en = {
   recording: (seconds) => `Recording: the replay plays once, ${seconds} s. Keep this page visible.`,
   videoFailed: (why) => `The video could not be recorded: ${why}.`,
   recorderStopped: "the recorder stopped",
+  noFrames: "the browser recorded no picture; a slower replay may help",
   noRecorder: "This browser cannot record videos",
   noVideoFormat: "This browser supports no video format for recording",
 
