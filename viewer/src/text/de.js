@@ -72,6 +72,7 @@ export const de = {
   videoFailed: (why) => `Das Video konnte nicht aufgenommen werden: ${why}.`,
   recorderStopped: "die Aufnahme wurde beendet",
   noRecorder: "Dieser Browser kann keine Videos aufnehmen",
+  noFrames: "der Browser nahm kein Bild auf; eine langsamere Wiedergabe kann helfen",
   noVideoFormat: "Dieser Browser kann in keinem Videoformat aufnehmen",
 
   caption: (data, from, to, view) => `${ballsShown(data)}, ${data.frames > 1

@@ -68,6 +68,7 @@ export const zh = {
   videoFailed: (why) => `无法录制视频：${why}。`,
   recorderStopped: "录制已停止",
   noRecorder: "此浏览器不能录制视频",
+  noFrames: "浏览器没有录到画面，放慢播放可能有用",
   noVideoFormat: "此浏览器不支持任何录制视频的格式",
 
   caption: (data, from, to, view) => `${ballsShown(data)}，${data.frames > 1
