@@ -68,8 +68,9 @@ async function start() {
   if (isEmbedded()) embed(page.parts.runBar);
   addEventListener("hashchange", async () => {
     const { toml, bad } = await linked(), lesson = lessonOf(location.hash);
-    if (lesson > 0) await page.learn.open(lesson, !history.state); // Back and Forward bring their case
-    else if (bad) page.say(text.badLinkLater);
+    if (lesson > 0) return page.learn.open(lesson, !history.state); // Back and Forward bring their case
+    if (page.learn.number > 0) page.learn.close();
+    if (bad) page.say(text.badLinkLater);
     else if (toml !== null && toml !== page.store.text) await page.takeLinked(toml);
   });
   await begin(page, await linked());

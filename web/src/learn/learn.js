@@ -51,8 +51,8 @@ export class Learn {
     this.about.hidden = number > 0;
     this.showList();
     this.lesson.replaceChildren(...(number > 0 ? this.parts(number) : []));
-    this.root.scrollIntoView({ block: "nearest" });
-    (this.lesson.querySelector("h3") ?? this.heading).focus({ preventScroll: number === 0 });
+    if (this.root.getBoundingClientRect().top < 0) this.root.scrollIntoView();
+    (this.lesson.querySelector("h3") ?? this.heading).focus({ preventScroll: true });
   }
 
   /// While lessons are open, the estimate and the examples give way.

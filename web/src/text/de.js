@@ -95,8 +95,8 @@ const lessons = [
         "einander und die Wände nur langsam."],
       ["Gleich: Der Becher bestimmt sie.", "Der Becher gibt die Bewegung vor, aber was die Kugeln aufnehmen, hängt von ihren " +
         "Stoßgeschwindigkeiten ab."]],
-    conclusion: "Die Leistung ist bei einer mittleren Füllung am größten, hier um vier Kugeln. Die Energie eines Stoßes sinkt mit " +
-      "jeder weiteren Kugel." },
+    conclusion: "Die Leistung ist bei einer mittleren Füllung am größten, hier um vier Kugeln. Die Energie eines Stoßes ist " +
+      "umso kleiner, je mehr Kugeln es sind." },
   { title: "Welchen Zahlen kann man trauen?",
     intro: "Die Zahl hinter ± ist ein 95-%-Intervall: So weit kann der Mittelwert dieser Rechnung von dem einer endlosen " +
       "entfernt sein. Hier werden zwei kurze Rechnungen verglichen.",

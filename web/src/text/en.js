@@ -99,8 +99,8 @@ const lessons = [
         "other and the walls at low speed only."],
       ["The same: the vial decides.", "The vial gives the motion, but how much the balls take depends on the speeds at which " +
         "they hit."]],
-    conclusion: "The power has its maximum at a middle filling, here near four balls. The energy of a hit falls with every " +
-      "further ball." },
+    conclusion: "The power has its maximum at a middle filling, here near four balls. The energy of a hit falls as " +
+      "balls are added." },
   { title: "Which numbers can be trusted?",
     intro: "The number behind ± is a 95 % interval: so far may the mean of this run be from that of an endless run. Here, " +
       "two short runs are compared.",
