@@ -97,6 +97,7 @@ TEST_F(Estimate, refuses_in_the_words_of_its_options) {
   expect_refused(mill, "no balls are given");
   expect_refused(mill + "--balls 2", "NUMBER x DIAMETER");
   expect_refused(mill + "--balls 2x10kg", "there is no length");
+  expect_refused(mill + "--balls 2x1,5cm", "write a decimal point");
   expect_refused(mill + "--balls 'many x 10 mm'", "no number, mass or percentage");
   expect_refused(mill + "--balls 0x10mm", "whole number from 1");
   expect_refused(mill + "--balls 500x10mm", "densest packing");

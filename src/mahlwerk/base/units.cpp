@@ -128,7 +128,10 @@ std::string_view kind_of(std::string_view unit) {
   return "a quantity of this dimension";
 }
 
-std::string_view example_unit(std::string_view unit) {
+/// The unit that a number without one probably has. No solid or liquid has 30 kg/m3.
+std::string_view example_unit(std::string_view unit, double value) {
+  constexpr double light = 30;
+  if (unit == "kg/m3" && value < light) return "g/cm3";
   constexpr std::pair<std::string_view, std::string_view> units[] = {
       {"m", "mm"}, {"kg", "g"}, {"rad/s", "rpm"}, {"rad", "deg"}, {"m3", "ml"}, {"Pa", "GPa"}};
   for (const auto& [u, example] : units)
@@ -154,7 +157,7 @@ double parse_in(std::string_view text, std::string_view unit) {
     return finite_or_fault(converted(absolute->value, {}, wanted.scale), text);
   if (p.unit.empty() && wanted.dimension != Dimension{})
     throw UnitError(fmt::format("the unit is missing; write for instance \"{} {}\"", p.digits,
-                                example_unit(unit)));
+                                example_unit(unit, p.number)));
   ParsedUnit found = absolute ? ParsedUnit{{}, absolute->dimension} : parse_unit(p.unit);
   if (unit == "Hz" && found.dimension == Dimension{.time = -1}) {  // 1/s is no angular speed here
     found.dimension = wanted.dimension;

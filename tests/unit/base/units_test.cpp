@@ -231,6 +231,8 @@ TEST(Units, a_missing_unit_comes_with_the_users_own_number) {
   EXPECT_EQ(fault_of("12", "m"), "the unit is missing; write for instance \"12 mm\"");
   EXPECT_EQ(fault_of("-400", "rad/s"), "the unit is missing; write for instance \"-400 rpm\"");
   EXPECT_EQ(fault_of("10", "Hz"), "the unit is missing; write for instance \"10 Hz\"");
+  EXPECT_EQ(fault_of("7.8", "kg/m3"), "the unit is missing; write for instance \"7.8 g/cm3\"");
+  EXPECT_EQ(fault_of("7800", "kg/m3"), "the unit is missing; write for instance \"7800 kg/m3\"");
 }
 
 TEST(Units, turns_per_minute_have_the_spellings_of_rating_plates) {

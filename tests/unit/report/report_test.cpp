@@ -114,6 +114,12 @@ TEST(KeyNumbers, come_first_with_the_dose_of_an_hour_and_no_dose_of_the_simulate
   const std::string timed = key_table(ended(o));
   EXPECT_TRUE(has(timed, "specific energy dose after 2 h")) << timed;
   EXPECT_TRUE(has(timed, "43 ± 18 J/g")) << timed;
+  for (const auto& [time, words] :
+       {std::pair(1800.0, "after 30 min"), std::pair(90.0, "after 90 s")}) {
+    auto shorter = o;
+    shorter.mill_case.milling = cases::MillingTime{.time = time};
+    EXPECT_TRUE(has(key_table(ended(shorter)), words)) << words;
+  }
   const std::string html = report_page(ended(o), "1");
   EXPECT_TRUE(well_formed(html));
   EXPECT_LT(html.find("43 ± 18 J/g"), html.find("<details"));

@@ -112,7 +112,9 @@ TEST(Register, says_which_section_a_missing_quantity_needs) {
   EXPECT_EQ(section_of(c, "d50"), "[grinding]");
   EXPECT_EQ(section_of(c, "conversion"), "[kinetics]");
   EXPECT_EQ(section_of(c, "contamination_rate"), "[wear]");
+  c.milling = cases::MillingTime{.time = 60};
   EXPECT_EQ(section_of(c, "worn_mass"), "[wear]");
+  EXPECT_EQ(section_of(c, "contamination"), "[wear]");
 }
 
 TEST(Register, orders_key_numbers_and_columns_without_gaps) {
