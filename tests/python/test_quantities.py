@@ -327,8 +327,7 @@ def test_every_quantity_of_the_register_is_proven(program):
     register = {one["name"] for one in json.loads(program("list", "quantities", "--json")[1])}
     elsewhere = {name for names in ELSEWHERE.values() for name in names}
     proven = set(PROOFS) | set(READINGS) | elsewhere
-    assert not register - proven, (f"{sorted(register - proven)}: add a second computation from the records to PROOFS, or "
-                                   "name a unit test that proves it in ELSEWHERE")
+    assert not register - proven, f"{sorted(register - proven)}: prove by records in PROOFS, or name its unit test in ELSEWHERE"
     assert not proven - register, f"{sorted(proven - register)}: there is no such quantity; remove its proof"
     for file, names in ELSEWHERE.items():
         text = (TESTS / file).read_text()
