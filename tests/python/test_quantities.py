@@ -302,7 +302,6 @@ READINGS = {
     "acceleration_peak": (lambda run: np.abs(run.result.table("accelerometer")["acceleration_m_per_s2"]).max(), 0.05),
 }
 
-
 # What no record of a collision holds: closed forms of charges and balances made by hand.
 ELSEWHERE = {
     "unit/results/summary_test.cpp": ["tc_collision_share", "power_share_within_contact_time",
