@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -78,11 +79,11 @@ const commands::Command& command_named(const std::vector<commands::Command>& all
 
 template <class T>
 std::string_view type_words() {
-  if constexpr (std::is_same_v<T, std::string>)
+  if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, std::optional<std::string>>)
     return "a text, a quantity with its unit";
   else if constexpr (std::is_same_v<T, std::vector<std::string>>)
     return "a list of texts";
-  else if constexpr (std::is_same_v<T, int>)
+  else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, std::optional<std::uint64_t>>)
     return "a whole number";
   else if constexpr (std::is_same_v<T, bool>)
     return "True or False";
@@ -91,7 +92,7 @@ std::string_view type_words() {
   else if constexpr (std::is_same_v<T, std::optional<double>>)
     return "a number";
   else
-    return "of another type";
+    return "a path";
 }
 
 template <class T>

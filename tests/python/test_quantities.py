@@ -304,7 +304,6 @@ READINGS = {
     "acceleration_peak": (lambda run: np.abs(run.result.table("accelerometer")["acceleration_m_per_s2"]).max(), 0.05),
 }
 
-
 # What no record of a collision holds: closed forms of charges and balances made by hand.
 ELSEWHERE = {
     "unit/results/summary_test.cpp": ["tc_collision_share", "power_share_within_contact_time",
@@ -329,8 +328,7 @@ def test_every_quantity_of_the_register_is_proven(program):
     register = {one["name"] for one in json.loads(program("list", "quantities", "--json")[1])}
     elsewhere = {name for names in ELSEWHERE.values() for name in names}
     proven = set(PROOFS) | set(READINGS) | elsewhere
-    assert not register - proven, (f"{sorted(register - proven)}: add a second computation from the records to PROOFS, or "
-                                   "name a unit test that proves it in ELSEWHERE")
+    assert not register - proven, f"{sorted(register - proven)}: prove by records in PROOFS, or name its unit test in ELSEWHERE"
     assert not proven - register, f"{sorted(proven - register)}: there is no such quantity; remove its proof"
     for file, names in ELSEWHERE.items():
         text = (TESTS / file).read_text()
