@@ -133,6 +133,79 @@ std::string rounded_bodies(const cases::Case& c, const std::vector<scene::Ball>&
   return list;
 }
 
+/// Numbers in 16 bits, and the unit that they are in.
+struct Scaled {
+  double unit = 0;
+  std::vector<std::uint16_t> values;
+};
+Scaled scaled(const std::vector<float>& list) {
+  const double largest = std::max(1e-9, double{*std::ranges::max_element(list)});
+  constexpr double most = std::numeric_limits<std::uint16_t>::max();
+  Scaled made{largest / most, {}};
+  for (const float v : list)
+    made.values.push_back(static_cast<std::uint16_t>(std::lround(double{v} / largest * most)));
+  return made;
+}
+
+/// Frame of the replay at a time [s], with its fraction.
+float frame_at(const std::vector<double>& times, double time) {
+  const auto after = std::ranges::upper_bound(times, time);
+  if (after == times.begin()) return 0;
+  const auto before = after - 1;
+  const auto whole = static_cast<double>(before - times.begin());
+  return static_cast<float>(after == times.end() ? whole
+                                                 : whole + (time - *before) / (*after - *before));
+}
+
+/// The strongest hits as JSON members. `balls`: whether the numbers of balls are those of the film.
+std::string hits(const observe::Replay& film, bool balls) {
+  constexpr std::uint16_t none = std::numeric_limits<std::uint16_t>::max();
+  const auto stride = static_cast<std::int32_t>(film.ball_stride());
+  const auto shown = [&](std::int32_t ball) {
+    const bool is = ball >= 0 && ball % stride == 0 &&
+                    static_cast<std::size_t>(ball / stride) < film.balls() && balls;
+    return is ? static_cast<std::uint16_t>(ball / stride) : none;
+  };
+  std::vector<float> frames, energies;
+  std::vector<std::int16_t> places;
+  std::vector<std::uint16_t> of_balls;
+  const std::vector<observe::ReplayHit> all = film.hits();
+  double largest = 0;
+  for (const observe::ReplayHit& hit : all) largest = std::max(largest, hit.energy);
+  for (const observe::ReplayHit& hit : all) {
+    if (hit.energy < 1e-3 * largest) continue;  // its mark would be too small to be seen
+    frames.push_back(frame_at(film.times(), hit.time));
+    energies.push_back(static_cast<float>(hit.energy));
+    for (const double at : {hit.where.x, hit.where.y, hit.where.z})
+      places.push_back(static_cast<std::int16_t>(
+          std::lround(std::clamp(at / film.position_unit(), -32767.0, 32767.0))));
+    of_balls.push_back(shown(hit.ball));
+    of_balls.push_back(shown(hit.other));
+  }
+  std::string counts = "null";
+  if (balls) {
+    std::vector<std::uint32_t> list = film.hits_of_balls();
+    list.resize(film.balls());
+    counts = json_string(packed(list));
+  }
+  return fmt::format(
+      "{{\"count\":{},\"frames\":\"{}\",\"places\":\"{}\",\"energies\":\"{}\","
+      "\"balls\":\"{}\",\"of_balls\":{}}}",
+      frames.size(), packed(frames), packed(places), packed(energies), packed(of_balls), counts);
+}
+
+/// [kg/m3] The density of each ball set as JSON: mass over volume of a ball; null for a set without
+/// balls. Empty for bodies, whose spheres have no mass of their own.
+std::string densities(const cases::Case& c, const std::vector<scene::Ball>& balls) {
+  if (!cases::body_shapes(c).empty()) return "null";
+  std::vector<double> of_sets(c.balls.size(), 0);
+  for (const scene::Ball& ball : balls) of_sets[static_cast<std::size_t>(ball.kind)] = ball.density;
+  std::string list;
+  for (const double density : of_sets)
+    list += (list.empty() ? "" : ",") + (density > 0 ? fmt::format("{:.9g}", density) : "null");
+  return '[' + list + ']';
+}
+
 }  // namespace
 
 std::string replay_data(const cases::Case& c, const observe::Replay& film) {
@@ -143,11 +216,7 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
     radius.push_back(static_cast<float>(balls[i].radius));
     species.push_back(static_cast<std::uint8_t>(balls[i].kind));
   }
-  const double fastest = std::max(1e-9, double{*std::ranges::max_element(film.speeds())});
-  constexpr double most = std::numeric_limits<std::uint16_t>::max();
-  std::vector<std::uint16_t> speeds;
-  for (const float v : film.speeds())
-    speeds.push_back(static_cast<std::uint16_t>(std::lround(double{v} / fastest * most)));
+  const Scaled speeds = scaled(film.speeds()), spins = scaled(film.spins());
   std::string times, names;
   for (const double t : film.times()) times += fmt::format("{}{:.9g}", times.empty() ? "" : ",", t);
   for (std::size_t i = 0; i < c.balls.size(); ++i)
@@ -157,11 +226,14 @@ std::string replay_data(const cases::Case& c, const observe::Replay& film) {
   return fmt::format(
       "{{\"version\":1,\"title\":{},\"times\":[{}],\"count\":{},\"of\":{},\"radius\":\"{}\","
       "\"species\":\"{}\",\"species_names\":[{}],\"position_scale\":{:.9g},\"positions\":\"{}\","
-      "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
+      "\"speed_scale\":{:.9g},\"speeds\":\"{}\",\"spin_scale\":{:.9g},\"spins\":\"{}\","
+      "\"densities\":{},\"hits\":{},\"jar_centre\":\"{}\",\"jar_turn\":\"{}\","
       "\"carrier_turn\":\"{}\",\"carrier\":{},\"bodies\":[{}],\"meshes\":[{}]}}",
       json_string(c.title), times, radius.size(), balls.size(), packed(radius), packed(species),
-      names, film.position_unit(), packed(film.positions()), fastest / most, packed(speeds),
-      packed(w.centre), packed(w.turn), packed(w.carrier), planetary ? "\"disc\"" : "null",
+      names, film.position_unit(), packed(film.positions()), speeds.unit, packed(speeds.values),
+      spins.unit, packed(spins.values), densities(c, balls),
+      hits(film, cases::body_shapes(c).empty()), packed(w.centre), packed(w.turn),
+      packed(w.carrier), planetary ? "\"disc\"" : "null",
       rounded_bodies(c, balls, film.ball_stride()),
       meshes(c, w) + part_meshes(c, film.mill_times()));
 }

@@ -6,9 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "mahlwerk/geometry/shapes.hpp"
 #include "mahlwerk/kinematics/motions.hpp"
@@ -61,6 +64,68 @@ TEST(Replay, shows_every_third_of_many_balls) {
     EXPECT_EQ(replay.positions()[k][2], std::lround(0.05 / unit));
     EXPECT_NEAR(replay.speeds()[k], 0.003 * static_cast<double>(k), 1e-5);
   }
+}
+
+/// 400 hits of a ball with the wall between the first two frames of a film of 16, and one after its
+/// end.
+std::vector<scene::Collision> many_hits(double interval) {
+  std::vector<scene::Collision> list;
+  for (int i = 0; i <= 400; ++i) {
+    scene::Collision hit;
+    hit.time = i < 400 ? interval * i / 400 : 1000;
+    hit.ball = i % 2;
+    hit.other = ~0;
+    hit.mass = 2;
+    hit.approach = 1 + (i * 7919) % 401;  // energies (1 to 401)^2 J, each once
+    list.push_back(hit);
+  }
+  return list;
+}
+
+/// Of 400 hits between two frames the 100 strongest are kept, in whatever order they come.
+TEST(Replay, keeps_the_strongest_hits_between_two_frames_whatever_their_order) {
+  const scene::Chamber drum{geometry::Cylinder{0.2, 0.1}, kinematics::Tumbling{5}, {}, {}};
+  Replay one(drum, 20000, 0, 10), other(drum, 20000, 0, 10);
+  const double interval = 2 * std::numbers::pi / 5 / 15;
+  std::vector<scene::Collision> hits = many_hits(interval);
+  one.add_hits(hits, 201);
+  std::ranges::reverse(hits);
+  for (const scene::Collision& hit : hits) other.add_hits({&hit, 1}, 201);
+  const std::vector<ReplayHit> kept = one.hits(), same = other.hits();
+  ASSERT_EQ(kept.size(), 100U);
+  ASSERT_EQ(same.size(), 100U);
+  std::vector<double> expected;
+  for (const scene::Collision& hit : hits)
+    if (hit.time < interval) expected.push_back(hit.energy_normal());
+  std::ranges::sort(expected, std::greater());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_GE(kept[i].energy, expected[99]);
+    EXPECT_EQ(kept[i].energy, same[i].energy);
+    EXPECT_EQ(kept[i].time, same[i].time);
+  }
+  const auto counted = std::ranges::count_if(hits, [&](const scene::Collision& hit) {
+    return hit.time < interval && hit.approach >= 201;
+  });
+  EXPECT_EQ(one.hits_of_balls()[0] + one.hits_of_balls()[1], counted);
+  EXPECT_EQ(one.hits_of_balls(), other.hits_of_balls());
+}
+
+/// A saved film goes on with the same hits; one whose numbers do not fit is refused.
+TEST(Replay, continues_from_a_saved_state_and_refuses_a_damaged_one) {
+  const scene::Chamber drum{geometry::Cylinder{0.2, 0.1}, kinematics::Tumbling{5}, {}, {}};
+  Replay one(drum, 20000, 0, 1);
+  one.add_hits(many_hits(0.08), 0);
+  Archive out;
+  one.serialize(out);
+  Replay read(drum, 20000, 0, 1);
+  Archive in(out.bytes());
+  read.serialize(in);
+  in.finish();
+  EXPECT_EQ(read.hits().size(), one.hits().size());
+  EXPECT_EQ(read.hits_of_balls(), one.hits_of_balls());
+  Replay shorter(drum, 1000, 0, 1);  // of other frames
+  Archive again(out.bytes());
+  EXPECT_THROW(shorter.serialize(again), RunError);
 }
 
 /// How long a film is and how many frames it has, by the motion.

@@ -51,6 +51,8 @@ class ReplicateRun::RecordingObserver final : public scene::Observer {
     results::Replicate& r = replica_.result_;
     r.tally.collisions(finished);
     for (const auto& recorder : r.recorders.all()) recorder->collisions(finished);
+    if (replica_.records_replay_)
+      r.replay.add_hits(finished, replica_.mill_case_->observe.threshold);
     if (replica_.streams_)
       r.stream.collisions(finished, r.tally.by_pair, results::stream_energy(*replica_.mill_case_));
     if (replica_.recorder_) replica_.recorder_->collisions(finished);
