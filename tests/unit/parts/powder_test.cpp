@@ -207,7 +207,8 @@ TEST(PowderReport, methods_state_the_time_of_the_dose_and_the_assumed_numbers_of
   EXPECT_FALSE(has(methods(o, "1"), "Wear"));
   o.mill_case.heat.emplace();
   o.mill_case.parts.set(cases::Wear{.coefficient = 1e-3});
-  o.mill_case.origins.push_back({.key = "wear.coefficient", .value = "1e-3", .assumed = true});
+  o.mill_case.origins.push_back(
+      {.key = "wear.coefficient", .value = "1e-3", .source = "default", .assumed = true});
   EXPECT_TRUE(has(methods(o, "1"), "Wear by Archard, with a coefficient of 0.001*."));
   EXPECT_TRUE(has(methods(o, "1"), "coefficients of 15 W/m2/K from the jar to air of 20 °C"))
       << methods(o, "1");
