@@ -12,7 +12,7 @@ import mahlwerk
 
 def test_an_interrupted_run_goes_on_with_the_same_bits(ball):
     """The first call is interrupted while it computes; the second is the same call."""
-    long = ball.replace({"run.time": "150 s"})
+    long = ball.replace({"run.time": "800 s"})
     told = []
 
     def interrupt(share, line):
