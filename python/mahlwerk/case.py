@@ -125,7 +125,8 @@ class Case(CaseValues):
         if resume or checkpoint is not None:
             if collisions or observers:
                 raise ValueError("a run with collisions in memory or observers cannot be resumed")
-            return self._run_with_checkpoints(out, force, threads, checkpoint or 60.0, resume, progress)
+            return self._run_with_checkpoints(out, force, threads, 60.0 if checkpoint is None else checkpoint, resume,
+                                              progress)
         if collisions is None:
             collisions = out is None and self._value("observe.collisions") == "true"
         folder = None if out is None else named_folder(out)

@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import contextlib
+import csv
+import io
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from . import _core
@@ -64,13 +66,27 @@ def measurements(data: object) -> contextlib.AbstractContextManager[str]:
     if isinstance(data, (str, os.PathLike)):
         return contextlib.nullcontext(os.fspath(data))
     if isinstance(data, Mapping):
-        rows = [data, *zip(*data.values())]  # the names, then the values
-        text = "".join(", ".join(map(str, row)) + "\n" for row in rows)
+        text = csv_of(data)
     elif hasattr(data, "to_csv"):
         text = data.to_csv(index=False)
     else:
         raise TypeError(f"measurements are a CSV file, a data frame or a dict of columns, not {data!r}")
     return temporary(text, Path.cwd() / "data", "data", ".csv")
+
+
+def csv_of(columns: Mapping[object, object]) -> str:
+    """A table of named columns. Raises TypeError for one that is no column, ValueError for unequal ones."""
+    lists = {}
+    for name, column in columns.items():
+        if isinstance(column, str) or not isinstance(column, Iterable):
+            raise TypeError(f"the column {name} of the measurements is a list of values, not {column!r}")
+        lists[name] = list(column)
+    if len({len(column) for column in lists.values()}) > 1:
+        told = ", ".join(f"{name} has {len(column)}" for name, column in lists.items())
+        raise ValueError(f"the columns of the measurements have different numbers of values: {told}")
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([lists, *zip(*lists.values())])
+    return out.getvalue()
 
 
 @contextlib.contextmanager

@@ -25,12 +25,16 @@ AnyCase = Union[Case, Place, "Mapping[str, Value]"]
 Found = TypeVar("Found")
 
 
+def as_case(case: AnyCase) -> Case:
+    return case if isinstance(case, Case) else Case(case)
+
+
 def function_of(method: Callable[Concatenate[Case, Options], Found]) -> Callable[
         Concatenate[AnyCase, Options], Found]:
     """The method of Case as a function whose first argument may be whatever a Case is made of."""
     @functools.wraps(method)
     def function(case: AnyCase, *arguments: Options.args, **options: Options.kwargs) -> Found:
-        return method(case if isinstance(case, Case) else Case(case), *arguments, **options)
+        return method(as_case(case), *arguments, **options)
 
     first, *others = inspect.signature(method).parameters.values()
     first = first.replace(name="case", annotation="Case, file, folder or dict of sections")

@@ -14,6 +14,7 @@ from .case import Case
 from .case_source import Place
 from .changes import checked_threads
 from .commands import command
+from .functions import as_case
 from .pages import table_html
 from .progress import Progress
 from .public import Public
@@ -114,7 +115,7 @@ class Measurement(Public):
     def calibrate(self, case: AnyCase, out: Optional[Place] = None, *, force: bool = False) -> Case:
         """The case with the measured values and draws from their intervals in [uncertainty], written into the
         folder `out` as calibrated.toml (`--case`)."""
-        case = case if isinstance(case, Case) else Case(case)
+        case = as_case(case)
         place = case._source.result_folder(out, "-measured")
         with case._source.as_file() as target:
             self._told(case=target, set=case._titled(), out=os.fspath(place), force=force)
@@ -125,7 +126,7 @@ class Measurement(Public):
         (`--next`): seconds to minutes."""
         import tempfile
 
-        case = case if isinstance(case, Case) else Case(case)
+        case = as_case(case)
         with tempfile.TemporaryDirectory() as folder, case._source.as_file() as target:
             return command(["measure", self._kind], **self._options, case=target, set=case._titled(), next=True,
                            out=os.path.join(folder, "measured"), threads=checked_threads(threads),

@@ -26,6 +26,10 @@ def test_a_fit_takes_a_file_a_frame_and_a_dict():
         bare.fit({"tims": [1, 2]}, "wrong", over=OVER)
     with pytest.raises(TypeError, match="a CSV file, a data frame or a dict"):
         case.fit(None, "wrong")
+    with pytest.raises(ValueError, match="time has 2, d50 has 1"):  # a value would be lost
+        case.fit({"time": [1, 2], "d50": [3]}, "wrong")
+    with pytest.raises(TypeError, match="the column time .* is a list"):
+        case.fit({"time": 1}, "wrong")
     with pytest.raises(mahlwerk.InputError, match=r'case.without\("fit"\)'):
         case.fit(data, "wrong", over=OVER)
 

@@ -36,6 +36,8 @@ def test_an_interrupted_run_goes_on_with_the_same_bits(ball):
 def test_what_cannot_be_resumed_is_refused(ball):
     with pytest.raises(ValueError, match="cannot be resumed"):
         ball.run("out", resume=True, collisions=True)
+    with pytest.raises(ValueError, match="above 0, not 0"):
+        ball.run("out", checkpoint=0)
     with pytest.raises(mahlwerk.InputError, match="no folder"):
         ball.run(resume=True)
 

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "mahlwerk/base/random.hpp"
-#include "mahlwerk/base/spelling.hpp"
 #include "mahlwerk/base/unit_table.hpp"
 
 namespace mahlwerk::units_test {
@@ -343,15 +342,6 @@ TEST(Units, show_reads_back_to_the_last_bit) {
                              std::numeric_limits<double>::max(), std::nextafter(0.012, 1.0)})
       expect_round_trip(odd, unit);
   }
-}
-
-TEST(Spelling, finds_the_word_that_was_meant) {
-  const std::vector<std::string> words{"frequency", "amplitude", "tilt", "kind"};
-  EXPECT_EQ(nearest_word("frequancy", words), "frequency");
-  EXPECT_EQ(nearest_word("Amplitude", words), "amplitude");
-  EXPECT_EQ(nearest_word("tlit", words), "tilt");
-  EXPECT_EQ(nearest_word("colour", words), "");
-  EXPECT_EQ(nearest_word("", words), "");
 }
 
 }  // namespace

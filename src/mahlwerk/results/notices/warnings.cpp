@@ -185,9 +185,8 @@ void overlaps(const Outcome& outcome, Notices& list) {
   else
     list.push_back(warning(
         "soft-contacts",
-        fmt::format("Two bodies overlapped by {} % of a ball's radius, more than {:.0f} %. {}",
-                    two_digits(100 * deepest), 100 * soft_overlap,
-                    overlap_advice(outcome.mill_case))));
+        fmt::format("Two bodies overlapped by {:.3g} % of a ball's radius, more than {:.0f} %. {}",
+                    100 * deepest, 100 * soft_overlap, overlap_advice(outcome.mill_case))));
 }
 
 }  // namespace
