@@ -66,17 +66,17 @@ TEST(Replay, shows_every_third_of_many_balls) {
   }
 }
 
-/// 400 hits of a ball with the wall between the first two frames of a film of 16, and one after its
-/// end.
+/// 400 hits of a ball with the wall between the first two frames of a film of 16, and one before
+/// its begin and one after its end, which are the strongest.
 std::vector<scene::Collision> many_hits(double interval) {
   std::vector<scene::Collision> list;
-  for (int i = 0; i <= 400; ++i) {
+  for (int i = 0; i < 402; ++i) {
     scene::Collision hit;
-    hit.time = i < 400 ? interval * i / 400 : 1000;
+    hit.time = i < 400 ? interval * i / 400 : i == 400 ? -interval / 2 : 1000;
     hit.ball = i % 2;
     hit.other = ~0;
     hit.mass = 2;
-    hit.approach = 1 + (i * 7919) % 401;  // energies (1 to 401)^2 J, each once
+    hit.approach = i < 400 ? 1 + (i * 7919) % 401 : 500;  // energies (1 to 401)^2 J, each once
     list.push_back(hit);
   }
   return list;
@@ -94,18 +94,21 @@ TEST(Replay, keeps_the_strongest_hits_between_two_frames_whatever_their_order) {
   const std::vector<ReplayHit> kept = one.hits(), same = other.hits();
   ASSERT_EQ(kept.size(), 100U);
   ASSERT_EQ(same.size(), 100U);
+  const auto between = [&](const scene::Collision& hit) {
+    return hit.time >= 0 && hit.time < interval;
+  };
   std::vector<double> expected;
   for (const scene::Collision& hit : hits)
-    if (hit.time < interval) expected.push_back(hit.energy_normal());
+    if (between(hit)) expected.push_back(hit.energy_normal());
   std::ranges::sort(expected, std::greater());
   for (std::size_t i = 0; i < kept.size(); ++i) {
     EXPECT_GE(kept[i].energy, expected[99]);
+    EXPECT_LE(kept[i].energy, expected[0]);
     EXPECT_EQ(kept[i].energy, same[i].energy);
     EXPECT_EQ(kept[i].time, same[i].time);
   }
-  const auto counted = std::ranges::count_if(hits, [&](const scene::Collision& hit) {
-    return hit.time < interval && hit.approach >= 201;
-  });
+  const auto counted = std::ranges::count_if(
+      hits, [&](const scene::Collision& hit) { return between(hit) && hit.approach >= 201; });
   EXPECT_EQ(one.hits_of_balls()[0] + one.hits_of_balls()[1], counted);
   EXPECT_EQ(one.hits_of_balls(), other.hits_of_balls());
 }
